@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// Conventions as values: which way the camera looks, what depth means, where the first texel is.
+// Passed explicitly everywhere; GLM's configuration macros are neither read nor needed.
+//
+//     auto light = umbrage::make_spot_light({.position = p, .direction = d, .clip = umbrage::vulkan_clip_space});
+//
+#pragma once
+
+namespace umbrage {
+
+enum class handedness { right, left };                     ///< view space: looking down -z, or +z
+enum class depth_range { zero_to_one, minus_one_to_one };  ///< of z/w between the planes
+enum class depth_direction { forward, reversed };          ///< reversed: the near plane has the greater depth
+enum class texture_origin { bottom, top };                 ///< where texel (0, 0) is: at NDC y = -1, or y = +1
+
+struct clip_space {
+    handedness hand = handedness::right;
+    depth_range range = depth_range::zero_to_one;
+    depth_direction direction = depth_direction::forward;
+    texture_origin origin = texture_origin::bottom;
+
+    friend constexpr bool operator==(const clip_space&, const clip_space&) = default;
+};
+
+/// Right-handed, z/w in [-1, 1], texels from the bottom.
+inline constexpr clip_space opengl_clip_space{.range = depth_range::minus_one_to_one};
+
+/// Right-handed, z/w in [0, 1]; the first texel is at NDC y = -1, which Vulkan draws at the top.
+inline constexpr clip_space vulkan_clip_space{};
+
+/// Left-handed, z/w in [0, 1], texels from the top. Metal and WebGPU agree but for the hand, which is the caller's.
+inline constexpr clip_space direct3d_clip_space{.hand = handedness::left, .origin = texture_origin::top};
+
+/// The depth of the far plane, to which a map is cleared.
+[[nodiscard]] constexpr float cleared_depth(clip_space clip) {
+    return clip.direction == depth_direction::forward ? 1.0f : 0.0f;
+}
+
+}  // namespace umbrage

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// The scalar ground rules: which types are depths, what NaN means, what clamping does.
+//
+//     float d = umbrage::saturate(z);  // NaN and everything from 1 up: 1;  everything from 0 down: 0
+//
+#pragma once
+
+#include <bit>
+#include <concepts>
+#include <cstdint>
+
+#include <umbrage/glsl.hpp>
+
+namespace umbrage {
+
+/// Scalars that primitives work on.
+template <class T>
+concept real = std::same_as<T, float> || std::same_as<T, double>;
+
+/// Tests the bits, so that -ffast-math cannot remove it.
+[[nodiscard]] constexpr bool is_nan(float v) {
+    return (std::bit_cast<std::uint32_t>(v) & 0x7FFFFFFFu) > 0x7F800000u;
+}
+[[nodiscard]] constexpr bool is_nan(double v) {
+    return (std::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) > 0x7FF0000000000000ull;
+}
+
+/// True for everything but NaN and the infinities.
+[[nodiscard]] constexpr bool is_finite(float v) {
+    return (std::bit_cast<std::uint32_t>(v) & 0x7FFFFFFFu) < 0x7F800000u;
+}
+[[nodiscard]] constexpr bool is_finite(double v) {
+    return (std::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) < 0x7FF0000000000000ull;
+}
+
+/// Clamps to [0, 1]. NaN of either sign becomes 1, the cleared depth; -0 becomes +0.
+/// @formula     !(v < 1) ? 1 : (v > 0 ? v : 0)
+/// @exactness   A: selects, never computes
+template <real T>
+[[nodiscard]] constexpr T saturate(T v) {
+    if (is_nan(v)) return T(1);
+    return v < T(1) ? (v > T(0) ? v : T(0)) : T(1);
+}
+
+namespace glsl {
+
+inline constexpr snippet saturate{
+    .name = "saturate", .summary = "clamp to [0, 1], NaN to 1", .exactness = tier::a, .source = R"GLSL(
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes 1.0
+UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
+    return !(v < 1.0) ? 1.0 : (v > 0.0 ? v : 0.0);
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage
