@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+#
+#     make demo    makes pictures in build/demo
+#     make test    builds and runs every test
+#
+# Each installs the Debian packages that it lacks first. The work itself is CMake's: see CMakePresets.json.
+
+build_packages := cmake g++ libglm-dev ninja-build pkg-config
+demo_packages := $(build_packages) libassimp-dev libboost-dev libcli11-dev libstb-dev
+test_packages := $(demo_packages) clang-14 doctest-dev glslang-tools libegl-dev libgl-dev libgl1-mesa-dri libgles-dev \
+    spirv-tools
+
+# $(call install,packages): what is missing of them; elsewhere than on Debian, says what is needed and goes on.
+define install
+@if ! command -v apt-get > /dev/null; then \
+    echo "Not a Debian machine. Needed, by their Debian names: $(strip $(1))"; \
+else \
+    missing=; \
+    for package in $(1); do \
+        dpkg-query -W -f '$${db:Status-Status}\n' $$package 2> /dev/null | grep -qx installed || missing="$$missing $$package"; \
+    done; \
+    if [ -n "$$missing" ]; then \
+        echo "Installing$$missing"; \
+        if [ "$$(id -u)" = 0 ]; then root=; \
+        elif command -v sudo > /dev/null; then root=sudo; \
+        else echo "Neither root nor sudo here. As root: apt-get install$$missing"; exit 1; fi; \
+        $$root apt-get update -qq && \
+        $$root env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends $$missing; \
+    fi; \
+fi
+endef
+
+.PHONY: test demo asan single-header compile-time clean
+
+test:
+	$(call install,$(test_packages))
+	cmake --workflow --preset dev
+	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang; \
+	else echo "No clang++-14 here: the pass with it is left out."; fi
+
+demo:
+	$(call install,$(demo_packages))
+	cmake --workflow --preset examples
+	build/examples/examples/shadow_render/shadow_render --output build/demo
+
+# The unit tests under the address and undefined behaviour sanitizers.
+asan:
+	$(call install,$(test_packages))
+	cmake --workflow --preset asan
+
+# Makes single_include/umbrage/umbrage.hpp anew.
+single-header:
+	cmake -P single_include/amalgamate.cmake
+
+# What including umbrage.hpp costs.
+compile-time:
+	$(call install,$(test_packages))
+	cmake --preset dev
+	ctest --preset dev -L compile-time --verbose
+
+clean:
+	rm -rf build

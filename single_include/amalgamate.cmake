@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+#
+# Writes the single header: umbrage.hpp with each of our headers put in place once, and the others' hoisted.
+#
+#     cmake -P single_include/amalgamate.cmake                                   # or: make single-header
+#     cmake -D OUTPUT=file -D COMPARE=file -P single_include/amalgamate.cmake    # the test: elsewhere, and compare
+cmake_minimum_required(VERSION 3.21)
+
+cmake_path(SET root NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/..)
+if(NOT OUTPUT)
+    set(OUTPUT ${CMAKE_CURRENT_LIST_DIR}/umbrage/umbrage.hpp)
+endif()
+
+set(done "")   # our headers, in the order in which they were reached
+set(others "") # GLM and standard headers
+set(body "")
+
+# Macros, so that the three lists above are the only state.
+macro(put_in header)
+    list(APPEND done ${header})
+    file(READ ${root}/include/${header} text_of_${header})
+    string(REGEX MATCHALL "\n#include <[^>]+" includes "${text_of_${header}}")
+    list(TRANSFORM includes REPLACE "\n#include <" "")
+    foreach(include IN LISTS includes)
+        if(NOT include MATCHES "^umbrage/")
+            list(APPEND others ${include})
+        elseif(NOT include IN_LIST done)
+            put_in(${include})
+        endif()
+    endforeach()
+    # By name again: reaching deeper has changed every other variable.
+    string(REGEX REPLACE "\n#(pragma once|include <[^>]+>)[^\n]*" "" text "${text_of_${header}}")
+    string(REGEX REPLACE "^// SPDX[^\n]*\n(//\n)?" "" text "${text}")
+    string(REGEX REPLACE "\n\n\n+" "\n\n" text "${text}")
+    string(APPEND body "\n// ---- ${header}\n${text}")
+endmacro()
+put_in(umbrage/umbrage.hpp)
+
+file(GLOB_RECURSE headers RELATIVE ${root}/include ${root}/include/*.hpp)
+foreach(header IN LISTS headers)
+    if(NOT header IN_LIST done)
+        message(SEND_ERROR "${header} is not reached from umbrage/umbrage.hpp: include it there")
+    endif()
+endforeach()
+
+list(REMOVE_DUPLICATES others)
+list(SORT others)
+list(TRANSFORM others REPLACE "(.+)" "#include <\\1>\n")
+list(JOIN others "" others)
+file(READ ${root}/LICENSE licence)
+string(REGEX REPLACE "\n" "\n// " licence "// ${licence}")
+string(REGEX REPLACE " +\n" "\n" licence "${licence}\n")
+file(WRITE ${OUTPUT} "// SPDX-License-Identifier: MIT
+//
+// All of umbrage in one file, made by single_include/amalgamate.cmake: do not edit.
+//
+${licence}
+#pragma once
+
+${others}${body}")
+
+if(COMPARE)
+    execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${OUTPUT} ${COMPARE} RESULT_VARIABLE different)
+    if(different)
+        message(FATAL_ERROR "${COMPARE} is stale; make it anew:\n  make single-header")
+    endif()
+endif()

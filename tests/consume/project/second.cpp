@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+
+#include <umbrage/umbrage.hpp>
+
+std::string shader() {
+    return umbrage::glsl::source(umbrage::glsl::version::v330, {umbrage::glsl::to_unorm});
+}
