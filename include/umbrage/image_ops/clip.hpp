@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+//
+// From world positions to vertices on the 1/256 texel grid: projection, clipping, snapping. The rasterizer's first half.
+//
+//     umbrage::projection project(world_to_clip, clip, {1024, 1024});
+//     umbrage::clipped_polygon polygon = umbrage::clip_triangle(project, a, b, c);
+//
+// Texels are counted from the bottom in here (NDC y = -1), whatever the clip space says: the texture origin only mirrors
+// rows when texels are written, so that both origins give the same picture.
+//
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <stdexcept>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/clip_space.hpp>
+#include <umbrage/scalar.hpp>
+
+namespace umbrage {
+
+/// Steps of the vertex grid in a texel.
+inline constexpr int subtexels = 256;
+
+/// Largest side of an image in texels, and how far from texel 0 a vertex may lie before it is clipped:
+/// differences of vertices then stay below 2^23 steps, edge functions below 2^47.
+inline constexpr int guard_band = 1 << 14;
+
+/// A vertex on the grid. The order makes results independent of the order in which a mesh lists vertices.
+struct snapped_vertex {
+    std::int32_t x, y;  ///< in 1/256 texel, within +-guard_band
+    double depth;       ///< z/w moved to [0, 1]; above 1 or below 0 beyond the far plane
+
+    friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
+};
+
+/// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
+/// Products of two floats are exact in double, so contraction to FMA changes no bit here.
+class projection {
+public:
+    static constexpr int planes = 6;  ///< w > 0, the near plane, four sides of the guard band
+
+    /// @param world_to_clip  projection * view; its elements must be finite
+    /// @throws std::invalid_argument  a side of `size` is negative or above guard_band
+    projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size)
+        : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
+        if (size.x < 0 || size.y < 0) throw std::invalid_argument("umbrage::projection: negative size");
+        if (size.x > guard_band || size.y > guard_band)
+            throw std::invalid_argument("umbrage::projection: image side above 16384 texels");
+    }
+
+    [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {
+        const double x = row(0, p), y = row(1, p), z = row(2, p), w = row(3, p);
+        return {(x + w) * half_size_.x, (y + w) * half_size_.y,
+                clip_.range == depth_range::minus_one_to_one ? (z + w) * 0.5 : z, w};
+    }
+
+    /// How far inside a plane a point is; outside when negative.
+    [[nodiscard]] double distance(int plane, const glm::dvec4& h) const {
+        switch (plane) {
+            case 0: return h.w - smallest_w;
+            case 1: return clip_.direction == depth_direction::forward ? h.z : h.w - h.z;
+            case 2: return guard_band * h.w + h.x;
+            case 3: return guard_band * h.w - h.x;
+            case 4: return guard_band * h.w + h.y;
+            default: return guard_band * h.w - h.y;
+        }
+    }
+
+    /// One bit for each plane that the point is outside of.
+    [[nodiscard]] unsigned outside(const glm::dvec4& h) const {
+        unsigned bits = 0;
+        for (int plane = 0; plane < planes; ++plane) bits |= (distance(plane, h) < 0.0 ? 1u : 0u) << plane;
+        return bits;
+    }
+
+    /// Where the way from a point inside a plane to one outside meets it. The callers always go this way, so that
+    /// triangles on both sides of an edge cut it at the same point.
+    [[nodiscard]] glm::dvec4 cut(int plane, const glm::dvec4& in, const glm::dvec4& out) const {
+        const double d = distance(plane, in);
+        glm::dvec4 h = in + (out - in) * (d / (d - distance(plane, out)));
+        switch (plane) {  // what lies on the plane by definition does so to the bit
+            case 0: h.w = smallest_w; break;
+            case 1: h.z = clip_.direction == depth_direction::forward ? 0.0 : h.w; break;
+            case 2: h.x = -guard_band * h.w; break;
+            case 3: h.x = guard_band * h.w; break;
+            case 4: h.y = -guard_band * h.w; break;
+            default: h.y = guard_band * h.w; break;
+        }
+        return h;
+    }
+
+    /// To the grid, halves upwards. The point must be inside all planes; the clamp only catches the rounding of cut().
+    [[nodiscard]] snapped_vertex snap(const glm::dvec4& h) const {
+        constexpr double limit = double(guard_band) * subtexels;
+        const auto grid = [&](double v) {
+            const double steps = v / h.w * subtexels + 0.5;
+            const double inside = steps > -limit ? (steps < limit ? steps : limit) : -limit;
+            const auto whole = static_cast<std::int32_t>(inside);
+            return whole - (inside < whole ? 1 : 0);
+        };
+        return {grid(h.x), grid(h.y), h.z / h.w};
+    }
+
+private:
+    static constexpr double smallest_w = 0x1p-126;
+
+    [[nodiscard]] double row(int r, glm::vec3 p) const {
+        return matrix_[0][r] * double(p.x) + matrix_[1][r] * double(p.y) + matrix_[2][r] * double(p.z) + matrix_[3][r];
+    }
+
+    glm::dmat4 matrix_;
+    clip_space clip_;
+    glm::dvec2 half_size_;
+};
+
+/// True when no element is NaN or infinite.
+[[nodiscard]] inline bool is_finite(glm::vec3 p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
+[[nodiscard]] inline bool is_finite(const glm::mat4& m) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!is_finite(m[column][row])) return false;
+    return true;
+}
+
+/// A convex polygon on the grid, its smallest vertex first: a fan around that vertex is the same whichever vertex
+/// of the triangle came first, and whichever way round they went.
+struct clipped_polygon {
+    std::array<snapped_vertex, 3 + projection::planes> vertices;
+    int count = 0;  ///< 0 or 3..9
+};
+
+/// The part of a triangle inside all planes.
+/// @param a,b,c   homogeneous texels
+/// @param planes  a bit for each plane to clip against; those that all three points are inside of may be left out
+[[nodiscard]] inline clipped_polygon clip_triangle(const projection& project, const glm::dvec4& a, const glm::dvec4& b,
+                                                   const glm::dvec4& c, unsigned planes = ~0u) {
+    std::array<glm::dvec4, 3 + projection::planes> points{a, b, c};
+    int count = 3;
+    for (int plane = 0; plane < projection::planes; ++plane) {
+        if (!(planes >> plane & 1u)) continue;
+        const auto before = points;
+        const int count_before = count;
+        count = 0;
+        for (int i = 0; i < count_before; ++i) {
+            const auto& p = before[std::size_t(i)];
+            const auto& q = before[std::size_t(i + 1 < count_before ? i + 1 : 0)];
+            const bool p_inside = !(project.distance(plane, p) < 0.0), q_inside = !(project.distance(plane, q) < 0.0);
+            if (p_inside) points[std::size_t(count++)] = p;
+            if (p_inside != q_inside && count < int(points.size()))
+                points[std::size_t(count++)] = p_inside ? project.cut(plane, p, q) : project.cut(plane, q, p);
+        }
+    }
+    clipped_polygon polygon;
+    if (count < 3) return polygon;
+    polygon.count = count;
+    for (int i = 0; i < count; ++i) polygon.vertices[std::size_t(i)] = project.snap(points[std::size_t(i)]);
+    const auto last = polygon.vertices.begin() + count;
+    std::rotate(polygon.vertices.begin(), std::min_element(polygon.vertices.begin(), last), last);
+    return polygon;
+}
+
+}  // namespace umbrage
