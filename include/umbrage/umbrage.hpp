@@ -9,3 +9,5 @@
 #include <umbrage/scalar.hpp>
 #include <umbrage/unorm.hpp>
 #include <umbrage/version.hpp>
+#include <umbrage/image_ops/clip.hpp>
+#include <umbrage/image_ops/rasterize.hpp>

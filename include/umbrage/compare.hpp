@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+//
+// The depth test of a shadow map, and the two classic samples' ways to write it.
+//
+//     bool lit = umbrage::less_equal{}(receiver - bias, stored);
+//
+// Filters compare once per texel with less_equal and no epsilon inside; for reversed Z pass greater_equal (in GLSL
+// define UMBRAGE_LIT). A NaN on either side is in shadow.
+#pragma once
+
+#include <umbrage/glsl.hpp>
+#include <umbrage/scalar.hpp>
+
+namespace umbrage {
+
+/// Lit when the receiver is no farther than the stored occluder.
+/// @exactness     A
+struct less_equal {
+    template <real T>
+    [[nodiscard]] constexpr bool operator()(T receiver, T stored) const {
+        return !is_nan(receiver) && !is_nan(stored) && receiver <= stored;
+    }
+};
+
+/// The same for reversed Z, where near is 1.
+struct greater_equal {
+    template <real T>
+    [[nodiscard]] constexpr bool operator()(T receiver, T stored) const {
+        return !is_nan(receiver) && !is_nan(stored) && receiver >= stored;
+    }
+};
+
+/// Visibility of one comparison.
+/// @param receiver   depth, biased;   stored  depth from the map
+/// @return           1 when lit, 0 in shadow
+/// @exactness        A
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr T compare(T receiver, T stored, Compare is_lit = {}) {
+    return is_lit(receiver, stored) ? T(1) : T(0);
+}
+
+/// Visibility as the DirectX SDK's ShadowMap sample tests it.
+/// @param receiver, stored   depths;   epsilon  in depth, added to the stored side
+/// @return        0 when stored + epsilon < receiver, else 1: NaN is lit here
+/// @exactness     B: one sum
+/// @cite          Microsoft DirectX SDK, ShadowMap sample
+template <real T>
+[[nodiscard]] constexpr T compare_dx_sdk(T receiver, T stored, T epsilon) {
+    const T limit = stored + epsilon;
+    return !is_nan(limit) && !is_nan(receiver) && limit < receiver ? T(0) : T(1);
+}
+
+/// Visibility as the directional-light exercise tests it.
+/// @param current, stored    depths;   epsilon  in depth, added to the stored side
+/// @return        1 when current < stored + epsilon, else 0: NaN is in shadow here
+/// @exactness     B: one sum
+template <real T>
+[[nodiscard]] constexpr T compare_exercise(T current, T stored, T epsilon) {
+    const T limit = stored + epsilon;
+    return !is_nan(limit) && !is_nan(current) && current < limit ? T(1) : T(0);
+}
+
+namespace glsl {
+
+inline constexpr snippet compare{
+    .name = "compare", .summary = "what filters compare and fetch with, as macros to redefine", .exactness = tier::a,
+    .needs = {}, .source = R"GLSL(
+// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth; define it with >= for reversed Z
+#ifndef UMBRAGE_LIT
+#define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#endif
+// umbrage_compare: visibility of one comparison
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return UMBRAGE_LIT(receiver, stored);
+}
+)GLSL"};
+
+inline constexpr snippet compare_dx_sdk{
+    .name = "compare_dx_sdk", .summary = "stored + epsilon < receiver is shadow", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
+UMBRAGE_HIGHP float umbrage_compare_dx_sdk(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored,
+                                           UMBRAGE_HIGHP float epsilon) {
+    return stored + epsilon < receiver ? 0.0 : 1.0;
+}
+)GLSL"};
+
+inline constexpr snippet compare_exercise{
+    .name = "compare_exercise", .summary = "current < stored + epsilon is lit", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
+UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAGE_HIGHP float stored,
+                                             UMBRAGE_HIGHP float epsilon) {
+    return current < stored + epsilon ? 1.0 : 0.0;
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+//
+// The RGBA format of Aras Pranckevicius, base 255, as Cesium, Babylon.js and bgfx use it, to read and write such maps.
+//
+//     float stored = umbrage::decode_aras(umbrage::load_unorm8(texel));
+//
+// Faults of the format: 1.0 decodes to 0, and a store that truncates is off by up to 1/255. The repaired writer has
+// neither, for the same reader.
+#pragma once
+
+#include <cmath>
+
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/scalar.hpp>
+#include <umbrage/unorm.hpp>
+
+namespace umbrage {
+
+/// @param depth   clamped to [0, 1]; NaN counts as 1, which decodes to 0: the fault of the format
+/// @return        UNORM values
+/// @formula       e_i = fract(255^i depth), each less 1/255 of the next
+/// @exactness     B
+/// @cite          Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
+template <real T>
+[[nodiscard]] glm::vec<4, T> encode_aras(T depth) {
+    const T v = saturate(depth);
+    const T x = v - std::floor(v);
+    const T y = v * T(255) - std::floor(v * T(255));
+    const T z = v * T(65025) - std::floor(v * T(65025));
+    const T w = v * T(16581375) - std::floor(v * T(16581375));
+    constexpr T step = T(1.0 / 255.0);
+    return {x - y * step, y - z * step, z - w * step, w};
+}
+
+/// @param c      as sampled
+/// @formula      R + G/255 + B/255^2 + A/255^3
+/// @exactness    B
+template <real T>
+[[nodiscard]] constexpr T decode_aras(glm::vec<4, T> c) {
+    return c.x + c.y * T(1.0 / 255.0) + c.z * T(1.0 / 65025.0) + c.w * T(1.0 / 16581375.0);
+}
+
+/// A writer without the faults, for decode_aras on the other side: the digits of depth in base 255.
+/// @return        integer channels 0..255 (to_unorm writes them); 1 gives (255, 0, 0, 0)
+/// @exactness     B
+template <real T>
+[[nodiscard]] glm::u8vec4 encode_aras_repaired(T depth) {
+    T rest = saturate(depth) * T(255);
+    glm::u8vec4 digits(0);
+    for (int i = 0; i < 4; ++i) {
+        const T digit = std::floor(rest);
+        digits[i] = static_cast<std::uint8_t>(digit);
+        rest = (rest - digit) * T(255);
+    }
+    return digits;
+}
+
+namespace glsl {
+
+inline constexpr snippet encode_aras{
+    .name = "encode_aras", .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
+    .exactness = tier::b, .needs = {&saturate}, .source = R"GLSL(
+// umbrage_encode_aras: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
+//   round: umbrage_encode_aras_repaired has neither fault
+UMBRAGE_HIGHP vec4 umbrage_encode_aras(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 e = vec4(v, v * 255.0, v * 65025.0, v * 16581375.0);
+    e = e - floor(e);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c =
+        vec4(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
+    return c;
+}
+)GLSL"};
+
+inline constexpr snippet decode_aras{
+    .name = "decode_aras", .summary = "base-255 RGBA to depth", .exactness = tier::b, .source = R"GLSL(
+// umbrage_decode_aras: base-255 RGBA, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_aras(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
+        c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
+    return depth;
+}
+)GLSL"};
+
+inline constexpr snippet encode_aras_repaired{
+    .name = "encode_aras_repaired", .summary = "the same for the same reader, without its faults",
+    .exactness = tier::b, .needs = {&saturate}, .source = R"GLSL(
+// umbrage_encode_aras_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+UMBRAGE_HIGHP vec4 umbrage_encode_aras_repaired(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = umbrage_saturate(depth) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (x - floor(x)) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (y - floor(y)) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (z - floor(z)) * 255.0;
+    return vec4(floor(x), floor(y), floor(z), floor(w));
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage

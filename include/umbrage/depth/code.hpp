@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// A depth as a whole number of 2^Bits steps, and back: what every encoding of ours is made of.
+//
+//     std::uint32_t x = umbrage::depth_code<11>(0.5f);                         // 1024
+//     float d = umbrage::code_depth<11, float>(x, umbrage::upper_edge<float>);  // 1025 / 2048
+//
+#pragma once
+
+#include <cstdint>
+
+#include <umbrage/scalar.hpp>
+
+namespace umbrage {
+
+/// Where in a code's interval [x, x + 1) * 2^-Bits a decoder answers. With the upper edge no surface shadows itself
+/// through quantisation alone (d <= decode(encode(d)) for every d in [0, 1]), and the cleared depth 1 decodes to 1.
+template <real T>
+inline constexpr T lower_edge = T(0);
+template <real T>
+inline constexpr T centre = T(0.5);
+template <real T>
+inline constexpr T upper_edge = T(1);
+
+/// @param depth   clamped to [0, 1]; NaN counts as 1
+/// @return        0 .. 2^Bits - 1
+/// @formula       min(floor(depth 2^Bits), 2^Bits - 1)
+/// @exactness     A: scaling by a power of two, floor, min
+template <int Bits, real T>
+[[nodiscard]] constexpr std::uint32_t depth_code(T depth) {
+    static_assert(Bits >= 1 && Bits <= 24, "a binary32 significand has 24 bits");
+    constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
+    const auto x = static_cast<std::uint32_t>(saturate(depth) * T(codes));
+    return x < codes ? x : codes - 1;
+}
+
+/// @param code    0 .. 2^Bits - 1
+/// @param edge    lower_edge, centre or upper_edge
+/// @return        (code + edge) 2^-Bits
+/// @exactness     A, but for the centre of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
+template <int Bits, real T>
+[[nodiscard]] constexpr T code_depth(T code, T edge) {
+    return (code + edge) * (T(1) / T(std::uint32_t(1) << Bits));
+}
+
+}  // namespace umbrage

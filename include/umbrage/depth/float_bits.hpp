@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+//
+// The bit pattern of any binary32 value in four 8-bit channels, R least significant.
+//
+//     glm::u8vec4 texel = umbrage::encode_float_bits(view_space_distance);
+//     float same = umbrage::decode_float_bits(texel);
+//
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/scalar.hpp>
+#include <umbrage/unorm.hpp>
+
+namespace umbrage {
+
+/// Float to channels.
+///
+/// @param v       any value; infinities, NaN and its payload survive
+/// @return        integer channels 0..255, R least significant
+/// @exactness     A: no arithmetic. Hardware that flushes denormals may deliver them as zero before we see them.
+[[nodiscard]] constexpr glm::u8vec4 encode_float_bits(float v) {
+    const auto bits = std::bit_cast<std::uint32_t>(v);
+    return {static_cast<std::uint8_t>(bits & 0xFF), static_cast<std::uint8_t>(bits >> 8 & 0xFF),
+            static_cast<std::uint8_t>(bits >> 16 & 0xFF), static_cast<std::uint8_t>(bits >> 24)};
+}
+
+/// Bytes to float.
+[[nodiscard]] constexpr float decode_float_bits(glm::u8vec4 texel) {
+    return std::bit_cast<float>(std::uint32_t(texel.x) | std::uint32_t(texel.y) << 8 | std::uint32_t(texel.z) << 16 |
+                                std::uint32_t(texel.w) << 24);
+}
+
+/// Values read from an 8-bit texture to float.
+/// @param c       as sampled, k / 255, in any rounding; outside [0, 1], which no texture gives, clamped; NaN counts as 1
+/// @exactness     A
+[[nodiscard]] inline float decode_float_bits(glm::vec4 c) {
+    glm::u8vec4 texel(0);
+    for (int i = 0; i < 4; ++i) texel[i] = static_cast<std::uint8_t>(from_unorm(saturate(c[i])));
+    return decode_float_bits(texel);
+}
+
+/// The encoding as a value, for functions over images.
+struct float_bits {
+    using texel = glm::u8vec4;
+    static constexpr int bits = 32;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+    static constexpr double max_error = 0.0;
+
+    [[nodiscard]] constexpr texel encode(float depth) const { return encode_float_bits(depth); }
+    [[nodiscard]] constexpr float decode(texel t) const { return decode_float_bits(t); }
+};
+
+/// A map of plain floats, with the face of an encoding.
+struct depth32f {
+    using texel = float;
+    static constexpr double max_error = 0.0;
+
+    [[nodiscard]] constexpr texel encode(float depth) const { return saturate(depth); }
+    [[nodiscard]] constexpr float decode(texel t) const { return t; }
+};
+
+namespace glsl {
+
+inline constexpr snippet encode_float_bits{
+    .name = "encode_float_bits", .summary = "any float's bit pattern to four channels, R least significant",
+    .exactness = tier::a, .lowest = version::v300_es, .source = R"GLSL(
+// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
+UMBRAGE_HIGHP vec4 umbrage_encode_float_bits(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP uint bits = floatBitsToUint(v);
+    return vec4(float(bits & 255u), float((bits >> 8) & 255u), float((bits >> 16) & 255u), float(bits >> 24));
+}
+)GLSL"};
+
+inline constexpr snippet decode_float_bits{
+    .name = "decode_float_bits", .summary = "four channels, R least significant, to the float they are",
+    .exactness = tier::a, .lowest = version::v300_es, .needs = {&saturate, &from_unorm}, .source = R"GLSL(
+// umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
+UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_HIGHP uint r = uint(umbrage_from_unorm(umbrage_saturate(c.x)));
+    UMBRAGE_HIGHP uint g = uint(umbrage_from_unorm(umbrage_saturate(c.y)));
+    UMBRAGE_HIGHP uint b = uint(umbrage_from_unorm(umbrage_saturate(c.z)));
+    UMBRAGE_HIGHP uint a = uint(umbrage_from_unorm(umbrage_saturate(c.w)));
+    return uintBitsToFloat(r | (g << 8) | (b << 16) | (a << 24));
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage

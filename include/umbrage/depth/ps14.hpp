@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// The Radeon 8500's own way to unpack 11 bits: r / 8 + g on the channels as sampled. Its values are x / 2040, not
+// x / 2048, so the receiver it is compared with must be scaled by 256 / 255 too.
+//
+//     bool lit = umbrage::receiver_ps14(depth) <= umbrage::decode_ps14(sampled);
+//
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <umbrage/scalar.hpp>
+
+namespace umbrage {
+
+/// @param c      the two channels of encode_rg<11> as sampled, k / 255
+/// @return       x / 2040, in [0, 2047 / 2040]
+/// @formula      r / 8 + g
+/// @exactness    B: one rounded addition
+/// @cite         ATI Radeon SDK, ShadowMap sample, 2002: mov_d8 and add in pixel shader 1.4
+template <real T>
+[[nodiscard]] constexpr T decode_ps14(glm::vec<2, T> c) {
+    return c.x * T(0.125) + c.y;
+}
+
+/// A depth on the scale of decode_ps14.
+/// @param depth   in [0, 1], not clamped
+/// @formula       depth * 256 / 255
+/// @exactness     B: one product with the rounded quotient
+template <real T>
+[[nodiscard]] constexpr T receiver_ps14(T depth) {
+    return depth * T(256.0 / 255.0);
+}
+
+namespace glsl {
+
+inline constexpr snippet decode_ps14{
+    .name = "decode_ps14", .summary = "r / 8 + g as the Radeon 8500 computed it", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14
+UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * 0.125 + c.y;
+    return depth;
+}
+)GLSL"};
+
+inline constexpr snippet receiver_ps14{
+    .name = "receiver_ps14", .summary = "receiver on the scale of decode_ps14", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14
+UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
+    return depth * 1.00392163;
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage

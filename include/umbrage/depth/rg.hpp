@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+//
+// Depth in two 8-bit channels, 9 to 16 bits: the layout of the Radeon 8500 shadow map sample and its family.
+// x has Bits = 8 + M bits:  R = low byte,  G = high bits, moved to the top of their byte,  value = R / 2^M + G.
+// Bits = 11 is the sample's own; Bits = 16 is plain two-byte depth.
+//
+//     glm::u8vec2 texel = umbrage::encode_rg<11>(depth);
+//     float stored = umbrage::decode_rg<11>(texel, umbrage::upper_edge<float>);
+//
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstddef>
+
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec2.hpp>
+
+#include <umbrage/depth/code.hpp>
+#include <umbrage/image.hpp>
+#include <umbrage/unorm.hpp>
+
+namespace umbrage {
+
+/// Depth to channels.
+///
+/// @param depth   clamped to [0, 1]; NaN counts as 1
+/// @return        integer channels 0..255; to_unorm makes them what a shader writes
+/// @formula       x = min(floor(depth 2^Bits), 2^Bits - 1);  R = x mod 256, G = floor(x / 256) 2^(16 - Bits)
+/// @exactness     A
+/// @cite          ATI Radeon SDK, ShadowMap sample, 2002: R = x & 0xFF, G = (x & 0xFF00) >> 3
+template <int Bits, real T>
+[[nodiscard]] constexpr glm::u8vec2 encode_rg(T depth) {
+    static_assert(Bits >= 9 && Bits <= 16);
+    const std::uint32_t x = depth_code<Bits>(depth);
+    return {static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>((x >> 8) << (16 - Bits))};
+}
+
+/// Values read from an 8-bit texture to depth.
+///
+/// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
+/// @param edge    lower_edge, centre or upper_edge of the code's interval
+/// @return        depth; channels that no encoder wrote give (R + 2^M G + edge) 2^-Bits all the same, up to 2
+/// @formula       (R + 2^(Bits - 8) G + edge) 2^-Bits, with R, G = floor(255 c + 1/2)
+/// @exactness     A;  |depth - decoded| <= 2^-Bits at an edge, 2^-(Bits + 1) at the centre
+template <int Bits, real T>
+[[nodiscard]] T decode_rg(glm::vec<2, T> c, T edge) {
+    static_assert(Bits >= 9 && Bits <= 16);
+    const glm::vec<2, T> k = from_unorm(c);
+    return code_depth<Bits>(k.x + k.y * T(1 << (Bits - 8)), edge);
+}
+
+/// Bytes to depth.
+template <int Bits, real T>
+[[nodiscard]] constexpr T decode_rg(glm::u8vec2 texel, T edge) {
+    static_assert(Bits >= 9 && Bits <= 16);
+    return code_depth<Bits>(T(texel.x + (texel.y << (Bits - 8))), edge);
+}
+
+/// The encoding as a value, for functions over images.
+template <int Bits>
+struct rg {
+    using texel = glm::u8vec2;
+    static constexpr int bits = Bits;
+    static constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
+    static constexpr double max_error = 1.0 / codes;  ///< at an edge; half of it at the centre
+
+    float edge = upper_edge<float>;
+
+    [[nodiscard]] constexpr texel encode(float depth) const { return encode_rg<Bits>(depth); }
+    [[nodiscard]] constexpr float decode(texel t) const { return decode_rg<Bits>(t, edge); }
+};
+
+namespace glsl {
+
+template <int Bits>
+inline constexpr auto encode_rg_name = detail::fill<16>("encode_rg$b", {{'b', Bits}});
+template <int Bits>
+inline constexpr auto encode_rg_text = detail::fill<1024>(R"GLSL(
+// umbrage_encode_rg$b: depth to the two channels of a $b-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as 1
+UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * $s.0);
+}
+)GLSL",
+                                                                 {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}, {'s', 1 << (16 - Bits)}});
+template <int Bits>
+inline constexpr snippet encode_rg{.name = encode_rg_name<Bits>.view(),
+                                   .summary = "depth to two channels, R the low byte",
+                                   .exactness = tier::a,
+                                   .needs = {&saturate},
+                                   .source = encode_rg_text<Bits>.view()};
+
+template <int Bits>
+inline constexpr auto decode_rg_name = detail::fill<16>("decode_rg$b", {{'b', Bits}});
+template <int Bits>
+inline constexpr auto decode_rg_text = detail::fill<1024>(R"GLSL(
+// umbrage_decode_rg$b: two channels of a $b-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * $g.0 + edge) * (1.0 / $n.0);
+}
+)GLSL",
+                                                                 {{'b', Bits}, {'n', 1 << Bits}, {'g', 1 << (Bits - 8)}});
+template <int Bits>
+inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
+                                   .summary = "two channels, R the low byte, to depth",
+                                   .exactness = tier::a,
+                                   .needs = {&from_unorm},
+                                   .source = decode_rg_text<Bits>.view()};
+
+}  // namespace glsl
+}  // namespace umbrage

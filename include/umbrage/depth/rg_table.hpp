@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+//
+// encode_rg through a look-up table, as hardware without enough arithmetic did it: a texture of 2^Bits x 1 texels,
+// fetched with the depth as coordinate, nearest filter, clamped.
+//
+//     constexpr auto table = umbrage::make_rg_table<11, glm::u8vec4>();  // 2048 x 1 RGBA8, B = A = 0
+//     glm::u8vec2 texel = umbrage::encode_rg_table<11>([&](int x) { return table[x]; }, depth);
+//
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <umbrage/depth/rg.hpp>
+
+namespace umbrage {
+
+/// The table's texels. Compile-time up to 12 bits with every compiler's default limits.
+/// @tparam Texel   glm::u8vec2 (RG8) or glm::u8vec4 (RGBA8; blue and alpha are 0)
+/// @cite           the article on self-shadowing with pixel shader 1.x gives texel 256 as (255, 32, 0, 0);
+///                 by its own formula, and here, it is (0, 32, 0, 0)
+template <int Bits, class Texel = glm::u8vec2>
+[[nodiscard]] constexpr std::array<Texel, std::size_t(1) << Bits> make_rg_table() {
+    static_assert(Bits >= 9 && Bits <= 16);
+    std::array<Texel, std::size_t(1) << Bits> table{};
+    for (std::uint32_t x = 0; x < table.size(); ++x) {
+        table[x][0] = static_cast<std::uint8_t>(x & 0xFF);
+        table[x][1] = static_cast<std::uint8_t>((x >> 8) << (16 - Bits));
+    }
+    return table;
+}
+
+/// Depth to channels by one nearest fetch from the table: the texel encode_rg<Bits> computes.
+///
+/// @param fetch   int 0 .. 2^Bits - 1 -> texel of the table
+/// @param depth   clamped to [0, 1]; NaN counts as 1
+/// @exactness     A
+template <int Bits, real T, class Fetch>
+[[nodiscard]] constexpr glm::u8vec2 encode_rg_table(Fetch&& fetch, T depth) {
+    const auto texel = fetch(static_cast<int>(depth_code<Bits>(depth)));
+    return {texel[0], texel[1]};
+}
+
+namespace glsl {
+
+template <int Bits>
+inline constexpr auto encode_rg_table_name = detail::fill<24>("encode_rg$b_table", {{'b', Bits}});
+template <int Bits>
+inline constexpr auto encode_rg_table_text = detail::fill<1024>(R"GLSL(
+// umbrage_encode_rg$b_table: depth to the two channels of a $b-bit code through a look-up table, whole numbers 0..255
+//   table   $n x 1 texels, nearest filter;   depth   clamped to [0, 1], NaN counts as 1
+UMBRAGE_HIGHP vec2 umbrage_encode_rg$b_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2($n.0, 1.0), vec2(x, 0.0)));
+    return vec2(k.x, k.y);
+}
+)GLSL",
+                                                                       {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}});
+template <int Bits>
+inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view(),
+                                         .summary = "depth to two channels through a 2^bits x 1 texture",
+                                         .exactness = tier::a,
+                                         .needs = {&saturate, &from_unorm, &fetch_clamped},
+                                         .source = encode_rg_table_text<Bits>.view()};
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// Depth in three 8-bit channels, 24 bits, R most significant.
+//
+//     glm::u8vec3 texel = umbrage::encode_rgb24(depth);
+//     float stored = umbrage::decode_rgb24(texel, umbrage::upper_edge<float>);
+//
+#pragma once
+
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/depth/code.hpp>
+#include <umbrage/unorm.hpp>
+
+namespace umbrage {
+
+/// Depth to channels.
+///
+/// @param depth   clamped to [0, 1]; NaN counts as 1
+/// @return        integer channels 0..255, R most significant
+/// @formula       the bytes of min(floor(depth 2^24), 2^24 - 1)
+/// @exactness     A
+template <real T>
+[[nodiscard]] constexpr glm::u8vec3 encode_rgb24(T depth) {
+    const std::uint32_t x = depth_code<24>(depth);
+    return {static_cast<std::uint8_t>(x >> 16), static_cast<std::uint8_t>(x >> 8 & 0xFF),
+            static_cast<std::uint8_t>(x & 0xFF)};
+}
+
+/// Values read from an 8-bit texture to depth.
+///
+/// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
+/// @param edge    lower_edge or upper_edge; the centre is exact in double only
+/// @formula       (65536 R + 256 G + B + edge) 2^-24, with R, G, B = floor(255 c + 1/2)
+/// @exactness     A;  |depth - decoded| <= 2^-24
+template <real T>
+[[nodiscard]] T decode_rgb24(glm::vec<3, T> c, T edge) {
+    const glm::vec<3, T> k = from_unorm(c);
+    return code_depth<24>((k.x * T(256) + k.y) * T(256) + k.z, edge);
+}
+
+/// Bytes to depth.
+template <real T>
+[[nodiscard]] constexpr T decode_rgb24(glm::u8vec3 texel, T edge) {
+    return code_depth<24>(T((texel.x << 16) + (texel.y << 8) + texel.z), edge);
+}
+
+/// The encoding as a value, for functions over images.
+struct rgb24 {
+    using texel = glm::u8vec3;
+    static constexpr int bits = 24;
+    static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
+    static constexpr double max_error = 1.0 / codes;
+
+    float edge = upper_edge<float>;
+
+    [[nodiscard]] constexpr texel encode(float depth) const { return encode_rgb24(depth); }
+    [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb24(t, edge); }
+};
+
+namespace glsl {
+
+inline constexpr snippet encode_rgb24{
+    .name = "encode_rgb24", .summary = "depth to three channels, R most significant", .exactness = tier::a,
+    .needs = {&saturate}, .source = R"GLSL(
+// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as 1
+UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = x - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    return vec3(high, middle, rest - middle * 256.0);
+}
+)GLSL"};
+
+inline constexpr snippet decode_rgb24{
+    .name = "decode_rgb24", .summary = "three channels, R most significant, to depth", .exactness = tier::a,
+    .needs = {&from_unorm}, .source = R"GLSL(
+// umbrage_decode_rgb24: three channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec3 k = umbrage_from_unorm(c);
+    return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage

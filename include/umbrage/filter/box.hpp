@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+//
+// Percentage-closer filtering with a (2r+1) x (2r+1) box of equal weights.
+//
+//     float visibility = umbrage::box(umbrage::clamped(map), coord, depth - bias, 2);  // 5 x 5
+//
+#pragma once
+
+#include <cmath>
+
+#include <umbrage/filter/texel_space.hpp>
+
+namespace umbrage {
+
+inline constexpr int max_box_radius = 8;
+
+/// Number of lit texels in the box around the receiver's own.
+///
+/// @param fetch      ivec2 texel -> stored depth; called (2r+1)^2 times, texels may lie r outside the map
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: all lit
+/// @param receiver   depth, biased; NaN is in shadow
+/// @param radius     r, clamped to 0..8
+/// @return           0 .. (2r+1)^2
+/// @formula          sum over |i|, |j| <= r of [receiver <= fetch(floor(coord) + (i, j))]
+/// @exactness        A: counts
+/// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T box_count(Fetch&& fetch, glm::vec<2, T> coord, T receiver, int radius, Compare is_lit = {}) {
+    const int r = radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius);
+    if (!inside_texel_space(coord)) return T((2 * r + 1) * (2 * r + 1));
+    const glm::ivec2 texel(glm::floor(coord));
+    int count = 0;
+    for (int j = -r; j <= r; ++j)
+        for (int i = -r; i <= r; ++i) count += is_lit(receiver, T(fetch(texel + glm::ivec2(i, j)))) ? 1 : 0;
+    return T(count);
+}
+
+/// 1 / (2r+1)^2, rounded to nearest.
+/// @param radius     r, clamped to 0..8
+template <real T>
+[[nodiscard]] constexpr T box_scale(int radius) {
+    const int r = radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius);
+    return T(1) / T((2 * r + 1) * (2 * r + 1));
+}
+
+/// Share of the box that is lit; arguments as for box_count.
+/// @return           visibility: 0 in shadow, 1 lit, exactly
+/// @formula          box_count / (2r+1)^2
+/// @exactness        B: the count is exact, its product with box_scale rounds once
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T box(Fetch&& fetch, glm::vec<2, T> coord, T receiver, int radius, Compare is_lit = {}) {
+    const T visibility = box_count(fetch, coord, receiver, radius, is_lit) * box_scale<T>(radius);
+    return visibility < T(0.999) ? visibility : T(1);  // 121 times the rounded 1/121 is not 1
+}
+
+namespace glsl {
+
+inline constexpr snippet box_count{
+    .name = "box_count", .summary = "lit texels in a box of radius 0..8", .exactness = tier::a,
+    .needs = {&compare, &inside_texel_space, &fetch_depth}, .source = R"GLSL(
+// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                      UMBRAGE_HIGHP float receiver, int radius) {
+    int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
+    int width = 2 * r + 1;
+    if (!umbrage_inside_texel_space(coord)) return float(width * width);
+    UMBRAGE_HIGHP vec2 first = floor(coord) - float(r);
+    UMBRAGE_HIGHP float count = 0.0;
+    for (int j = 0; j < 17; ++j) {
+        if (j >= width) break;
+        for (int i = 0; i < 17; ++i) {
+            if (i >= width) break;
+            count += UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, first + vec2(float(i), float(j))));
+        }
+    }
+    return count;
+}
+)GLSL"};
+
+inline constexpr snippet box_scale{
+    .name = "box_scale", .summary = "1 / (2r+1)^2", .exactness = tier::a, .source = R"GLSL(
+// umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
+UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
+    if (radius < 1) return 1.0;
+    if (radius < 2) return 0.111111112;
+    if (radius < 3) return 0.0399999991;
+    if (radius < 4) return 0.0204081628;
+    if (radius < 5) return 0.0123456791;
+    if (radius < 6) return 0.00826446246;
+    if (radius < 7) return 0.00591715984;
+    if (radius < 8) return 0.00444444455;
+    return 0.00346020772;
+}
+)GLSL"};
+
+inline constexpr snippet box{
+    .name = "box", .summary = "lit share of a box of radius 0..8", .exactness = tier::b,
+    .needs = {&box_count, &box_scale}, .source = R"GLSL(
+// umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
+UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, int radius) {
+    UMBRAGE_HIGHP float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
+    return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// The unfiltered shadow test: one texel, one comparison.
+//
+//     float visibility = umbrage::hard(umbrage::clamped(map), coord, depth - bias);
+//
+#pragma once
+
+#include <cmath>
+
+#include <umbrage/filter/texel_space.hpp>
+
+namespace umbrage {
+
+/// @param fetch      ivec2 texel -> stored depth; called once
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; NaN is in shadow
+/// @return           1 lit, 0 in shadow
+/// @formula          [receiver <= fetch(floor(coord))]
+/// @exactness        A
+/// @cite             Williams: Casting curved shadows on curved surfaces, SIGGRAPH 1978
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T hard(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    if (!inside_texel_space(coord)) return T(1);
+    return compare(receiver, T(fetch(glm::ivec2(glm::floor(coord)))), is_lit);
+}
+
+namespace glsl {
+
+inline constexpr snippet hard{
+    .name = "hard", .summary = "nearest texel, one test", .exactness = tier::a,
+    .needs = {&compare, &inside_texel_space, &fetch_depth}, .source = R"GLSL(
+// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    if (!umbrage_inside_texel_space(coord)) return 1.0;
+    return UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, floor(coord)));
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage

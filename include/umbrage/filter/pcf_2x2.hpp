@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// Bilinear percentage-closer filtering over 2x2 texels.
+//
+//     float visibility = umbrage::pcf_2x2(umbrage::clamped(map), coord, depth - bias);
+//
+// pcf_2x2 quantises the weights to 1/256, as texture hardware does, and is exact everywhere; pcf_2x2_dx_sdk is the
+// DirectX SDK sample's form in plain floats.
+#pragma once
+
+#include <umbrage/filter/texel_space.hpp>
+
+namespace umbrage {
+
+/// Share of a receiver that is lit, from the four nearest texels, each compared and then weighted.
+///
+/// @param fetch      ivec2 texel -> stored depth; called four times, texels may lie one outside the map
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; NaN is in shadow
+/// @return           visibility, a multiple of 2^-16: 0 in shadow, 1 lit
+/// @formula          sum of w_i [receiver <= fetch(texel_i)], w the bilinear weights in steps of 1/256
+/// @exactness        A: integers below 2^24 times a power of two
+/// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T pcf_2x2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    if (!inside_texel_space(coord)) return T(1);
+    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);  // position between texel centres, in 1/256 texel
+    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
+    const glm::vec<2, T> hi = x - texel * T(256);                  // weight of the farther texel, 0..255
+    const glm::vec<2, T> lo = T(256) - hi;
+    const auto lit = [&](int i, int j) {
+        return compare(receiver, T(fetch(glm::ivec2(texel) + glm::ivec2(i, j))), is_lit);
+    };
+    return (lo.y * (lo.x * lit(0, 0) + hi.x * lit(1, 0)) + hi.y * (lo.x * lit(0, 1) + hi.x * lit(1, 1))) *
+           T(1.0 / 65536.0);
+}
+
+/// The DirectX SDK's form: weights in full floats, linear interpolation, the epsilon inside. The sample relies on
+/// Direct3D 9 putting pixel centres at whole numbers; here coord is as everywhere else, and the half texel is taken off.
+///
+/// @param fetch      ivec2 texel -> stored depth; called four times
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, not biased
+/// @param epsilon    in depth, added to the stored side of each comparison
+/// @return           visibility, 0 in shadow, 1 lit
+/// @formula          lerp of compare_dx_sdk over x, then y, at coord - 1/2
+/// @exactness        B
+/// @cite             Microsoft DirectX SDK, ShadowMap sample
+template <real T, class Fetch>
+[[nodiscard]] T pcf_2x2_dx_sdk(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T epsilon) {
+    if (!inside_texel_space(coord)) return T(1);
+    const glm::vec<2, T> x = coord - T(0.5);
+    const glm::vec<2, T> texel = glm::floor(x);
+    const glm::vec<2, T> weight = x - texel;
+    const auto lit = [&](int i, int j) {
+        return compare_dx_sdk(receiver, T(fetch(glm::ivec2(texel) + glm::ivec2(i, j))), epsilon);
+    };
+    const T a = lit(0, 0), b = lit(1, 0), c = lit(0, 1), d = lit(1, 1);
+    const T low = a + weight.x * (b - a);
+    const T high = c + weight.x * (d - c);
+    return low + weight.y * (high - low);
+}
+
+namespace glsl {
+
+inline constexpr snippet pcf_2x2{
+    .name = "pcf_2x2", .summary = "bilinear 2x2, weights in steps of 1/256", .exactness = tier::a,
+    .needs = {&compare, &inside_texel_space, &fetch_depth}, .source = R"GLSL(
+// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                    UMBRAGE_HIGHP float receiver) {
+    if (!umbrage_inside_texel_space(coord)) return 1.0;
+    UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    UMBRAGE_HIGHP float a = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel));
+    UMBRAGE_HIGHP float b = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 0.0)));
+    UMBRAGE_HIGHP float c = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(0.0, 1.0)));
+    UMBRAGE_HIGHP float d = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 1.0)));
+    return (lo.y * (lo.x * a + hi.x * b) + hi.y * (lo.x * c + hi.x * d)) * (1.0 / 65536.0);
+}
+)GLSL"};
+
+inline constexpr snippet pcf_2x2_dx_sdk{
+    .name = "pcf_2x2_dx_sdk", .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats", .exactness = tier::b,
+    .needs = {&compare_dx_sdk, &inside_texel_space, &fetch_depth}, .source = R"GLSL(
+// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                           UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float epsilon) {
+    if (!umbrage_inside_texel_space(coord)) return 1.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = coord - 0.5;
+    UMBRAGE_HIGHP vec2 texel = floor(x);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;
+    UMBRAGE_HIGHP float a = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel), epsilon);
+    UMBRAGE_HIGHP float b = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 0.0)), epsilon);
+    UMBRAGE_HIGHP float c = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel + vec2(0.0, 1.0)), epsilon);
+    UMBRAGE_HIGHP float d = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 1.0)), epsilon);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float low = a + weight.x * (b - a);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float high = c + weight.x * (d - c);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float visibility = low + weight.y * (high - low);
+    return visibility;
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage

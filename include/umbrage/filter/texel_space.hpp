@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+//
+// What every filter over a map shares: the range of its coordinates and its macros in GLSL.
+//
+//     if (!umbrage::inside_texel_space(coord)) return 1;  // NaN, infinite or absurd: lit
+//
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+
+#include <umbrage/compare.hpp>
+#include <umbrage/image.hpp>
+#include <umbrage/scalar.hpp>
+
+namespace umbrage {
+
+/// True when |coord| < 2^15 in both directions, so that texel numbers and 1/256 of them stay exact.
+/// Filters take everything else, NaN included, as lit.
+/// @exactness     A
+template <real T>
+[[nodiscard]] constexpr bool inside_texel_space(glm::vec<2, T> coord) {
+    const auto inside = [](T v) { return !is_nan(v) && v < T(32768) && v > T(-32768); };
+    return inside(coord.x) && inside(coord.y);
+}
+
+/// Stored depth of a texel: the fetch callable of every filter, by name.
+/// @param fetch   ivec2 texel -> depth, e.g. clamped(map), or decoded(map, rg<11>{}) for packed maps
+template <class Fetch>
+[[nodiscard]] constexpr auto fetch_depth(Fetch&& fetch, glm::ivec2 texel) {
+    return fetch(texel);
+}
+
+/// A packed map as the fetch callable that filters take.
+/// @param encoding   rg<Bits>, rgb24, float_bits, depth32f
+/// @throws std::invalid_argument  empty map
+template <class Texel, class Encoding>
+[[nodiscard]] auto decoded(image_view<Texel> map, Encoding encoding) {
+    return [fetch = clamped(map), encoding](glm::ivec2 texel) { return encoding.decode(fetch(texel)); };
+}
+template <class Texel, class Encoding>
+[[nodiscard]] auto decoded(const image<Texel>& map, Encoding encoding) {
+    return decoded(map.view(), encoding);
+}
+
+namespace glsl {
+
+inline constexpr snippet inside_texel_space{
+    .name = "inside_texel_space", .summary = "coordinates a filter can take", .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    return abs(coord.x) < 32768.0 && abs(coord.y) < 32768.0;
+}
+)GLSL"};
+
+/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps, arrays, borders.
+inline constexpr snippet fetch_depth{
+    .name = "fetch_depth", .summary = "stored depth of a texel, as a macro to redefine", .exactness = tier::a,
+    .needs = {&fetch_clamped}, .source = R"GLSL(
+// UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps, arrays, borders
+#ifndef UMBRAGE_FETCH
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
+#endif
+// umbrage_fetch_depth: stored depth of a texel
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return UMBRAGE_FETCH(map, size, texel);
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// A spot light's space.
+//
+//     auto light = umbrage::make_spot_light({.position = p, .direction = d, .outer_angle_radians = 0.6f});
+//
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include <umbrage/light/light_space.hpp>
+
+namespace umbrage {
+
+template <real T = float>
+struct spot_light {
+    glm::vec<3, T> position{T(0)};
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};      ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};              ///< hint; may be parallel to direction
+    T outer_angle_radians = std::numbers::pi_v<T> / 6; ///< between axis and edge of the cone, above 0, below pi / 2
+    T z_near = T(0.1);                                ///< > 0, world units
+    T z_far = T(100);                                 ///< > z_near
+    clip_space clip{};
+};
+
+/// View and perspective projection around the light's cone, which the square map holds whole.
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), planes out of order
+template <real T = float>
+[[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
+    if (!is_finite(light.outer_angle_radians) || !(light.outer_angle_radians > T(0)) ||
+        !(light.outer_angle_radians < std::numbers::pi_v<T> / 2))
+        throw std::invalid_argument("umbrage::make_spot_light: outer_angle_radians must lie between 0 and pi / 2");
+    const T extent = std::tan(light.outer_angle_radians);
+    return {look_along(light.position, light.direction, light.up, light.clip.hand),
+            perspective(extent, extent, light.z_near, light.z_far, light.clip), light.clip};
+}
+
+}  // namespace umbrage

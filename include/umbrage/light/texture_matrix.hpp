@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+//
+// From world to the shadow map: the texture matrix, the four tap matrices, and what a vertex shader does with them.
+//
+//     glm::mat4 m = umbrage::texture_matrix(light, {1024, 1024});
+//     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, world));  // texels, texels, depth
+//
+#pragma once
+
+#include <array>
+#include <stdexcept>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/glsl.hpp>
+#include <umbrage/light/light_space.hpp>
+
+namespace umbrage {
+
+/// World to texels and depth, before the division by w.
+///
+/// @param map_size   texels, each >= 1; the first texel's centre is (0.5, 0.5)
+/// @return           (x w, y w, depth w, w); depth in [0, 1] whatever the clip space, reversed stays reversed
+/// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
+///                   [-1, 1] clip space becomes z / 2 + 1 / 2
+/// @throws std::invalid_argument  map_size below 1
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
+    if (map_size.x < 1 || map_size.y < 1) throw std::invalid_argument("umbrage::texture_matrix: map_size below 1");
+    const glm::vec<2, T> half = glm::vec<2, T>(map_size) * T(0.5);
+    glm::mat<4, 4, T> scale_bias(T(1));
+    scale_bias[0][0] = half.x;
+    scale_bias[1][1] = light.clip.origin == texture_origin::bottom ? half.y : -half.y;
+    scale_bias[3][0] = half.x;
+    scale_bias[3][1] = half.y;
+    if (light.clip.range == depth_range::minus_one_to_one) {
+        scale_bias[2][2] = T(0.5);
+        scale_bias[3][2] = T(0.5);
+    }
+    return scale_bias * light.projection * light.view;
+}
+
+/// The same to [0, 1]: what texture look-ups with normalised coordinates take.
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> texture_matrix_uv(const light_space<T>& light) {
+    return texture_matrix(light, {1, 1});
+}
+
+/// The taps of the 2002 sample: half a texel off in both directions.
+template <real T>
+inline constexpr std::array<glm::vec<2, T>, 4> default_taps{{{T(-0.5), T(-0.5)}, {T(0.5), T(-0.5)}, {T(-0.5), T(0.5)}, {T(0.5), T(0.5)}}};
+
+/// One texture matrix per tap, for hardware and shaders that cannot move a projective coordinate afterwards.
+///
+/// @param texture_matrix   world to texels
+/// @param offsets          of the taps, in texels
+/// @return                 matrices with the offset applied before the division by w: equal in exact arithmetic to
+///                         adding it afterwards; in binary32 within 2 ulp of the greatest texel coordinate involved
+/// @formula                translate(offset) * texture_matrix
+/// @cite                   ATI Radeon SDK, ShadowMap sample, 2002
+template <real T>
+[[nodiscard]] std::array<glm::mat<4, 4, T>, 4> tap_matrices(const glm::mat<4, 4, T>& texture_matrix,
+                                                            const std::array<glm::vec<2, T>, 4>& offsets = default_taps<T>) {
+    std::array<glm::mat<4, 4, T>, 4> taps;
+    for (std::size_t tap = 0; tap < 4; ++tap) {
+        taps[tap] = texture_matrix;
+        for (int column = 0; column < 4; ++column) {
+            taps[tap][column][0] += offsets[tap].x * texture_matrix[column][3];
+            taps[tap][column][1] += offsets[tap].y * texture_matrix[column][3];
+        }
+    }
+    return taps;
+}
+
+/// A world position through a texture matrix; the vertex shader's part.
+/// @formula       m * (world, 1), sums from left to right
+/// @exactness     B
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
+    glm::vec<4, T> c(0);
+    for (int row = 0; row < 4; ++row) c[row] = m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z + m[3][row];
+    return c;
+}
+
+/// A tap's coordinate from the middle's: what the tap's own matrix would have given.
+/// @param coordinate   as shadow_coordinate returns it, before the division by w;   offset  in texels
+/// @formula            (x + offset.x w, y + offset.y w, z, w)
+/// @exactness          B
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> tap_coordinate(glm::vec<4, T> coordinate, glm::vec<2, T> offset) {
+    return {coordinate.x + offset.x * coordinate.w, coordinate.y + offset.y * coordinate.w, coordinate.z, coordinate.w};
+}
+
+/// The division: what filters take.
+/// @return        (x, y) in texels, z depth; for w <= 0 (not in front of the light) or NaN in w (65536, 65536, 0),
+///                which every filter takes as lit
+/// @exactness     C: divisions
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> project_coordinate(glm::vec<4, T> coordinate) {
+    if (is_nan(coordinate.w) || !(coordinate.w > T(0))) return {T(65536), T(65536), T(0)};
+    return {coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w};
+}
+
+namespace glsl {
+
+inline constexpr snippet shadow_coordinate{
+    .name = "shadow_coordinate", .summary = "world to texels and depth, before the division", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[0] * world.x + m[1] * world.y + m[2] * world.z + m[3];
+    return c;
+}
+)GLSL"};
+
+inline constexpr snippet tap_coordinate{
+    .name = "tap_coordinate", .summary = "a tap's coordinate from the middle's, before the division",
+    .exactness = tier::b, .source = R"GLSL(
+// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
+UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE_HIGHP vec2 offset) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moved = vec2(coordinate.x, coordinate.y) + offset * coordinate.w;
+    return vec4(moved.x, moved.y, coordinate.z, coordinate.w);
+}
+)GLSL"};
+
+inline constexpr snippet project_coordinate{
+    .name = "project_coordinate", .summary = "the division by w, lit behind the light", .exactness = tier::c, .ulp = 3,
+    .source = R"GLSL(
+// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
+UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
+    if (!(coordinate.w > 0.0)) return vec3(65536.0, 65536.0, 0.0);
+    return vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+//
+// The lighting of the DirectX SDK's ShadowMap sample: a spot cone, diffuse plus ambient. Enough for whole pictures.
+//
+//     float cone = umbrage::spot_cone(light_direction, point - light_position, cos_outer_angle);
+//     glm::vec3 colour = umbrage::diffuse_ambient(albedo, 0.2f, glm::dot(normal, to_light), visibility * cone);
+//
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <umbrage/glsl.hpp>
+#include <umbrage/scalar.hpp>
+
+namespace umbrage {
+
+/// Whether a point lies inside a spot light's cone.
+///
+/// @param direction   of the light, unit length
+/// @param to_point    from the light to the point, any length whose square is finite
+/// @param cos_outer   cosine of the angle between axis and edge of the cone, in [0, 1)
+/// @return            1 inside the cone, 0 outside, at its apex, or for NaN
+/// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test, unnormalised
+/// @exactness         B
+/// @cite              Microsoft DirectX SDK, ShadowMap sample
+template <real T>
+[[nodiscard]] constexpr T spot_cone(glm::vec<3, T> direction, glm::vec<3, T> to_point, T cos_outer) {
+    const T d = direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
+    const T length2 = to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
+    const T edge2 = cos_outer * cos_outer * length2;
+    const bool defined = !is_nan(d) && !is_nan(edge2);
+    return defined && d > T(0) && d * d > edge2 ? T(1) : T(0);
+}
+
+/// Light that a diffuse surface sends to the eye.
+///
+/// @param albedo       of the surface
+/// @param ambient      share of light that reaches shadows, in [0, 1]
+/// @param n_dot_l      cosine between normal and direction to the light; from 0 down, and NaN: unlit
+/// @param visibility   of the light, 1 lit
+/// @formula            albedo (visibility max(n_dot_l, 0) (1 - ambient) + ambient)
+/// @exactness          B
+/// @cite               Microsoft DirectX SDK, ShadowMap sample
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> diffuse_ambient(glm::vec<3, T> albedo, T ambient, T n_dot_l, T visibility) {
+    const T facing = !is_nan(n_dot_l) && n_dot_l > T(0) ? n_dot_l : T(0);
+    const T light = visibility * facing * (T(1) - ambient) + ambient;
+    return albedo * light;
+}
+
+namespace glsl {
+
+inline constexpr snippet spot_cone{
+    .name = "spot_cone", .summary = "1 inside a spot light's cone", .exactness = tier::b, .source = R"GLSL(
+// umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
+//   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
+UMBRAGE_HIGHP float umbrage_spot_cone(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 to_point,
+                                      UMBRAGE_HIGHP float cos_outer) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float length2 =
+        to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float edge2 = cos_outer * cos_outer * length2;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d2 = d * d;
+    return d > 0.0 && d2 > edge2 ? 1.0 : 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet diffuse_ambient{
+    .name = "diffuse_ambient", .summary = "diffuse plus ambient light of a surface", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
+UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP float ambient,
+                                           UMBRAGE_HIGHP float n_dot_l, UMBRAGE_HIGHP float visibility) {
+    UMBRAGE_HIGHP float facing = n_dot_l > 0.0 ? n_dot_l : 0.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float light = visibility * facing * (1.0 - ambient) + ambient;
+    return albedo * light;
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage
