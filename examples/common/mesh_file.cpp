@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <assimp/DefaultLogger.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include "scene.hpp"
+
+namespace example {
+namespace {
+
+glm::vec3 to_glm(const aiVector3D& v) { return {v.x, v.y, v.z}; }
+
+/// Colour of a material that says nothing.
+constexpr glm::vec3 clay{0.72f, 0.52f, 0.38f};
+
+glm::vec3 colour_of(const aiMaterial& material) {
+    aiColor3D colour;
+    aiString name;
+    material.Get(AI_MATKEY_NAME, name);
+    const bool given = std::string_view(name.C_Str()) != AI_DEFAULT_MATERIAL_NAME &&
+                       material.GetTextureCount(aiTextureType_DIFFUSE) == 0 &&
+                       material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS && !colour.IsBlack();
+    return given ? glm::vec3(colour.r, colour.g, colour.b) : clay;
+}
+
+}  // namespace
+
+mesh load_mesh(const std::filesystem::path& path) {
+    const auto fail = [&](std::string why) {
+        return std::runtime_error(path.string() + ": " + why.substr(0, why.find_first_of("\r\n")));
+    };
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) throw fail("no such file");
+    if (!std::filesystem::is_regular_file(path, error)) throw fail("not a file");
+    if (std::filesystem::file_size(path, error) == 0 || error) throw fail("the file is empty");
+
+    Assimp::Importer importer;
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 50.0f);
+    const aiScene* file = importer.ReadFile(
+        path.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals |
+                           aiProcess_JoinIdenticalVertices | aiProcess_PreTransformVertices |
+                           aiProcess_ValidateDataStructure);
+    if (!file) throw fail(importer.GetErrorString());
+
+    mesh out;
+    for (const aiMesh* part : std::span(file->mMeshes, file->mNumMeshes)) {
+        if (!part->HasNormals()) continue;  // points and lines only
+        const auto base = static_cast<unsigned>(out.positions.size());
+        const glm::vec3 colour = colour_of(*file->mMaterials[part->mMaterialIndex]);
+        for (unsigned i = 0; i < part->mNumVertices; ++i) {
+            out.positions.push_back(to_glm(part->mVertices[i]));
+            out.normals.push_back(to_glm(part->mNormals[i]));
+            const aiColor4D* painted = part->HasVertexColors(0) ? &part->mColors[0][i] : nullptr;
+            out.colours.push_back(painted ? glm::vec3(painted->r, painted->g, painted->b) : colour);
+        }
+        for (const aiFace& face : std::span(part->mFaces, part->mNumFaces))
+            if (face.mNumIndices == 3)
+                out.triangles.emplace_back(base + face.mIndices[0], base + face.mIndices[1], base + face.mIndices[2]);
+    }
+    if (out.triangles.empty()) throw fail("no triangles in it");
+    return out;
+}
+
+}  // namespace example

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// What the examples draw: triangles on a floor, made here or read from a file. World units, y is up.
+//
+//     example::scene scene = example::default_scene();
+//     example::scene scene = example::on_floor(example::load_mesh("bunny.obj"), example::up_axis::y);
+//
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace example {
+
+/// Triangles with what shading wants to know about each vertex; the three vectors of vertices are equally long.
+struct mesh {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;  ///< of length one
+    std::vector<glm::vec3> colours;  ///< linear, 0..1
+    std::vector<glm::uvec3> triangles;
+};
+
+/// A mesh whose first `floor_triangles` are the tiled floor at y = 0, and the box around everything.
+struct scene {
+    mesh geometry;
+    std::size_t floor_triangles = 0;
+    glm::vec3 low{0}, high{0};      ///< of everything
+    glm::vec3 target{0, 0.7f, 0};  ///< what lights and cameras look at
+};
+
+enum class up_axis { y, z };  ///< of a mesh that somebody else made
+
+/// A tiled floor, and on it a pillar, a torus leaning on it, a ball that throws its shadow on a box, and a box.
+[[nodiscard]] scene default_scene();
+
+/// The mesh stood upright on a floor, centred, and scaled to fit into the view whatever its units were.
+/// @throws std::runtime_error  no triangle has an area
+[[nodiscard]] scene on_floor(mesh object, up_axis up);
+
+/// OBJ, glTF, PLY and whatever else assimp reads, flattened into one mesh.
+/// @throws std::runtime_error  missing, empty or broken file; the message is one line and names the file
+[[nodiscard]] mesh load_mesh(const std::filesystem::path& path);
+
+/// Colour of the floor's tiles at a point of it.
+[[nodiscard]] glm::vec3 floor_colour(glm::vec3 position);
+
+}  // namespace example

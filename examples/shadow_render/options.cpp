@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "options.hpp"
+
+#include <map>
+
+#include <command_line.hpp>
+#include <encodings.hpp>
+
+namespace shadow_render {
+namespace {
+
+const std::map<std::string, light_kind> lights{{"spot", light_kind::spot}, {"directional", light_kind::directional}};
+const std::map<std::string, filter_kind> filters{{"hard", filter_kind::hard},
+                                                 {"four-tap", filter_kind::four_tap},
+                                                 {"pcf", filter_kind::pcf},
+                                                 {"box", filter_kind::box}};
+const std::map<std::string, edge_kind> edges{
+    {"lower", edge_kind::lower}, {"centre", edge_kind::centre}, {"upper", edge_kind::upper}};
+
+template <class Kind>
+void add_choice(CLI::App& app, const std::string& name, Kind& value, const std::map<std::string, Kind>& choices,
+                const std::string& text) {
+    std::string names, chosen;
+    for (const auto& [key, kind] : choices) {
+        names += (names.empty() ? "" : "|") + key;
+        if (kind == value) chosen = key;
+    }
+    app.add_option_function<std::string>(name, [&](const std::string& key) { value = choices.at(key); }, text)
+        ->check(CLI::IsMember(choices))
+        ->type_name(names)
+        ->default_str(chosen);
+}
+
+}  // namespace
+
+std::optional<options> parse_options(int argc, const char* const* argv) {
+    using example::within;
+    options o;
+    std::string up = "y";
+    CLI::App app{"Renders a mesh with a shadow map: picture.png, map.png, depth.png and visibility.png."};
+    app.option_defaults()->always_capture_default();
+
+    app.add_option("mesh", o.mesh, "OBJ, glTF or PLY file; without one, the built-in scene");
+    app.add_option("--up", up, "axis of the mesh that points up")->check(CLI::IsMember({"y", "z"}))->type_name("y|z");
+    app.add_option("-o,--output", o.output, "folder for the pictures, made when missing");
+
+    const auto group = [&](const char* name) { app.option_defaults()->group(name); };
+    group("Light");
+    add_choice(app, "--light", o.light, lights, "kind of light");
+    app.add_option("--azimuth", o.azimuth, "where it stands, degrees")->check(within(-360, 360));
+    app.add_option("--elevation", o.elevation, "90 is straight above")->check(within(1, 90));
+    app.add_option("--distance", o.distance, "of the spot from the scene's middle")->check(within(4, 100));
+    app.add_option("--cone", o.cone, "full angle of the spot, degrees")->check(within(1, 150));
+
+    group("Shadow map");
+    app.add_option("--map-size", o.map_size, "texels along an edge")->check(within(1, 16384));
+    app.add_option("--encoding", o.encoding, "how a depth is stored")
+        ->check(CLI::IsMember(example::encoding_names))
+        ->type_name("NAME");
+    add_choice(app, "--edge", o.edge, edges, "of a code's interval, that decoding answers");
+
+    group("Filter");
+    add_choice(app, "--filter", o.filter, filters, "how texels become visibility");
+    app.add_option("--radius", o.radius, "of the box, texels")->check(within(0, 8));
+    app.add_option("--bias", o.bias, "along the surface's normal, texels; without it, what the filter needs")
+        ->check(within(-100, 100));
+
+    group("Picture");
+    app.add_option("--width", o.width, "pixels")->check(within(1, 8192));
+    app.add_option("--height", o.height, "pixels")->check(within(1, 8192));
+    app.add_option("--samples", o.samples, "per pixel, along an edge")->check(within(1, 4));
+    app.add_option("--camera-azimuth", o.camera_azimuth, "degrees")->check(within(-360, 360));
+    app.add_option("--camera-elevation", o.camera_elevation, "degrees")->check(within(1, 90));
+    app.add_option("--camera-distance", o.camera_distance, "from the scene's middle")->check(within(3, 100));
+    app.add_option("--fov", o.fov, "vertical field of view, degrees")->check(within(1, 120));
+    app.add_flag("-q,--quiet", o.quiet, "no progress, no timings");
+
+    std::string names = "Encodings:";
+    for (const std::string& name : example::encoding_names) names += " " + name;
+    app.footer(names);
+
+    if (!example::parse(app, argc, argv)) return std::nullopt;
+    o.z_up = up == "z";
+    return o;
+}
+
+}  // namespace shadow_render
