@@ -30,7 +30,7 @@ else \
 fi
 endef
 
-.PHONY: test demo asan single-header compile-time clean
+.PHONY: test demo asan single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -51,6 +51,13 @@ asan:
 # Makes single_include/umbrage/umbrage.hpp anew.
 single-header:
 	cmake -P single_include/amalgamate.cmake
+
+# Writes the generated sections of README.md anew.
+readme:
+	$(call install,$(test_packages))
+	cmake --preset dev
+	cmake --build --preset dev --target readme
+	build/dev/tests/readme/readme README.md --write
 
 # What including umbrage.hpp costs.
 compile-time:

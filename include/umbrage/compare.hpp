@@ -63,7 +63,7 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet compare{
-    .name = "compare", .summary = "what filters compare and fetch with, as macros to redefine", .exactness = tier::a,
+    .name = "compare", .summary = "one comparison, as a macro to redefine", .exactness = tier::a,
     .needs = {}, .source = R"GLSL(
 // UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth; define it with >= for reversed Z
 #ifndef UMBRAGE_LIT

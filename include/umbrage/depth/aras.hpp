@@ -85,7 +85,7 @@ UMBRAGE_HIGHP float umbrage_decode_aras(UMBRAGE_HIGHP vec4 c) {
 )GLSL"};
 
 inline constexpr snippet encode_aras_repaired{
-    .name = "encode_aras_repaired", .summary = "the same for the same reader, without its faults",
+    .name = "encode_aras_repaired", .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
     .exactness = tier::b, .needs = {&saturate}, .source = R"GLSL(
 // umbrage_encode_aras_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
 //   whole numbers 0..255 (umbrage_to_unorm writes them)

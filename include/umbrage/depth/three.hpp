@@ -224,7 +224,7 @@ UMBRAGE_HIGHP float umbrage_decode_three_legacy(UMBRAGE_HIGHP vec4 c) {
 )GLSL"};
 
 inline constexpr snippet encode_three_legacy_repaired{
-    .name = "encode_three_legacy_repaired", .summary = "the same for the same reader, without its fault",
+    .name = "encode_three_legacy_repaired", .summary = "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
     .exactness = tier::a, .needs = {&saturate}, .source = R"GLSL(
 // umbrage_encode_three_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
 //   whole numbers 0..255 (umbrage_to_unorm writes them)
