@@ -19,6 +19,7 @@
 //
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
@@ -68,7 +69,8 @@ struct depth_plane {
 /// @exactness    B: the same bits with and without FMA. With n the bounds' larger side in 1/256 texel and m the sum of
 ///               the depth's and the two slopes' magnitudes over the bounds, a sample is within 2^-48 n m of the plane
 ///               through the snapped vertices
-[[nodiscard]] inline depth_plane make_depth_plane(const std::array<snapped_vertex, 3>& v, double area, glm::ivec2 first) {
+[[nodiscard]] inline depth_plane make_depth_plane(const std::array<snapped_vertex, 3>& v, double area,
+                                                  glm::ivec2 first) {
     const auto magnitude = [](double a) { return a < 0.0 ? -a : a; };
     const auto largest = [](double a, double b) { return a < b ? b : a; };
     const auto round_down = [](double a) {  // to a power of two
@@ -94,7 +96,8 @@ struct depth_plane {
     const double dx = on_grid(slope_x, unit), dy = on_grid(slope_y, unit);
     constexpr int centre = subtexels / 2;
     return {.first = first,
-            .z = on_grid(z0, unit) + dx * (first.x * subtexels + centre - v[0].x) + dy * (first.y * subtexels + centre - v[0].y),
+            .z = on_grid(z0, unit) + dx * (first.x * subtexels + centre - v[0].x) +
+                 dy * (first.y * subtexels + centre - v[0].y),
             .dx = dx * subtexels,
             .dy = dy * subtexels,
             .lowest = z0 < z1 ? (z0 < z2 ? z0 : z2) : (z1 < z2 ? z1 : z2),
@@ -124,8 +127,10 @@ void rasterize_snapped(std::array<snapped_vertex, 3> v, glm::ivec2 size, cull_mo
     const auto last_to = [](int high, int count) {
         return high < centre ? -1 : std::min((high - centre) / subtexels, count - 1);
     };
-    const glm::ivec2 first{first_from(std::min({v[0].x, v[1].x, v[2].x})), first_from(std::min({v[0].y, v[1].y, v[2].y}))};
-    const glm::ivec2 last{last_to(std::max({v[0].x, v[1].x, v[2].x}), size.x), last_to(std::max({v[0].y, v[1].y, v[2].y}), size.y)};
+    const glm::ivec2 first{first_from(std::min({v[0].x, v[1].x, v[2].x})),
+                           first_from(std::min({v[0].y, v[1].y, v[2].y}))};
+    const glm::ivec2 last{last_to(std::max({v[0].x, v[1].x, v[2].x}), size.x),
+                          last_to(std::max({v[0].y, v[1].y, v[2].y}), size.y)};
     if (first.x > last.x || first.y > last.y) return;
 
     struct edge {
@@ -137,8 +142,8 @@ void rasterize_snapped(std::array<snapped_vertex, 3> v, glm::ivec2 size, cull_mo
         const auto& b = v[i < 2 ? i + 1 : 0];
         const std::int64_t dx = b.x - a.x, dy = b.y - a.y;
         const bool top_left = dy < 0 || (dy == 0 && dx < 0);
-        edges[i] = {dx * (first.y * subtexels + centre - a.y) - dy * (first.x * subtexels + centre - a.x) - (top_left ? 0 : 1),
-                    -dy * subtexels, dx * subtexels};
+        const std::int64_t value = dx * (first.y * subtexels + centre - a.y) - dy * (first.x * subtexels + centre - a.x);
+        edges[i] = {value - (top_left ? 0 : 1), -dy * subtexels, dx * subtexels};
     }
 
     const auto plane = make_depth_plane(v, static_cast<double>(area_of()), first);
@@ -217,8 +222,8 @@ void rasterize_rows(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& wor
 /// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
 ///              the far plane; never -0
 /// @exactness   coverage A from the snapped vertices on; depth B, see depth_plane
-inline void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
-                            cull_mode cull = cull_mode::none) {
+inline void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip,
+                            clip_space clip, cull_mode cull = cull_mode::none) {
     const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
     rasterize_rows(depth.size, mesh, world_to_clip, clip, cull,
                    [&](int y, int x_first, int x_last, const depth_plane& plane, unsigned) {

@@ -43,7 +43,8 @@ struct contrast_stretch {
 /// @param outliers  share of the depths to give up at either end, 0 <= outliers < 1/2
 /// @return      0..1 when no texel is left
 /// @throws std::invalid_argument  outliers out of range
-[[nodiscard]] inline contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f, double outliers = 0.01) {
+[[nodiscard]] inline contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f,
+                                              double outliers = 0.01) {
     if (!(outliers >= 0.0 && outliers < 0.5)) throw std::invalid_argument("umbrage::stretch: outliers not in [0, 1/2)");
     std::vector<float> depths;
     for (int y = 0; y < map.size.y && !map.empty(); ++y)
@@ -60,17 +61,19 @@ struct contrast_stretch {
 
 /// Where an overlay goes: the top left corner, as people see it.
 struct overlay_placement {
-    glm::ivec2 size{0, 0};                                  ///< in texels of the picture; a zero takes the map's own side
-    texture_origin map_origin = texture_origin::bottom;     ///< where row 0 of the map is
-    texture_origin picture_origin = texture_origin::top;    ///< where row 0 of the picture is; image files: at the top
+    glm::ivec2 size{0, 0};  ///< in texels of the picture; a zero takes the map's own side
+    texture_origin map_origin = texture_origin::bottom;   ///< where row 0 of the map is
+    texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
 };
 
 /// Draws a map into the top left corner of a picture, scaled to the nearest texel. What does not fit is cut off.
 ///
-/// @param colour  float -> colour, given the map's texels as they are; a float is a grey, a vec3 red, green, blue in [0, 1]
+/// @param colour  float -> colour, given the map's texels as they are: a float is a grey, a vec3 red, green and blue,
+///                all in [0, 1]
 /// @throws std::invalid_argument  negative size
 template <class Colour>
-void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place, Colour&& colour) {
+void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
+             Colour&& colour) {
     if (place.size.x < 0 || place.size.y < 0) throw std::invalid_argument("umbrage::overlay: negative size");
     if (map.empty()) return;
     const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
