@@ -116,10 +116,10 @@ scene finish(const mesh& object) {
 scene default_scene() {
     mesh m;
     const auto at = [](glm::vec3 p) { return glm::translate(glm::mat4(1), p); };
-    add_pillar(m, {0.95f, 0, -0.35f}, 0.26f, 1.15f, {0.75f, 0.72f, 0.66f});
-    add_sphere(m, {0.95f, 1.65f, -0.35f}, 0.5f, {0.80f, 0.30f, 0.16f});
-    add_box(m, glm::rotate(at({-0.75f, 0.5f, -0.75f}), 0.5f, {0, 1, 0}), glm::vec3(0.5f), {0.22f, 0.42f, 0.70f});
-    add_torus(m, glm::rotate(glm::rotate(at({-0.15f, 0.62f, 0.85f}), 0.6f, {0, 1, 0}), -0.45f, {1, 0, 0}), 0.5f, 0.17f,
+    add_pillar(m, {1.15f, 0, -0.2f}, 0.25f, 1.35f, {0.75f, 0.72f, 0.66f});
+    add_sphere(m, {1.15f, 1.8f, -0.2f}, 0.48f, {0.80f, 0.30f, 0.16f});
+    add_box(m, glm::rotate(at({-0.05f, 0.5f, -0.75f}), 0.5f, {0, 1, 0}), glm::vec3(0.5f), {0.22f, 0.42f, 0.70f});
+    add_torus(m, glm::rotate(glm::rotate(at({-0.75f, 0.6f, 0.85f}), 0.6f, {0, 1, 0}), -0.45f, {1, 0, 0}), 0.5f, 0.17f,
               {0.90f, 0.65f, 0.13f});
     return finish(m);
 }

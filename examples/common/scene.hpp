@@ -33,7 +33,7 @@ struct scene {
 
 enum class up_axis { y, z };  ///< of a mesh that somebody else made
 
-/// A tiled floor, and on it a pillar, a torus leaning on it, a ball that throws its shadow on a box, and a box.
+/// A tiled floor, and on it a ball on a pillar that throws its shadow on a box, and a torus.
 [[nodiscard]] scene default_scene();
 
 /// The mesh stood upright on a floor, centred, and scaled to fit into the view whatever its units were.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "options.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include <command_line.hpp>
@@ -14,8 +15,10 @@ const std::map<std::string, filter_kind> filters{{"hard", filter_kind::hard},
                                                  {"four-tap", filter_kind::four_tap},
                                                  {"pcf", filter_kind::pcf},
                                                  {"box", filter_kind::box}};
-const std::map<std::string, edge_kind> edges{
-    {"lower", edge_kind::lower}, {"centre", edge_kind::centre}, {"upper", edge_kind::upper}};
+const std::map<std::string, float> edges{{"lower", umbrage::lower_edge<float>},
+                                         {"centre", umbrage::centre<float>},
+                                         {"upper", umbrage::upper_edge<float>}};
+const std::map<std::string, example::up_axis> axes{{"y", example::up_axis::y}, {"z", example::up_axis::z}};
 
 template <class Kind>
 void add_choice(CLI::App& app, const std::string& name, Kind& value, const std::map<std::string, Kind>& choices,
@@ -36,12 +39,11 @@ void add_choice(CLI::App& app, const std::string& name, Kind& value, const std::
 std::optional<options> parse_options(int argc, const char* const* argv) {
     using example::within;
     options o;
-    std::string up = "y";
     CLI::App app{"Renders a mesh with a shadow map: picture.png, map.png, depth.png and visibility.png."};
     app.option_defaults()->always_capture_default();
 
     app.add_option("mesh", o.mesh, "OBJ, glTF or PLY file; without one, the built-in scene");
-    app.add_option("--up", up, "axis of the mesh that points up")->check(CLI::IsMember({"y", "z"}))->type_name("y|z");
+    add_choice(app, "--up", o.up, axes, "axis of the mesh that points up");
     app.add_option("-o,--output", o.output, "folder for the pictures, made when missing");
 
     const auto group = [&](const char* name) { app.option_defaults()->group(name); };
@@ -53,7 +55,7 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.add_option("--cone", o.cone, "full angle of the spot, degrees")->check(within(1, 150));
 
     group("Shadow map");
-    app.add_option("--map-size", o.map_size, "texels along an edge")->check(within(1, 16384));
+    app.add_option("--map-size", o.map_size, "texels along an edge")->check(within(1, 8192));
     app.add_option("--encoding", o.encoding, "how a depth is stored")
         ->check(CLI::IsMember(example::encoding_names))
         ->type_name("NAME");
@@ -80,7 +82,8 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.footer(names);
 
     if (!example::parse(app, argc, argv)) return std::nullopt;
-    o.z_up = up == "z";
+    if (1.0 * o.width * o.height * o.samples * o.samples > 64e6 || std::max(o.width, o.height) * o.samples > 16384)
+        throw example::usage_error("too large a picture: at most 64 million samples, 16384 along an edge");
     return o;
 }
 

@@ -5,32 +5,35 @@
 #include <optional>
 #include <string>
 
+#include <umbrage/depth/code.hpp>
+
+#include <scene.hpp>
+
 namespace shadow_render {
 
 enum class light_kind { spot, directional };
 enum class filter_kind { hard, four_tap, pcf, box };
-enum class edge_kind { lower, centre, upper };
 
 /// Angles are in degrees. Azimuth 0 is towards the default camera, 90 to its right; elevation 90 is straight above.
 struct options {
     std::string mesh;  ///< empty: the built-in scene
-    bool z_up = false;
+    example::up_axis up = example::up_axis::y;
     std::filesystem::path output = "out";
 
     light_kind light = light_kind::spot;
-    float azimuth = 60, elevation = 45, distance = 8;
+    float azimuth = 60, elevation = 40, distance = 8;
     float cone = 60;  ///< the spot's full angle
 
     int map_size = 1024;
     std::string encoding = "rg16";
-    edge_kind edge = edge_kind::upper;
+    float edge = umbrage::upper_edge<float>;  ///< of a code's interval, that decoding answers
 
     filter_kind filter = filter_kind::pcf;
     int radius = 2;             ///< of the box
     std::optional<float> bias;  ///< texels; unset: what the filter needs
 
     int width = 960, height = 640, samples = 2;
-    float camera_azimuth = 0, camera_elevation = 25, camera_distance = 7.5f, fov = 35;
+    float camera_azimuth = 0, camera_elevation = 30, camera_distance = 7.5f, fov = 35;
 
     bool quiet = false;
 };
