@@ -38,6 +38,15 @@ namespace {
 constexpr float ambient = 0.22f;
 constexpr glm::vec3 background{0.30f, 0.36f, 0.44f};
 
+example::camera make_camera(const options& o, const example::scene& scene) {
+    return example::make_camera({.target = scene.target,
+                                 .azimuth = o.camera_azimuth,
+                                 .elevation = o.camera_elevation,
+                                 .distance = o.camera_distance,
+                                 .fov = o.fov,
+                                 .aspect = static_cast<float>(o.width) / static_cast<float>(o.height)});
+}
+
 /// The filter of the options, and how far from a receiver its farthest texel can be, per direction, in texels.
 /// Change a line here to try another.
 template <class Use>
@@ -79,113 +88,130 @@ T mean(glm::ivec2 pixel, int samples, Sample&& sample) {
     return sum / static_cast<float>(samples * samples);
 }
 
+/// What light and camera see.
+struct view {
+    const example::scene& scene;
+    light lamp;
+    example::camera camera;
+    umbrage::image<std::uint32_t> seen;  ///< triangle behind each sample of the picture
+
+    [[nodiscard]] bool empty(glm::ivec2 sample) const { return seen[sample] == example::nothing; }
+    [[nodiscard]] example::surface at(glm::ivec2 sample) const { return example::surface_at(scene, camera, seen, sample); }
+};
+
+/// Where each sample looks into the map, in texels, and the depth that it compares with; the bias is part of both.
+/// @param below   how far the encoding may answer below the depth it was given
+template <class Step>
+umbrage::image<glm::vec3> receivers_of(const options& o, const view& v, float below, Step&& step) {
+    constexpr float rounding = 0x1p-18f;  // the depth pass and we compute the same depth, in float
+    const float texels = o.bias.value_or(with_filter(o, [](auto, float reach) { return automatic_bias(reach); }));
+    const glm::mat4 world_to_texels = umbrage::texture_matrix(v.lamp.space, glm::ivec2(o.map_size));
+    umbrage::image<glm::vec3> receivers(v.seen.size(), umbrage::project_coordinate(glm::vec4(0)));  // lit in any map
+    for_each_texel(v.seen.size(), step, [&](glm::ivec2 t) {
+        if (v.empty(t)) return;
+        const glm::vec3 point = biased(v.at(t), v.lamp, texels, o.map_size);
+        const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
+        receivers[t] = {p.x, p.y, v.lamp.even_depth(p.z) - rounding - below};
+    });
+    return receivers;
+}
+
+/// Diffuse plus ambient light, inside the cone.
+template <class Step>
+umbrage::image<glm::u8vec3> shade(const options& o, const view& v, const umbrage::image<float>& visibility, Step&& step) {
+    umbrage::image<glm::u8vec3> picture({o.width, o.height});
+    for_each_texel(picture.size(), step, [&](glm::ivec2 pixel) {
+        picture[pixel] = example::to_srgb(mean<glm::vec3>(pixel, o.samples, [&](glm::ivec2 t) {
+            if (v.empty(t)) return background;
+            const example::surface s = v.at(t);
+            return umbrage::diffuse_ambient(s.colour, ambient, glm::dot(s.normal, v.lamp.to_light(s.position)),
+                                            visibility[t] * v.lamp.cone(s.position));
+        }));
+    });
+    return picture;
+}
+
 /// The bytes of a texel as image viewers can show them: missing channels are 0.
 glm::u8vec3 bytes(glm::u8vec2 texel) { return {texel, 0}; }
 glm::u8vec3 bytes(glm::u8vec3 texel) { return texel; }
 glm::u8vec4 bytes(glm::u8vec4 texel) { return texel; }
 glm::u8vec4 bytes(float texel) { return umbrage::encode_float_bits(texel); }
 
+template <class Texel>
+void write_map(const options& o, const umbrage::image<Texel>& map) {
+    umbrage::image<decltype(bytes(Texel{}))> packed(map.size());
+    std::ranges::transform(map.texels(), packed.texels().begin(), [](Texel t) { return bytes(t); });
+    example::write_png(o.output / "map.png", std::as_const(packed).view());
+}
+
+/// What people look at; `depth` is the map decoded, `cleared` what its empty texels decode to.
+void write(const options& o, const umbrage::image<float>& depth, float cleared, const umbrage::image<float>& visibility,
+           umbrage::image<glm::u8vec3> picture) {
+    const umbrage::contrast_stretch stretch = umbrage::stretch(depth, cleared);
+    umbrage::image<glm::u8vec3> colours(depth.size());
+    std::ranges::transform(depth.texels(), colours.texels().begin(), [&](float d) {
+        return umbrage::store_unorm8(umbrage::false_colour(stretch(d)));
+    });
+    umbrage::image<std::uint8_t> mask(picture.size());
+    for_each_texel(mask.size(), [] {}, [&](glm::ivec2 pixel) {
+        mask[pixel] = umbrage::store_unorm8(mean<float>(pixel, o.samples, [&](glm::ivec2 t) { return visibility[t]; }));
+    });
+    const int corner = std::min(o.width, o.height) / 4;
+    if (corner > 0)
+        umbrage::overlay(picture, depth, {.size{corner, corner}, .map_origin = example::picture_clip.origin}, stretch);
+
+    example::write_png(o.output / "depth.png", std::as_const(colours).view());
+    example::write_png(o.output / "visibility.png", std::as_const(mask).view());
+    example::write_png(o.output / "picture.png", std::as_const(picture).view());
+}
+
+/// The whole way, in order.
 template <class Encoding>
 void render(const options& o, const example::scene& scene, Encoding encoding, float below) {
-    const glm::ivec2 picture_size(o.width, o.height), sample_size = picture_size * o.samples, map_size(o.map_size);
+    const glm::ivec2 map_size(o.map_size), sample_size = glm::ivec2(o.width, o.height) * o.samples;
     example::progress progress(3 * static_cast<unsigned>(sample_size.y) + static_cast<unsigned>(o.height), o.quiet);
     const auto step = [&] { progress.step(); };
 
-    // 1. The light: its view of the world, and the way from world positions to texels of its map.
-    const light light = make_light(o, scene);
-    const glm::mat4 world_to_texels = umbrage::texture_matrix(light.space, map_size);
+    // Light and camera: how they see the world.
+    view view{.scene = scene, .lamp = make_light(o, scene), .camera = make_camera(o, scene), .seen{}};
 
-    // 2. Depth pass: the distance to what the light sees first.
-    umbrage::image<float> depth(map_size, umbrage::cleared_depth(light.space.clip));
+    // Depth pass: the distance to what the light sees first.
+    umbrage::image<float> depth(map_size, umbrage::cleared_depth(view.lamp.space.clip));
     progress.stage("depth pass", [&] {
-        umbrage::rasterize_depth(depth, example::view_of(scene.geometry), light.world_to_clip(), light.space.clip);
-        for (float& d : depth.texels()) d = light.even_depth(d);
+        umbrage::rasterize_depth(depth, example::view_of(scene.geometry), view.lamp.world_to_clip(), view.lamp.space.clip);
+        for (float& d : depth.texels()) d = view.lamp.even_depth(d);
     });
 
-    // 3. Encode: depths become the texels that a render target would hold.
+    // Encode: depths become the texels that a render target would hold.
     umbrage::image<typename Encoding::texel> map(map_size);
     progress.stage("encode", [&] { umbrage::encode(std::as_const(depth).view(), map.view(), encoding); });
 
-    // 4. Camera pass: the triangle behind each sample of the picture.
-    const example::camera camera = example::make_camera({.target = scene.target,
-                                                         .azimuth = o.camera_azimuth,
-                                                         .elevation = o.camera_elevation,
-                                                         .distance = o.camera_distance,
-                                                         .fov = o.fov,
-                                                         .aspect = static_cast<float>(o.width) / static_cast<float>(o.height)});
-    umbrage::image<std::uint32_t> seen;
-    progress.stage("camera pass", [&] { seen = example::camera_pass(scene.geometry, camera, sample_size); });
-    progress.step(static_cast<unsigned>(sample_size.y));
-
-    // 5. Receivers: where each sample looks into the map, and the depth it compares with. The bias is part of it.
-    umbrage::image<glm::vec3> receivers(sample_size, umbrage::project_coordinate(glm::vec4(0)));  // lit, whatever the map
-    progress.stage("receivers", [&] {
-        constexpr float rounding = 0x1p-18f;  // both passes compute the same depth, in float
-        const float texels = o.bias.value_or(with_filter(o, [](auto, float reach) { return automatic_bias(reach); }));
-        for_each_texel(sample_size, step, [&](glm::ivec2 t) {
-            if (seen[t] == example::nothing) return;
-            const glm::vec3 point = biased(example::surface_at(scene, camera, seen, t), light, texels, o.map_size);
-            const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
-            receivers[t] = {p.x, p.y, light.even_depth(p.z) - rounding - below};
-        });
+    // Camera pass: the triangle behind each sample, and where that looks into the map.
+    progress.stage("camera pass", [&] {
+        view.seen = example::camera_pass(scene.geometry, view.camera, sample_size);
+        progress.step(static_cast<unsigned>(sample_size.y));
     });
+    const auto receivers = progress.stage("receivers", [&] { return receivers_of(o, view, below, step); });
 
-    // 6. Visibility: fetch, decode, compare, filter.
+    // Visibility: fetch, decode, compare, filter; a row at a time, to show progress.
     umbrage::image<float> visibility(sample_size);
     progress.stage("visibility", [&] {
         with_filter(o, [&](auto filter, float) {
             for (int y = 0; y < sample_size.y; ++y, step())
-                umbrage::visibility(std::as_const(map).view(), encoding, std::as_const(receivers).view().rows(y, y + 1),
-                                    filter, visibility.view().rows(y, y + 1));
+                umbrage::visibility(std::as_const(map).view(), encoding, receivers.view().rows(y, y + 1), filter,
+                                    visibility.view().rows(y, y + 1));
         });
     });
 
-    // 7. Shade: diffuse plus ambient, inside the cone.
-    umbrage::image<glm::u8vec3> picture(picture_size);
-    progress.stage("shade", [&] {
-        for_each_texel(picture_size, step, [&](glm::ivec2 pixel) {
-            picture[pixel] = example::to_srgb(mean<glm::vec3>(pixel, o.samples, [&](glm::ivec2 t) {
-                if (seen[t] == example::nothing) return background;
-                const example::surface s = example::surface_at(scene, camera, seen, t);
-                return umbrage::diffuse_ambient(s.colour, ambient, glm::dot(s.normal, light.to_light(s.position)),
-                                                visibility[t] * light.cone(s.position));
-            }));
-        });
-    });
+    // Shade.
+    auto picture = progress.stage("shade", [&] { return shade(o, view, visibility, step); });
 
-    // 8. What people look at.
     progress.stage("write", [&] {
-        const auto save = [&](const char* name, const auto& image) { example::write_png(o.output / name, image.view()); };
-        constexpr auto no_step = [] {};
-
-        umbrage::image<decltype(bytes(map[{}]))> packed(map_size);
-        for_each_texel(map_size, no_step, [&](glm::ivec2 t) { packed[t] = bytes(map[t]); });
-        save("map.png", std::as_const(packed));
-
-        umbrage::image<float> stored(map_size);
-        umbrage::decode(std::as_const(map).view(), stored.view(), encoding);
-        const umbrage::contrast_stretch stretch = umbrage::stretch(stored, encoding.decode(encoding.encode(1.0f)));
-        umbrage::image<glm::u8vec3> colours(map_size);
-        for_each_texel(map_size, no_step, [&](glm::ivec2 t) {
-            colours[t] = umbrage::store_unorm8(umbrage::false_colour(stretch(stored[t])));
-        });
-        save("depth.png", std::as_const(colours));
-
-        umbrage::image<std::uint8_t> mask(picture_size);
-        for_each_texel(picture_size, no_step, [&](glm::ivec2 pixel) {
-            mask[pixel] = umbrage::store_unorm8(mean<float>(pixel, o.samples, [&](glm::ivec2 t) { return visibility[t]; }));
-        });
-        save("visibility.png", std::as_const(mask));
-
-        umbrage::overlay(picture, stored,
-                         {.size = glm::ivec2(std::min(o.width, o.height) / 4), .map_origin = light.space.clip.origin}, stretch);
-        save("picture.png", std::as_const(picture));
+        write_map(o, map);
+        umbrage::decode(std::as_const(map).view(), depth.view(), encoding);
+        write(o, depth, encoding.decode(encoding.encode(1.0f)), visibility, std::move(picture));
     });
-
-    if (o.quiet) return;
-    progress.print_times();
-    std::printf("%zu triangles, %d x %d texels of %s: picture.png, map.png, depth.png and visibility.png in %s\n",
-                scene.geometry.triangles.size(), o.map_size, o.map_size, o.encoding.c_str(), o.output.string().c_str());
+    if (!o.quiet) progress.print_times();
 }
 
 void run(const options& o) {
@@ -195,6 +221,9 @@ void run(const options& o) {
     std::filesystem::create_directories(o.output, error);
     if (!std::filesystem::is_directory(o.output)) throw std::runtime_error("cannot make the folder " + o.output.string());
     example::with_encoding(o.encoding, o.edge, [&](auto encoding, float below) { render(o, scene, encoding, below); });
+    if (!o.quiet)
+        std::printf("%zu triangles, %d x %d texels of %s: picture.png, map.png, depth.png and visibility.png in %s\n",
+                    scene.geometry.triangles.size(), o.map_size, o.map_size, o.encoding.c_str(), o.output.string().c_str());
 }
 
 }  // namespace

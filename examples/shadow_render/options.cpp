@@ -2,7 +2,8 @@
 #include "options.hpp"
 
 #include <algorithm>
-#include <map>
+#include <utility>
+#include <vector>
 
 #include <command_line.hpp>
 #include <encodings.hpp>
@@ -10,27 +11,31 @@
 namespace shadow_render {
 namespace {
 
-const std::map<std::string, light_kind> lights{{"spot", light_kind::spot}, {"directional", light_kind::directional}};
-const std::map<std::string, filter_kind> filters{{"hard", filter_kind::hard},
-                                                 {"four-tap", filter_kind::four_tap},
-                                                 {"pcf", filter_kind::pcf},
-                                                 {"box", filter_kind::box}};
-const std::map<std::string, float> edges{{"lower", umbrage::lower_edge<float>},
-                                         {"centre", umbrage::centre<float>},
-                                         {"upper", umbrage::upper_edge<float>}};
-const std::map<std::string, example::up_axis> axes{{"y", example::up_axis::y}, {"z", example::up_axis::z}};
+template <class Kind>
+using choices = std::vector<std::pair<std::string, Kind>>;
+
+const choices<light_kind> lights{{"spot", light_kind::spot}, {"directional", light_kind::directional}};
+const choices<filter_kind> filters{
+    {"hard", filter_kind::hard}, {"four-tap", filter_kind::four_tap}, {"pcf", filter_kind::pcf}, {"box", filter_kind::box}};
+const choices<float> edges{
+    {"lower", umbrage::lower_edge<float>}, {"centre", umbrage::centre<float>}, {"upper", umbrage::upper_edge<float>}};
+const choices<example::up_axis> axes{{"y", example::up_axis::y}, {"z", example::up_axis::z}};
 
 template <class Kind>
-void add_choice(CLI::App& app, const std::string& name, Kind& value, const std::map<std::string, Kind>& choices,
-                const std::string& text) {
-    std::string names, chosen;
-    for (const auto& [key, kind] : choices) {
-        names += (names.empty() ? "" : "|") + key;
+void add_choice(CLI::App& app, const std::string& name, Kind& value, const choices<Kind>& all, const std::string& text) {
+    std::vector<std::string> names;
+    std::string chosen;
+    for (const auto& [key, kind] : all) {
+        names.push_back(key);
         if (kind == value) chosen = key;
     }
-    app.add_option_function<std::string>(name, [&](const std::string& key) { value = choices.at(key); }, text)
-        ->check(CLI::IsMember(choices))
-        ->type_name(names)
+    const auto choose = [&](const std::string& key) {
+        for (const auto& [candidate, kind] : all)
+            if (candidate == key) value = kind;
+    };
+    app.add_option_function<std::string>(name, choose, text)
+        ->check(CLI::IsMember(names).description(""))
+        ->type_name(CLI::detail::join(names, "|"))
         ->default_str(chosen);
 }
 
@@ -39,7 +44,7 @@ void add_choice(CLI::App& app, const std::string& name, Kind& value, const std::
 std::optional<options> parse_options(int argc, const char* const* argv) {
     using example::within;
     options o;
-    CLI::App app{"Renders a mesh with a shadow map: picture.png, map.png, depth.png and visibility.png."};
+    CLI::App app{"Renders a mesh with a shadow map: picture.png, map.png, depth.png and visibility.png.", "shadow_render"};
     app.option_defaults()->always_capture_default();
 
     app.add_option("mesh", o.mesh, "OBJ, glTF or PLY file; without one, the built-in scene");
@@ -57,7 +62,7 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     group("Shadow map");
     app.add_option("--map-size", o.map_size, "texels along an edge")->check(within(1, 8192));
     app.add_option("--encoding", o.encoding, "how a depth is stored")
-        ->check(CLI::IsMember(example::encoding_names))
+        ->check(CLI::IsMember(example::encoding_names).description(""))
         ->type_name("NAME");
     add_choice(app, "--edge", o.edge, edges, "of a code's interval, that decoding answers");
 
