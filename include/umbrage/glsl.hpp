@@ -137,9 +137,9 @@ namespace detail {
 /// Text with the constants of one member of a family filled in, at compile time.
 template <std::size_t Capacity>
 struct filled_text {
-    std::array<char, Capacity> data{};
+    char data[Capacity]{};
     std::size_t size = 0;
-    [[nodiscard]] constexpr std::string_view view() const { return {data.data(), size}; }
+    [[nodiscard]] constexpr std::string_view view() const { return {data, size}; }
 };
 
 struct constant {
@@ -147,13 +147,14 @@ struct constant {
     unsigned value;
 };
 
-/// Replaces each `$key` by the decimal digits of its value.
-template <std::size_t Capacity>
-constexpr filled_text<Capacity> fill(std::string_view text, std::initializer_list<constant> constants) {
+/// Replaces each `$key` by the decimal digits of its value. Plain arrays, for the sake of every user's compile time.
+template <std::size_t Capacity, std::size_t Length>
+constexpr filled_text<Capacity> fill(const char (&text)[Length], std::initializer_list<constant> constants) {
     filled_text<Capacity> out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
+    std::size_t size = 0;
+    for (std::size_t i = 0; i + 1 < Length; ++i) {
         if (text[i] != '$') {
-            out.data[out.size++] = text[i];
+            out.data[size++] = text[i];
             continue;
         }
         ++i;
@@ -161,9 +162,10 @@ constexpr filled_text<Capacity> fill(std::string_view text, std::initializer_lis
             if (c.key != text[i]) continue;
             unsigned unit = 1;
             while (c.value / unit >= 10) unit *= 10;
-            for (; unit > 0; unit /= 10) out.data[out.size++] = static_cast<char>('0' + c.value / unit % 10);
+            for (; unit > 0; unit /= 10) out.data[size++] = static_cast<char>('0' + c.value / unit % 10);
         }
     }
+    out.size = size;
     return out;
 }
 
