@@ -26,7 +26,9 @@
 #include <umbrage/filter/pcf_2x2.hpp>
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/image_ops/clip.hpp>
+#include <umbrage/image_ops/encode.hpp>
 #include <umbrage/image_ops/rasterize.hpp>
+#include <umbrage/image_ops/visibility.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/spot_light.hpp>

@@ -222,9 +222,9 @@ namespace detail {
 /// Text with the constants of one member of a family filled in, at compile time.
 template <std::size_t Capacity>
 struct filled_text {
-    std::array<char, Capacity> data{};
+    char data[Capacity]{};
     std::size_t size = 0;
-    [[nodiscard]] constexpr std::string_view view() const { return {data.data(), size}; }
+    [[nodiscard]] constexpr std::string_view view() const { return {data, size}; }
 };
 
 struct constant {
@@ -232,13 +232,14 @@ struct constant {
     unsigned value;
 };
 
-/// Replaces each `$key` by the decimal digits of its value.
-template <std::size_t Capacity>
-constexpr filled_text<Capacity> fill(std::string_view text, std::initializer_list<constant> constants) {
+/// Replaces each `$key` by the decimal digits of its value. Plain arrays, for the sake of every user's compile time.
+template <std::size_t Capacity, std::size_t Length>
+constexpr filled_text<Capacity> fill(const char (&text)[Length], std::initializer_list<constant> constants) {
     filled_text<Capacity> out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
+    std::size_t size = 0;
+    for (std::size_t i = 0; i + 1 < Length; ++i) {
         if (text[i] != '$') {
-            out.data[out.size++] = text[i];
+            out.data[size++] = text[i];
             continue;
         }
         ++i;
@@ -246,9 +247,10 @@ constexpr filled_text<Capacity> fill(std::string_view text, std::initializer_lis
             if (c.key != text[i]) continue;
             unsigned unit = 1;
             while (c.value / unit >= 10) unit *= 10;
-            for (; unit > 0; unit /= 10) out.data[out.size++] = static_cast<char>('0' + c.value / unit % 10);
+            for (; unit > 0; unit /= 10) out.data[size++] = static_cast<char>('0' + c.value / unit % 10);
         }
     }
+    out.size = size;
     return out;
 }
 
@@ -365,7 +367,7 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet compare{
-    .name = "compare", .summary = "what filters compare and fetch with, as macros to redefine", .exactness = tier::a,
+    .name = "compare", .summary = "one comparison, as a macro to redefine", .exactness = tier::a,
     .needs = {}, .source = R"GLSL(
 // UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth; define it with >= for reversed Z
 #ifndef UMBRAGE_LIT
@@ -757,7 +759,7 @@ UMBRAGE_HIGHP float umbrage_decode_aras(UMBRAGE_HIGHP vec4 c) {
 )GLSL"};
 
 inline constexpr snippet encode_aras_repaired{
-    .name = "encode_aras_repaired", .summary = "the same for the same reader, without its faults",
+    .name = "encode_aras_repaired", .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
     .exactness = tier::b, .needs = {&saturate}, .source = R"GLSL(
 // umbrage_encode_aras_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
 //   whole numbers 0..255 (umbrage_to_unorm writes them)
@@ -1559,7 +1561,7 @@ UMBRAGE_HIGHP float umbrage_decode_three_legacy(UMBRAGE_HIGHP vec4 c) {
 )GLSL"};
 
 inline constexpr snippet encode_three_legacy_repaired{
-    .name = "encode_three_legacy_repaired", .summary = "the same for the same reader, without its fault",
+    .name = "encode_three_legacy_repaired", .summary = "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
     .exactness = tier::a, .needs = {&saturate}, .source = R"GLSL(
 // umbrage_encode_three_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
 //   whole numbers 0..255 (umbrage_to_unorm writes them)
@@ -2502,6 +2504,46 @@ struct clipped_polygon {
 
 }  // namespace umbrage
 
+// ---- umbrage/image_ops/encode.hpp
+// Whole depth images into texels of an encoding, and back.
+//
+//     umbrage::image<glm::u8vec2> packed(depth.size());
+//     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{});
+//
+
+namespace umbrage {
+
+/// @param depth      any values; what the encoding makes of them
+/// @param texels     same size
+/// @param encoding   rg<Bits>, rgb24, float_bits, depth32f, or a type like them
+/// @throws std::invalid_argument  sizes differ
+template <class Encoding>
+void encode(image_view<const float> depth, image_view<typename Encoding::texel> texels, Encoding encoding) {
+    if (depth.size != texels.size) throw std::invalid_argument("umbrage::encode: sizes differ");
+    if (depth.empty()) return;
+    for (int y = 0; y < depth.size.y; ++y) {
+        const float* from = depth.row(y);
+        typename Encoding::texel* to = texels.row(y);
+        for (int x = 0; x < depth.size.x; ++x) to[x] = encoding.encode(from[x]);
+    }
+}
+
+/// @param texels     any texels of the encoding
+/// @param depth      same size
+/// @throws std::invalid_argument  sizes differ
+template <class Encoding>
+void decode(image_view<const typename Encoding::texel> texels, image_view<float> depth, Encoding encoding) {
+    if (depth.size != texels.size) throw std::invalid_argument("umbrage::decode: sizes differ");
+    if (depth.empty()) return;
+    for (int y = 0; y < depth.size.y; ++y) {
+        const typename Encoding::texel* from = texels.row(y);
+        float* to = depth.row(y);
+        for (int x = 0; x < depth.size.x; ++x) to[x] = encoding.decode(from[x]);
+    }
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/image_ops/rasterize.hpp
 // The depth pass on the CPU: triangles into a depth image, each sample on a shared edge covered exactly once.
 //
@@ -2550,7 +2592,8 @@ struct depth_plane {
 /// @exactness    B: the same bits with and without FMA. With n the bounds' larger side in 1/256 texel and m the sum of
 ///               the depth's and the two slopes' magnitudes over the bounds, a sample is within 2^-48 n m of the plane
 ///               through the snapped vertices
-[[nodiscard]] inline depth_plane make_depth_plane(const std::array<snapped_vertex, 3>& v, double area, glm::ivec2 first) {
+[[nodiscard]] inline depth_plane make_depth_plane(const std::array<snapped_vertex, 3>& v, double area,
+                                                  glm::ivec2 first) {
     const auto magnitude = [](double a) { return a < 0.0 ? -a : a; };
     const auto largest = [](double a, double b) { return a < b ? b : a; };
     const auto round_down = [](double a) {  // to a power of two
@@ -2576,7 +2619,8 @@ struct depth_plane {
     const double dx = on_grid(slope_x, unit), dy = on_grid(slope_y, unit);
     constexpr int centre = subtexels / 2;
     return {.first = first,
-            .z = on_grid(z0, unit) + dx * (first.x * subtexels + centre - v[0].x) + dy * (first.y * subtexels + centre - v[0].y),
+            .z = on_grid(z0, unit) + dx * (first.x * subtexels + centre - v[0].x) +
+                 dy * (first.y * subtexels + centre - v[0].y),
             .dx = dx * subtexels,
             .dy = dy * subtexels,
             .lowest = z0 < z1 ? (z0 < z2 ? z0 : z2) : (z1 < z2 ? z1 : z2),
@@ -2606,8 +2650,10 @@ void rasterize_snapped(std::array<snapped_vertex, 3> v, glm::ivec2 size, cull_mo
     const auto last_to = [](int high, int count) {
         return high < centre ? -1 : std::min((high - centre) / subtexels, count - 1);
     };
-    const glm::ivec2 first{first_from(std::min({v[0].x, v[1].x, v[2].x})), first_from(std::min({v[0].y, v[1].y, v[2].y}))};
-    const glm::ivec2 last{last_to(std::max({v[0].x, v[1].x, v[2].x}), size.x), last_to(std::max({v[0].y, v[1].y, v[2].y}), size.y)};
+    const glm::ivec2 first{first_from(std::min({v[0].x, v[1].x, v[2].x})),
+                           first_from(std::min({v[0].y, v[1].y, v[2].y}))};
+    const glm::ivec2 last{last_to(std::max({v[0].x, v[1].x, v[2].x}), size.x),
+                          last_to(std::max({v[0].y, v[1].y, v[2].y}), size.y)};
     if (first.x > last.x || first.y > last.y) return;
 
     struct edge {
@@ -2619,8 +2665,8 @@ void rasterize_snapped(std::array<snapped_vertex, 3> v, glm::ivec2 size, cull_mo
         const auto& b = v[i < 2 ? i + 1 : 0];
         const std::int64_t dx = b.x - a.x, dy = b.y - a.y;
         const bool top_left = dy < 0 || (dy == 0 && dx < 0);
-        edges[i] = {dx * (first.y * subtexels + centre - a.y) - dy * (first.x * subtexels + centre - a.x) - (top_left ? 0 : 1),
-                    -dy * subtexels, dx * subtexels};
+        const std::int64_t value = dx * (first.y * subtexels + centre - a.y) - dy * (first.x * subtexels + centre - a.x);
+        edges[i] = {value - (top_left ? 0 : 1), -dy * subtexels, dx * subtexels};
     }
 
     const auto plane = make_depth_plane(v, static_cast<double>(area_of()), first);
@@ -2699,8 +2745,8 @@ void rasterize_rows(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& wor
 /// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
 ///              the far plane; never -0
 /// @exactness   coverage A from the snapped vertices on; depth B, see depth_plane
-inline void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
-                            cull_mode cull = cull_mode::none) {
+inline void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip,
+                            clip_space clip, cull_mode cull = cull_mode::none) {
     const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
     rasterize_rows(depth.size, mesh, world_to_clip, clip, cull,
                    [&](int y, int x_first, int x_last, const depth_plane& plane, unsigned) {
@@ -2757,6 +2803,82 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
     for (auto& w : weights) sum += w = w * sign > 0.0 ? w * sign : 0.0;
     if (!is_finite(sum) || sum == 0.0) return {1.0f, 0.0f, 0.0f};
     return {weights[0] / sum, weights[1] / sum, weights[2] / sum};
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/visibility.hpp
+// A whole image of receivers against a shadow map, with any filter and any encoding.
+//
+//     umbrage::visibility(map.view(), umbrage::rg<11>{}, receivers.view(), umbrage::filters::pcf_2x2{}, out.view());
+//
+
+namespace umbrage {
+
+/// The filters as values: what they need beyond map, coordinate and receiver.
+namespace filters {
+
+struct hard {
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::hard(fetch, coord, receiver);
+    }
+};
+
+struct four_tap {
+    std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< in texels
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::four_tap(fetch, coord + offsets[0], coord + offsets[1], coord + offsets[2], coord + offsets[3],
+                                 receiver);
+    }
+};
+
+struct pcf_2x2 {
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::pcf_2x2(fetch, coord, receiver);
+    }
+};
+
+struct pcf_2x2_dx_sdk {
+    float epsilon = 0.0f;  ///< in depth
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::pcf_2x2_dx_sdk(fetch, coord, receiver, epsilon);
+    }
+};
+
+struct box {
+    int radius = 1;  ///< clamped to 0..8
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::box(fetch, coord, receiver, radius);
+    }
+};
+
+}  // namespace filters
+
+/// @param map         shadow map, texels of the encoding; outside, the nearest texel inside counts
+/// @param encoding    how the map's texels hold depth; its edge decides ties
+/// @param receivers   (x, y) in texels of the map, z depth, biased
+/// @param filter      one of filters::, or any callable (fetch, coord, receiver) -> visibility
+/// @param out         visibility, 1 lit; same size as receivers
+/// @throws std::invalid_argument  sizes differ, or the map is empty
+template <class Encoding, class Filter>
+void visibility(image_view<const typename Encoding::texel> map, Encoding encoding,
+                image_view<const glm::vec3> receivers, Filter filter, image_view<float> out) {
+    if (receivers.size != out.size) throw std::invalid_argument("umbrage::visibility: sizes differ");
+    const auto fetch = decoded(map, encoding);
+    if (receivers.empty()) return;
+    for (int y = 0; y < receivers.size.y; ++y) {
+        const glm::vec3* from = receivers.row(y);
+        float* to = out.row(y);
+        for (int x = 0; x < receivers.size.x; ++x) to[x] = filter(fetch, glm::vec2(from[x]), from[x].z);
+    }
 }
 
 }  // namespace umbrage
@@ -2889,7 +3011,8 @@ struct contrast_stretch {
 /// @param outliers  share of the depths to give up at either end, 0 <= outliers < 1/2
 /// @return      0..1 when no texel is left
 /// @throws std::invalid_argument  outliers out of range
-[[nodiscard]] inline contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f, double outliers = 0.01) {
+[[nodiscard]] inline contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f,
+                                              double outliers = 0.01) {
     if (!(outliers >= 0.0 && outliers < 0.5)) throw std::invalid_argument("umbrage::stretch: outliers not in [0, 1/2)");
     std::vector<float> depths;
     for (int y = 0; y < map.size.y && !map.empty(); ++y)
@@ -2906,17 +3029,19 @@ struct contrast_stretch {
 
 /// Where an overlay goes: the top left corner, as people see it.
 struct overlay_placement {
-    glm::ivec2 size{0, 0};                                  ///< in texels of the picture; a zero takes the map's own side
-    texture_origin map_origin = texture_origin::bottom;     ///< where row 0 of the map is
-    texture_origin picture_origin = texture_origin::top;    ///< where row 0 of the picture is; image files: at the top
+    glm::ivec2 size{0, 0};  ///< in texels of the picture; a zero takes the map's own side
+    texture_origin map_origin = texture_origin::bottom;   ///< where row 0 of the map is
+    texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
 };
 
 /// Draws a map into the top left corner of a picture, scaled to the nearest texel. What does not fit is cut off.
 ///
-/// @param colour  float -> colour, given the map's texels as they are; a float is a grey, a vec3 red, green, blue in [0, 1]
+/// @param colour  float -> colour, given the map's texels as they are: a float is a grey, a vec3 red, green and blue,
+///                all in [0, 1]
 /// @throws std::invalid_argument  negative size
 template <class Colour>
-void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place, Colour&& colour) {
+void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
+             Colour&& colour) {
     if (place.size.x < 0 || place.size.y < 0) throw std::invalid_argument("umbrage::overlay: negative size");
     if (map.empty()) return;
     const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
