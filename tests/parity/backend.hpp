@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+//
+// An implementation that can run entries. It knows nothing of any primitive.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "entry.hpp"
+
+namespace parity {
+
+/// Inputs for one run: `count` values in each x that the entry uses, at most 2^20.
+struct job {
+    const entry* what = nullptr;
+    std::array<std::vector<vec4>, max_inputs> x;
+    const texels* map = nullptr;
+    std::size_t count = 0;
+    std::uint64_t serial = 0;  ///< the same for the same inputs, so that they need not be sent again
+
+    [[nodiscard]] sample at(std::size_t i) const {
+        sample s;
+        for (std::size_t k = 0; k < max_inputs; ++k)
+            if (!x[k].empty()) s.x[k] = x[k][i];
+        if (map) s.map = map->view();
+        s.table = what->table.view();
+        return s;
+    }
+};
+
+class backend {
+public:
+    virtual ~backend() = default;
+
+    [[nodiscard]] virtual std::string name() const = 0;  ///< of the implementation, as it calls itself
+    [[nodiscard]] virtual std::vector<version> versions() const = 0;
+    [[nodiscard]] virtual std::string label(version v) const { return std::string(directive(v)); }
+
+    /// Why this entry cannot run here, e.g. a texture that is too large; empty when it can.
+    [[nodiscard]] virtual std::string obstacle(const entry&) const { return {}; }
+
+    /// The first `count` results.
+    /// @throws std::runtime_error   with the compiler's words
+    [[nodiscard]] virtual std::vector<vec4> run(version v, const job& j, std::size_t count) = 0;
+};
+
+using backends = std::vector<std::unique_ptr<backend>>;
+
+/// Mesa's software drivers ("llvmpipe", "softpipe"), or every other device EGL knows ("hardware"). Empty: none here.
+[[nodiscard]] backends egl_backends(std::string_view driver);
+
+/// The snippets' text compiled as C++.
+[[nodiscard]] backends cpp_backends();
+
+}  // namespace parity

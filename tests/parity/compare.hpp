@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+//
+// The one comparison of all back ends.
+//
+// A and B: bit for bit; C: within the snippet's ulp. NaN equals NaN. A denormal may act as zero (IEEE 754 hardware modes
+// and llvmpipe flush), unless the entry is about bits: results of flushed inputs, and flushed results, count as equal.
+#pragma once
+
+#include <map>
+#include <ostream>
+
+#include "backend.hpp"
+
+namespace parity {
+
+struct tally {
+    std::map<std::string, std::uint64_t> inputs;  ///< per class
+    std::uint64_t total = 0, different = 0, flushed = 0;
+    std::int64_t worst_ulp = 0;
+};
+
+/// Results a twin may have.
+struct expectation {
+    std::vector<vec4> plain;
+    const texels* flushed_map = nullptr;
+};
+
+/// Ulps between a and b; 0 for two NaN, a huge number when one is NaN.
+[[nodiscard]] std::int64_t ulp_distance(float a, float b);
+
+/// Denormals replaced by zero of their sign.
+[[nodiscard]] float flush(float v);
+[[nodiscard]] vec4 flush(vec4 v);
+
+/// Adds to the tally; describes the first few differences on `log`.
+void compare(const job& j, const expectation& expected, const std::vector<vec4>& got, tally& t, std::ostream& log);
+
+}  // namespace parity

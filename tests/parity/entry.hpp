@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+//
+// What the parity suite knows of a primitive: how to make inputs, what C++ says, how GLSL is called.
+// Back ends run entries without knowing any of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/glsl.hpp>
+#include <umbrage/image.hpp>
+
+#include "random.hpp"
+
+namespace parity {
+
+using glm::ivec2;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+using umbrage::glsl::snippet;
+using umbrage::glsl::tier;
+using umbrage::glsl::version;
+using texels = umbrage::image<vec4>;
+
+inline constexpr int max_inputs = 6;
+
+/// One call: the values of x0 .. x5 and the textures.
+struct sample {
+    std::array<vec4, max_inputs> x{};
+    umbrage::image_view<const vec4> map{}, table{};
+
+    /// The map's red channel as the callable that filters take.
+    [[nodiscard]] auto depth() const {
+        return [view = map](ivec2 texel) { return umbrage::fetch_clamped(view, texel).x; };
+    }
+};
+
+/// Inputs of one kind; `fill` writes the i-th of them into a sample whose map is set.
+struct input_class {
+    std::string name;
+    std::function<void(std::uint64_t i, random& r, sample& s)> fill;
+};
+
+/// Where GLSL writes: floats, or a real 8-bit render target whose bytes come back as 0..255.
+enum class target { rgba32f, rgba8 };
+
+struct entry {
+    const snippet* primitive = nullptr;
+    std::string variant{};                   ///< tells entries of one primitive apart; empty for the plain one
+    std::vector<input_class> classes{};      ///< taken in turn
+    std::function<vec4(const sample&)> twin{};
+    std::string call{};                      ///< vec4 expression of x0 .. x5, map, map_size, table; GLSL and C++ alike
+    std::vector<texels> maps{};              ///< each gets its share of the inputs; none: no map
+    texels table{};                          ///< width x 1, values k / 255
+    std::vector<const snippet*> also{};      ///< further snippets that `call` uses
+    std::string preamble{};                  ///< macros
+    target output = target::rgba32f;
+    bool bits = false;                       ///< a denormal must not act as zero
+
+    [[nodiscard]] std::string name() const {
+        return std::string(primitive->name) + (variant.empty() ? "" : " (" + variant + ")");
+    }
+    [[nodiscard]] bool uses(int input) const { return call.find("x" + std::to_string(input)) != std::string::npos; }
+    [[nodiscard]] std::vector<snippet> snippets() const {
+        std::vector<snippet> all{*primitive};
+        for (const snippet* s : also) all.push_back(*s);
+        return all;
+    }
+    [[nodiscard]] bool runs_in(version v) const {
+        for (const snippet& s : snippets())
+            if (!supports(s, v)) return false;
+        return true;
+    }
+};
+
+/// Every entry there is.
+[[nodiscard]] const std::vector<entry>& entries();
+
+}  // namespace parity

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+//
+// Every entry on one implementation, in all its dialects, against C++.
+//
+//     parity --backend llvmpipe|softpipe|hardware|c++ [--count N] [--other-count N] [--versions "100,300 es,450"]
+//            [--filter TEXT] [--out FOLDER]
+//
+// Ends with a table, written as parity-BACKEND.tsv too. Exit status: 0 agrees, 1 differs, 77 nothing here to run on.
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "compare.hpp"
+
+namespace parity {
+namespace {
+
+struct options {
+    std::string driver = "llvmpipe", filter, versions, out = ".";
+    std::size_t count = std::size_t(1) << 20;        ///< in the main dialects: one of each kind of GLSL
+    std::size_t other_count = std::size_t(1) << 16;  ///< in the others
+
+    [[nodiscard]] bool wants(const backend& b, version v) const {
+        return versions.empty() || ("," + versions + ",").find("," + b.label(v) + ",") != std::string::npos;
+    }
+    [[nodiscard]] std::size_t inputs(version v, bool only) const {
+        const bool main = only || v == version::v100 || v == version::v300_es || v == version::v450;
+        return main ? count : std::min(count, other_count);
+    }
+};
+
+options parse(int argc, char** argv) {
+    options o;
+    for (int i = 1; i < argc; i += 2) {
+        const std::string name = argv[i];
+        if (i + 1 >= argc) throw std::invalid_argument(name + " needs a value");
+        const std::string value = argv[i + 1];
+        if (name == "--backend") o.driver = value;
+        else if (name == "--filter") o.filter = value;
+        else if (name == "--versions") o.versions = value;
+        else if (name == "--out") o.out = value;
+        else if (name == "--count") o.count = std::stoull(value);
+        else if (name == "--other-count") o.other_count = std::stoull(value);
+        else throw std::invalid_argument("unknown option " + name);
+    }
+    return o;
+}
+
+constexpr std::size_t at_most = std::size_t(1) << 20;  // inputs of one draw
+
+/// Part `part` of the inputs: entry, map and number decide each of them.
+job make_job(const entry& e, const texels* map, std::size_t first, std::size_t count, std::uint64_t serial) {
+    job j;
+    j.what = &e;
+    j.map = map;
+    j.count = count;
+    j.serial = serial;
+    for (int k = 0; k < max_inputs; ++k)
+        if (e.uses(k)) j.x[static_cast<std::size_t>(k)].resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        sample s = j.at(i);
+        s.x = {};
+        random r((serial << 32) + i);
+        e.classes[i % e.classes.size()].fill((first + i) / e.classes.size(), r, s);
+        for (std::size_t k = 0; k < max_inputs; ++k)
+            if (!j.x[k].empty()) j.x[k][i] = s.x[k];
+    }
+    return j;
+}
+
+texels flushed(const texels& map) {
+    texels copy = map;
+    for (vec4& t : copy.texels()) t = flush(t);
+    return copy;
+}
+
+struct row {
+    std::string primitive, exactness, implementation, dialect, obstacle;
+    tally t;
+};
+
+std::string tier_name(const snippet& s) {
+    const std::string names[] = {"A", "B", "C"};
+    return names[static_cast<int>(s.exactness)] + (s.exactness == tier::c ? " " + std::to_string(s.ulp) + " ulp" : "");
+}
+
+std::vector<row> run(const entry& e, backend& b, const options& o) {
+    std::vector<version> dialects;
+    for (version v : b.versions())
+        if (e.runs_in(v) && o.wants(b, v)) dialects.push_back(v);
+    std::vector<row> rows;
+    for (version v : dialects) rows.push_back({e.name(), tier_name(*e.primitive), b.name(), b.label(v), b.obstacle(e), {}});
+    if (rows.empty() || !rows.front().obstacle.empty()) return rows;
+
+    const bool only = b.versions().size() == 1;
+    std::size_t most = 0;
+    for (version v : dialects) most = std::max(most, o.inputs(v, only));
+    static std::uint64_t serial = 0;
+    const std::size_t maps = std::max<std::size_t>(e.maps.size(), 1);
+    for (std::size_t m = 0; m < maps; ++m) {
+        const texels* map = e.maps.empty() ? nullptr : &e.maps[m];
+        const texels flat = map ? flushed(*map) : texels();
+        for (std::size_t first = 0; first < most / maps; first += at_most) {
+            const job j = make_job(e, map, first, std::min(at_most, most / maps - first), serial++);
+            expectation expected{{}, map ? &flat : nullptr};
+            for (std::size_t i = 0; i < j.count; ++i) expected.plain.push_back(e.twin(j.at(i)));
+            for (std::size_t d = 0; d < dialects.size(); ++d) {
+                const std::size_t wanted = o.inputs(dialects[d], only) / maps;
+                if (wanted <= first) continue;
+                std::ostringstream log;
+                compare(j, expected, b.run(dialects[d], j, std::min(j.count, wanted - first)), rows[d].t, log);
+                if (!log.str().empty()) std::cout << b.name() << ", GLSL " << rows[d].dialect << '\n' << log.str();
+            }
+        }
+    }
+    return rows;
+}
+
+std::string per_class(const tally& t) {
+    std::string all;
+    for (const auto& [name, n] : t.inputs) all += (all.empty() ? "" : "; ") + name + "=" + std::to_string(n);
+    return all;
+}
+
+void write(const std::vector<row>& rows, const std::string& path) {
+    std::ofstream file(path);
+    file << "primitive\ttier\timplementation\tdialect\tinputs\tdiffering\tworst_ulp\tflushed\tclasses\tobstacle\n";
+    for (const row& r : rows)
+        file << r.primitive << '\t' << r.exactness << '\t' << r.implementation << '\t' << r.dialect << '\t' << r.t.total << '\t'
+             << r.t.different << '\t' << r.t.worst_ulp << '\t' << r.t.flushed << '\t' << per_class(r.t) << '\t' << r.obstacle << '\n';
+    if (!file) throw std::runtime_error("cannot write " + path);
+}
+
+/// One line for each run of rows that agree on all but the dialect.
+void print(const std::vector<row>& rows) {
+    std::cout << std::left << std::setw(34) << "primitive" << std::setw(9) << "tier" << std::right << std::setw(11)
+              << "inputs" << std::setw(10) << "differ" << std::setw(9) << "max ulp" << std::setw(9) << "flushed"
+              << "   dialects\n";
+    for (std::size_t i = 0; i < rows.size();) {
+        tally sum;
+        std::string dialects;
+        std::size_t k = i;
+        for (; k < rows.size() && rows[k].primitive == rows[i].primitive && rows[k].implementation == rows[i].implementation; ++k) {
+            sum.total += rows[k].t.total;
+            sum.different += rows[k].t.different;
+            sum.flushed += rows[k].t.flushed;
+            sum.worst_ulp = std::max(sum.worst_ulp, rows[k].t.worst_ulp);
+            for (const auto& [name, n] : rows[k].t.inputs) sum.inputs[name] += n;
+            dialects += (dialects.empty() ? "" : ", ") + rows[k].dialect;
+        }
+        std::cout << std::left << std::setw(34) << rows[i].primitive << std::setw(9) << rows[i].exactness << std::right
+                  << std::setw(11) << sum.total << std::setw(10) << sum.different << std::setw(9) << sum.worst_ulp
+                  << std::setw(9) << sum.flushed << "   " << dialects << '\n';
+        if (!rows[i].obstacle.empty()) std::cout << "    NOT RUN: " << rows[i].obstacle << '\n';
+        else std::cout << "    " << per_class(sum) << '\n';
+        i = k;
+    }
+}
+
+int run_all(int argc, char** argv) {
+    const options o = parse(argc, argv);
+    const auto start = std::chrono::steady_clock::now();
+    const backends all = o.driver == "c++" ? cpp_backends() : egl_backends(o.driver);
+    if (all.empty()) {
+        std::cout << "SKIPPED: no " << o.driver << " through EGL here\n";
+        return 77;
+    }
+    std::vector<row> rows;
+    std::size_t broken = 0;
+    for (const auto& b : all) {
+        std::cout << o.driver << " is " << b->name() << std::endl;
+        for (const entry& e : entries()) {
+            if (e.name().find(o.filter) == std::string::npos) continue;
+            try {
+                const auto some = run(e, *b, o);
+                rows.insert(rows.end(), some.begin(), some.end());
+            } catch (const std::exception& error) {
+                ++broken;
+                std::cout << "BROKEN: " << e.name() << ": " << error.what() << std::endl;
+            }
+        }
+    }
+    print(rows);
+    write(rows, o.out + "/parity-" + o.driver + ".tsv");
+
+    std::uint64_t inputs = 0, different = 0, starved = 0, not_run = 0;
+    for (const row& r : rows) {
+        inputs += r.t.total;
+        different += r.t.different;
+        not_run += r.obstacle.empty() ? 0 : 1;
+        for (const auto& [name, n] : r.t.inputs) starved += n == 0 ? 1 : 0;
+    }
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    std::cout << "parity on " << o.driver << ": " << entries().size() << " entries, " << rows.size() - not_run << " runs, "
+              << not_run << " not possible here, " << inputs << " inputs, " << different << " differing results, " << broken
+              << " broken entries, " << starved << " classes without input, " << std::fixed << std::setprecision(1)
+              << seconds.count() << " s\n";
+    return different || broken || starved || inputs == 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace parity
+
+int main(int argc, char** argv) try {
+    return parity::run_all(argc, argv);
+} catch (const std::exception& error) {
+    std::cerr << "parity: " << error.what() << '\n';
+    return 2;
+}

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "shader.hpp"
+
+namespace parity {
+
+std::array<std::string, max_inputs + 2> samplers(const entry& e) {
+    std::array<std::string, max_inputs + 2> names;
+    for (int i = 0; i < max_inputs; ++i)
+        if (e.uses(i)) names[static_cast<std::size_t>(i)] = "x" + std::to_string(i) + "_texels";
+    if (!e.maps.empty()) names[max_inputs] = "map";
+    if (!e.table.empty()) names[max_inputs + 1] = "table";
+    return names;
+}
+
+shader make_shader(const entry& e, version v) {
+    const bool old = v == version::v100 || v == version::v110 || v == version::v120;
+    const bool es = v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;
+    const bool vulkan = v == version::vulkan;
+    const auto located = [&](const char* what) { return (vulkan ? "layout(location = 0) " : "") + std::string(what); };
+
+    const std::vector<snippet> none;
+    shader s;
+    s.vertex = source(v, none) + (old ? "attribute vec2 corner;\nvarying UMBRAGE_HIGHP vec2 position;\n" : located("in vec2 corner;\n")) +
+               "void main() {\n" + (old ? "    position = corner * 0.5 + 0.5;\n" : "") +
+               "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n";
+
+    // A host shader of low precision: the snippets must ask for what they need.
+    const std::string preamble = (es ? "precision mediump float;\nprecision mediump int;\n" : "") + e.preamble;
+    std::string& f = s.fragment;
+    f = source(v, e.snippets(), preamble) + '\n';
+    const auto names = samplers(e);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i].empty()) continue;
+        if (vulkan) f += "layout(set = 0, binding = " + std::to_string(i) + ") ";
+        f += "uniform UMBRAGE_HIGHP sampler2D " + names[i] + ";\n";
+    }
+    const bool map = !e.maps.empty();
+    if (old && map) f += "uniform UMBRAGE_HIGHP vec2 map_size;\n";
+    f += old ? "varying UMBRAGE_HIGHP vec2 position;\n" : located("out UMBRAGE_HIGHP vec4 result;\n");
+    f += "void main() {\n";
+    if (!old && map) f += "    UMBRAGE_HIGHP vec2 map_size = vec2(textureSize(map, 0));\n";
+    for (int i = 0; i < max_inputs; ++i) {
+        if (!e.uses(i)) continue;
+        const std::string x = "x" + std::to_string(i);
+        f += "    UMBRAGE_HIGHP vec4 " + x + " = " +
+             (old ? "texture2D(" + x + "_texels, position);\n" : "texelFetch(" + x + "_texels, ivec2(gl_FragCoord.xy), 0);\n");
+    }
+    f += std::string("    ") + (old ? "gl_FragColor" : "result") + " = " + e.call + ";\n}\n";
+    return s;
+}
+
+}  // namespace parity

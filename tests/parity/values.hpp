@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// Kinds of values, and ways to spread them over the arguments of a call.
+#pragma once
+
+#include <initializer_list>
+
+#include "entry.hpp"
+
+namespace parity {
+
+/// Scalars of one kind.
+struct value_class {
+    std::string name;
+    std::function<float(std::uint64_t i, random& r)> make;
+};
+
+/// Range that an argument ordinarily comes from.
+struct range {
+    float low = 0.0f, high = 1.0f;
+};
+
+/// zero, one, out of range, denormal, NaN, infinity: what every primitive must stand.
+[[nodiscard]] std::vector<value_class> special_values();
+
+/// special_values, every bit pattern, and the edges of a code of `bits` bits with the floats beside them.
+[[nodiscard]] std::vector<value_class> depth_values(int bits = 11);
+
+/// The arguments x0.x, x0.y, x0.z, x0.w, x1.x .. : a class in which all are ordinary, and one for each kind, which
+/// takes turns at the arguments and now and then has them all.
+[[nodiscard]] std::vector<input_class> spread(std::vector<range> arguments, const std::vector<value_class>& kinds);
+
+/// Four channels as an 8-bit texture gives them in x0: all codes, off by an ulp, off by a part of a step, beyond the
+/// ends, and the special values. `edges`: x1.x is 0, 1/2 or 1.
+[[nodiscard]] std::vector<input_class> channels(bool edges = false);
+
+/// A receiver before a map: x0.x, x0.y in texels, x0.z depth, x0.w a whole number from -1 to 9.
+[[nodiscard]] std::vector<input_class> receivers();
+
+/// A square map and one of odd size; depths on a lattice of 1/16, some of them 0, 1, NaN, denormal.
+[[nodiscard]] std::vector<texels> depth_maps();
+
+/// The same sizes with random bytes k / 255 in every channel.
+[[nodiscard]] std::vector<texels> packed_maps();
+
+}  // namespace parity
