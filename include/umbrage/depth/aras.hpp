@@ -57,6 +57,26 @@ template <real T>
     return digits;
 }
 
+/// The format as a value, for functions over images, faults and all; the store rounds.
+struct aras {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+    static constexpr double max_error = 1.0;  ///< at 1.0; below it 2^-23, or 2^-7.98 where the store truncates
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_aras(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_aras(load_unorm8(t)); }
+};
+
+/// The same, written without the faults.
+struct aras_repaired {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(255) * 255 * 255 * 255 + 1;
+    static constexpr double max_error = 0x1p-23;  ///< whether the store rounds or truncates
+
+    [[nodiscard]] texel encode(float depth) const { return encode_aras_repaired(depth); }
+    [[nodiscard]] float decode(texel t) const { return decode_aras(load_unorm8(t)); }
+};
+
 namespace glsl {
 
 inline constexpr snippet encode_aras{

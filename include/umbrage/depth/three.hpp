@@ -7,13 +7,14 @@
 //     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::encode_three_rgba(depth));
 //     float stored = umbrage::decode_three_rgba(umbrage::load_unorm8(texel));
 //
-// Worst error on depths k / 2^24, and the faults, as measured by the tests:
+// Worst error of any binary32 depth, and the faults, as measured by the tests:
 //
-//     format          store rounds   store truncates   faults
-//     rgba            0              0                 none
-//     rgb             2^-24          2^-24             none
-//     rg              2^-17          2^-16             none
-//     legacy          0 below 1      0 below 1         1.0 decodes to 255/256, below depths that come before it
+//     format             store rounds     store truncates   faults
+//     rgba               2^-32            2^-31.99          none
+//     rgb                2^-24            2^-23.99          none
+//     rg                 2^-16.99         2^-15.99          none
+//     legacy             2^-32, below 1   2^-32, below 1    1.0 decodes to 255/256, below depths that come before it
+//     legacy, repaired   2^-24            2^-24             none
 //
 #pragma once
 
@@ -118,6 +119,58 @@ template <real T>
     return {0, static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>(x >> 8 & 0xFF),
             static_cast<std::uint8_t>(x >> 16)};
 }
+
+// The formats as values, for functions over images; the store rounds.
+
+/// RGBA, r167 and later.
+struct three_rgba {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+    static constexpr double max_error = 0x1p-32;  ///< where the store truncates, 256/255 of it
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_three_rgba(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_three_rgba(load_unorm8(t)); }
+};
+
+/// RGB, r167 and later.
+struct three_rgb {
+    using texel = glm::u8vec3;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
+    static constexpr double max_error = 0x1p-24;  ///< where the store truncates, 256/255 of it
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_three_rgb(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_three_rgb(load_unorm8(t)); }
+};
+
+/// RG, r167 and later.
+struct three_rg {
+    using texel = glm::u8vec2;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 16;
+    static constexpr double max_error = 0x1.02p-17;  ///< 2^-16 * 256/255 where the store truncates
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_three_rg(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_three_rg(load_unorm8(t)); }
+};
+
+/// RGBA, r73 to r166, fault and all.
+struct three_legacy {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+    static constexpr double max_error = 1.0 / 256.0;  ///< at 1.0; below it 2^-32
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_three_legacy(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_three_legacy(load_unorm8(t)); }
+};
+
+/// RGBA for readers of r73 to r166, written without the fault.
+struct three_legacy_repaired {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
+    static constexpr double max_error = 0x1p-24;  ///< whether the store rounds or truncates
+
+    [[nodiscard]] texel encode(float depth) const { return encode_three_legacy_repaired(depth); }
+    [[nodiscard]] float decode(texel t) const { return decode_three_legacy(load_unorm8(t)); }
+};
 
 namespace glsl {
 
