@@ -26,7 +26,18 @@ struct light_space {
     clip_space clip;
 };
 
-/// World to light's view space.
+namespace detail {
+
+/// Unit vector; scaled first, so that nothing overflows or underflows. Zero stays zero.
+template <real T>
+[[nodiscard]] glm::vec<3, T> unit(glm::vec<3, T> v) {
+    const T scale = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
+    return scale > T(0) ? glm::normalize(v / scale) : v;
+}
+
+}  // namespace detail
+
+/// World to light's view space: x to the right, y up, whichever hand, so that a mesh keeps its winding.
 ///
 /// @param position    of the light, world
 /// @param direction   it looks along, any length > 0
@@ -40,12 +51,10 @@ template <real T>
     for (int i = 0; i < 3; ++i)
         if (!is_finite(position[i]) || !is_finite(direction[i]) || !is_finite(up[i]))
             throw std::invalid_argument("umbrage: a light's position, direction and up must be finite");
-    const T scale = glm::max(glm::max(glm::abs(direction.x), glm::abs(direction.y)), glm::abs(direction.z));
-    if (!(scale > T(0))) throw std::invalid_argument("umbrage: a light's direction must not be zero");
-    const glm::vec<3, T> forward = glm::normalize(direction / scale);  // scaled first: no overflow, no underflow
+    const glm::vec<3, T> forward = detail::unit(direction);
+    if (forward == glm::vec<3, T>(0)) throw std::invalid_argument("umbrage: a light's direction must not be zero");
 
-    const T up_length = glm::length(up);
-    glm::vec<3, T> side = up_length > T(0) ? glm::cross(forward, up / up_length) : glm::vec<3, T>(0);
+    glm::vec<3, T> side = glm::cross(forward, detail::unit(up));
     if (!(glm::length(side) > T(1e-3))) {
         const glm::vec<3, T> along = glm::abs(forward);
         const int least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
@@ -53,8 +62,8 @@ template <real T>
         axis[least] = T(1);
         side = glm::cross(forward, axis);
     }
-    side = glm::normalize(side);
-    const glm::vec<3, T> above = glm::cross(side, forward);
+    const glm::vec<3, T> above = glm::normalize(glm::cross(side, forward));
+    side = glm::cross(forward, above);  // again: up nearly parallel to forward leaves the first a hundred ulp askew
     const glm::vec<3, T> depth = hand == handedness::right ? -forward : forward;
 
     glm::mat<4, 4, T> view(T(1));
