@@ -10,6 +10,7 @@
 #include <array>
 
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <umbrage/light/light_space.hpp>
 
