@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// What tests of lights share: every convention there is, and a double's way through a matrix.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/clip_space.hpp>
+
+inline std::vector<umbrage::clip_space> all_clip_spaces() {
+    using namespace umbrage;
+    std::vector<clip_space> all;
+    for (auto hand : {handedness::right, handedness::left})
+        for (auto range : {depth_range::zero_to_one, depth_range::minus_one_to_one})
+            for (auto direction : {depth_direction::forward, depth_direction::reversed})
+                for (auto origin : {texture_origin::bottom, texture_origin::top})
+                    all.push_back({hand, range, direction, origin});
+    return all;
+}
+
+inline std::string to_string(umbrage::clip_space clip) {
+    using namespace umbrage;
+    return std::string(clip.hand == handedness::right ? "right " : "left ") +
+           (clip.range == depth_range::zero_to_one ? "[0,1] " : "[-1,1] ") +
+           (clip.direction == depth_direction::forward ? "forward " : "reversed ") +
+           (clip.origin == texture_origin::bottom ? "bottom" : "top");
+}
+
+/// The greater of two errors; a NaN is the greatest there is.
+inline double worse(double a, double b) {
+    return std::isnan(a) || std::isnan(b) ? std::numeric_limits<double>::infinity() : (a > b ? a : b);
+}
+
+/// Through a 4x4 matrix and the division, in double.
+template <class T>
+glm::dvec3 through(const glm::mat<4, 4, T>& m, glm::dvec3 p) {
+    const glm::dvec4 h = glm::dmat4(m) * glm::dvec4(p, 1.0);
+    return glm::dvec3(h) / h.w;
+}

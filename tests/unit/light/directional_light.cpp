@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <umbrage/light/directional_light.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+#include "clip_spaces.hpp"
+
+using namespace umbrage;
+
+namespace {
+
+glm::dvec3 in_convention(glm::dvec3 p, clip_space clip, double height) {
+    if (clip.origin == texture_origin::top) p.y = height - p.y;
+    if (clip.direction == depth_direction::reversed) p.z = 1.0 - p.z;
+    return p;
+}
+
+std::vector<glm::dvec3> corners(glm::dvec3 low, glm::dvec3 high) {
+    std::vector<glm::dvec3> all;
+    for (int i = 0; i < 8; ++i) all.push_back({(i & 1 ? high : low).x, (i & 2 ? high : low).y, (i & 4 ? high : low).z});
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("make_directional_light: the exercise's set-up on points worked out by hand, in every convention") {
+    for (clip_space clip : all_clip_spaces()) {
+        CAPTURE(to_string(clip));
+        const auto check = [&](const glm::dmat4& m, glm::dvec3 world, glm::dvec3 expected) {
+            CAPTURE(world.x);
+            CHECK(glm::length(through(m, world) - in_convention(expected, clip, 1024)) < 1e-9);
+        };
+        // 1024 texels at 10 a unit are 102.4 units; the light is 10 units before the target
+        const glm::dmat4 along_z = texture_matrix(
+            make_directional_light<double>({.direction = {0, 0, -2}, .z_near = 0.5, .z_far = 20.5, .clip = clip}), {1024, 1024});
+        check(along_z, {0, 0, 0}, {512, 512, 9.5 / 20});
+        check(along_z, {51.2, 51.2, 9.5}, {1024, 1024, 0});
+        check(along_z, {-51.2, -51.2, -10.5}, {0, 0, 1});
+        check(along_z, {1, 2, 3}, {522, 532, 6.5 / 20});
+
+        // along (1, -1, 0) with y up: right is +z, above is (1, 1, 0) / sqrt 2
+        const double root = std::sqrt(0.5);
+        const glm::dmat4 oblique = texture_matrix(
+            make_directional_light<double>({.direction = {1, -1, 0}, .target = {5, 6, 7}, .offset = 4, .divisor = 100,
+                                            .z_near = 1, .z_far = 9, .clip = clip}), {1024, 1024});
+        check(oblique, {5, 6, 7}, {512, 512, 3.0 / 8});
+        check(oblique, {6, 7, 8}, {612, 512 + 200 * root, 3.0 / 8});
+        check(oblique, {6, 5, 7}, {512, 512, (3 + 2 * root) / 8});
+        check(oblique, glm::dvec3(5, 6, 7) - 4.0 * root * glm::dvec3(1, -1, 0), {512, 512, -1.0 / 8});  // the light itself
+    }
+}
+
+TEST_CASE("make_directional_light: the light is at target - direction * offset") {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> coordinate(-5, 5);
+    for (clip_space clip : all_clip_spaces())
+        for (int i = 0; i < 50; ++i) {
+            const glm::dvec3 direction(coordinate(random), coordinate(random), coordinate(random));
+            const glm::dvec3 target(coordinate(random), coordinate(random), coordinate(random));
+            const double offset = coordinate(random);
+            const auto light = make_directional_light<double>({.direction = direction, .target = target, .offset = offset, .clip = clip});
+            const glm::dvec3 position = target - glm::normalize(direction) * offset;
+            CHECK(glm::length(through(light.view, position)) < 1e-13);
+            CHECK(light.clip == clip);
+        }
+}
+
+TEST_CASE("make_directional_light: straight down and up, float near double") {
+    for (clip_space clip : all_clip_spaces())
+        for (float sign : {-1.0f, 1.0f}) {
+            const glm::mat4 m = texture_matrix(
+                make_directional_light({.direction = {0, sign, 0}, .z_near = 1, .z_far = 19, .clip = clip}), {1024, 1024});
+            CHECK(glm::length(through(m, {0, 0, 0}) - glm::dvec3(512, 512, 0.5)) < 1e-4);
+            CHECK(std::abs(through(m, {0, -9 * sign, 0}).z - (clip.direction == depth_direction::forward ? 0 : 1)) < 1e-6);
+            const glm::dvec3 moved = through(m, {3, 0, 4});
+            CHECK(glm::length(glm::dvec2(moved) - 512.0) == doctest::Approx(50.0));  // 5 units, 10 texels each
+        }
+}
+
+TEST_CASE_TEMPLATE("make_directional_light: bad input", T, float, double) {
+    const auto with = [](auto change) {
+        directional_light<T> light;
+        change(light);
+        (void)make_directional_light(light);
+    };
+    const T nan = std::numeric_limits<T>::quiet_NaN(), infinity = std::numeric_limits<T>::infinity();
+    CHECK_NOTHROW(with([](auto&) {}));
+    for (int size : {0, -1, std::numeric_limits<int>::min()})
+        CHECK_THROWS_AS(with([&](auto& l) { l.map_size = size; }), std::invalid_argument);
+    for (T divisor : {T(0), T(-1), nan, infinity})
+        CHECK_THROWS_AS(with([&](auto& l) { l.divisor = divisor; }), std::invalid_argument);
+    for (T bad : {nan, -nan, infinity, -infinity}) {
+        CHECK_THROWS_AS(with([&](auto& l) { l.offset = bad; }), std::invalid_argument);
+        CHECK_THROWS_AS(with([&](auto& l) { l.direction.x = bad; }), std::invalid_argument);
+        CHECK_THROWS_AS(with([&](auto& l) { l.target.x = bad; }), std::invalid_argument);
+        CHECK_THROWS_AS(with([&](auto& l) { l.z_near = bad; }), std::invalid_argument);
+        CHECK_THROWS_AS(with([&](auto& l) { l.z_far = bad; }), std::invalid_argument);
+    }
+    CHECK_THROWS_AS(with([](auto& l) { l.direction = {0, 0, 0}; }), std::invalid_argument);
+    CHECK_THROWS_AS(with([](auto& l) { l.z_near = l.z_far; }), std::invalid_argument);
+    CHECK_NOTHROW(with([](auto& l) { l.z_near = -5; }));
+    CHECK_NOTHROW(with([](auto& l) { l.offset = 0; }));
+}
+
+TEST_CASE("fit_directional_light: holds all corners, and not a bit more than them and the margin, in every convention") {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> coordinate(-5, 5), extent(0, 8);
+    for (clip_space clip : all_clip_spaces()) {
+        CAPTURE(to_string(clip));
+        const double front = clip.hand == handedness::right ? -1 : 1;
+        double worst = 0;
+        int outside = 0;
+        for (int i = 0; i < 300; ++i) {
+            directional_fit<double> fit{.direction = {coordinate(random), coordinate(random), coordinate(random)}, .clip = clip};
+            if (i % 7 == 0) fit.direction = {0, i % 2 ? 1 : -1, 0};
+            fit.low = {coordinate(random), coordinate(random), coordinate(random)};
+            fit.high = fit.low + glm::dvec3(extent(random), i % 3 ? extent(random) : 0.0, i % 5 ? extent(random) : 0.0);
+            fit.margin = i % 2 ? 0.01 : 0.2;
+            const auto light = fit_directional_light(fit);
+            glm::dvec3 low(1e9), high(-1e9);
+            for (glm::dvec3 corner : corners(fit.low, fit.high)) {
+                const glm::dvec3 p = through(texture_matrix_uv(light), corner);
+                for (int k = 0; k < 3; ++k) outside += !(p[k] > 0 && p[k] < 1);
+                const glm::dvec3 v = glm::dvec3(light.view * glm::dvec4(corner, 1)) * glm::dvec3(1, 1, front);
+                low = glm::min(low, v);
+                high = glm::max(high, v);
+            }
+            const double margin = fit.margin * glm::length(fit.high - fit.low);
+            // from where the box's sides land, back to view space: they are the margin away from the outermost corners
+            const glm::dmat4 back = glm::inverse(light.projection);
+            const bool zo = clip.range == depth_range::zero_to_one, reversed = clip.direction == depth_direction::reversed;
+            const double shallow = zo ? 0 : -1;
+            const glm::dvec3 first = through(back, {-1, -1, reversed ? 1 : shallow}) * glm::dvec3(1, 1, front);
+            const glm::dvec3 last = through(back, {1, 1, reversed ? shallow : 1}) * glm::dvec3(1, 1, front);
+            worst = worse(worst, worse(glm::length(first - (low - margin)), glm::length(last - (high + margin))));
+        }
+        CHECK(outside == 0);
+        CHECK(worst < 1e-12);
+    }
+}
+
+TEST_CASE("fit_directional_light: the same world point, the same texel and depth in every convention") {
+    const directional_fit<double> fit{.direction = {1, -2, 0.5}, .low = {-1, 0, -3}, .high = {4, 2, 5}};
+    const glm::dmat4 plain = texture_matrix(fit_directional_light(fit), {300, 200});
+    for (clip_space clip : all_clip_spaces()) {
+        auto same = fit;
+        same.clip = clip;
+        const glm::dmat4 m = texture_matrix(fit_directional_light(same), {300, 200});
+        for (glm::dvec3 corner : corners(fit.low, fit.high))
+            CHECK(glm::length(through(m, corner) - in_convention(through(plain, corner), clip, 200)) < 1e-11);
+    }
+}
+
+TEST_CASE("fit_directional_light: by hand, and in float") {
+    // looking down -z at a box of 2 x 4 x 4, diagonal 6, margin 0.6: half extents 1.6, 2.6, 2.6
+    const auto light = fit_directional_light<double>({.direction = {0, 0, -1}, .low = {0, 0, 0}, .high = {2, 4, 4}, .margin = 0.1});
+    const glm::dmat4 uv = texture_matrix_uv(light);
+    CHECK(glm::length(through(uv, {1, 2, 2}) - 0.5) < 1e-15);
+    CHECK(glm::length(through(uv, {0, 0, 4}) - glm::dvec3(0.6 / 3.2, 0.6 / 5.2, 0.6 / 5.2)) < 1e-15);
+
+    std::mt19937 random(4);
+    std::uniform_real_distribution<float> coordinate(-5, 5), extent(0.1f, 8);
+    int outside = 0;
+    for (int i = 0; i < 2000; ++i) {
+        directional_fit<float> fit{.direction = {coordinate(random), coordinate(random), coordinate(random)}, .margin = 1e-4f};
+        fit.low = {coordinate(random), coordinate(random), coordinate(random)};
+        fit.high = fit.low + glm::vec3(extent(random), extent(random), extent(random));
+        const glm::mat4 m = texture_matrix_uv(fit_directional_light(fit));
+        for (glm::dvec3 corner : corners(fit.low, fit.high)) {
+            const glm::vec3 p = project_coordinate(shadow_coordinate(m, glm::vec3(corner)));
+            for (int k = 0; k < 3; ++k) outside += !(p[k] > 0 && p[k] < 1);
+        }
+    }
+    CHECK(outside == 0);
+}
+
+TEST_CASE_TEMPLATE("fit_directional_light: bad input", T, float, double) {
+    const auto with = [](auto change) {
+        directional_fit<T> fit;
+        change(fit);
+        (void)fit_directional_light(fit);
+    };
+    const T nan = std::numeric_limits<T>::quiet_NaN(), infinity = std::numeric_limits<T>::infinity();
+    CHECK_NOTHROW(with([](auto&) {}));
+    CHECK_NOTHROW(with([](auto& f) { f.high.y = f.low.y; }));             // a plane
+    CHECK_NOTHROW(with([](auto& f) { f.high.y = f.low.y, f.high.x = f.low.x; }));  // a line
+    CHECK_THROWS_AS(with([](auto& f) { f.high = f.low; }), std::invalid_argument);
+    for (int i = 0; i < 3; ++i) {
+        CHECK_THROWS_AS(with([&](auto& f) { f.high[i] = -2; }), std::invalid_argument);
+        for (T bad : {nan, -nan, infinity, -infinity}) {
+            CHECK_THROWS_AS(with([&](auto& f) { f.low[i] = bad; }), std::invalid_argument);
+            CHECK_THROWS_AS(with([&](auto& f) { f.high[i] = bad; }), std::invalid_argument);
+            CHECK_THROWS_AS(with([&](auto& f) { f.direction[i] = bad; }), std::invalid_argument);
+        }
+    }
+    for (T margin : {T(0), T(-1), nan, infinity})
+        CHECK_THROWS_AS(with([&](auto& f) { f.margin = margin; }), std::invalid_argument);
+    CHECK_THROWS_AS(with([](auto& f) { f.direction = {0, 0, 0}; }), std::invalid_argument);
+}

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <umbrage/light/light_space.hpp>
+
+#include "clip_spaces.hpp"
+
+using namespace umbrage;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// Evenly over the sphere, then closer and closer to both poles, then the axes and diagonals.
+std::vector<glm::dvec3> directions() {
+    std::vector<glm::dvec3> all;
+    constexpr int count = 2000;
+    for (int i = 0; i < count; ++i) {
+        const double y = 1.0 - (2 * i + 1.0) / count, r = std::sqrt(1.0 - y * y), turn = i * 2.399963229728653;
+        all.push_back({r * std::cos(turn), y, r * std::sin(turn)});
+    }
+    for (double tilt = 1.0; tilt > 1e-12; tilt *= 0.7)
+        for (double sign : {-1.0, 1.0})
+            for (double turn : {0.0, 1.0, 2.5, 4.0}) all.push_back({tilt * std::cos(turn), sign, tilt * std::sin(turn)});
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z)
+                if (x || y || z) all.push_back({x, y, z});
+    return all;
+}
+
+/// Greatest difference between entries, as a share of the greatest entry.
+template <class T>
+double difference(const glm::mat<4, 4, T>& a, const glm::mat<4, 4, T>& b) {
+    double gap = 0, greatest = 0;
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r) {
+            if (!(is_finite(a[c][r]) && is_finite(b[c][r]))) return infinity;
+            gap = std::max(gap, std::abs(double(a[c][r]) - double(b[c][r])));
+            greatest = std::max(greatest, std::abs(double(a[c][r])));
+        }
+    return gap / greatest;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("look_along: orthonormal, of the hand asked for, for every direction and up", T, float, double) {
+    using vec = glm::vec<3, T>;
+    const double eps = std::numeric_limits<T>::epsilon();
+    for (auto hand : {handedness::right, handedness::left})
+        for (vec up : {vec(0, 1, 0), vec(0, 0, 1), vec(1, 2, 3), vec(0, -1, 0), vec(0, 0, 0)}) {
+            double worst = 0, worst_axis = 0, worst_hand = 0;
+            auto all = directions();
+            for (glm::dvec3 d : directions()) all.push_back(glm::dvec3(up) + d * 0.01);  // nearly parallel to up
+            for (glm::dvec3 d : all) {
+                const vec direction(d);
+                const glm::dmat3 view(look_along(vec(0), direction, up, hand));
+                const glm::dmat3 unit = view * glm::transpose(view);
+                for (int c = 0; c < 3; ++c)
+                    for (int r = 0; r < 3; ++r) worst = worse(worst, std::abs(unit[c][r] - (c == r)));
+                const double depth = hand == handedness::right ? -1.0 : 1.0;
+                const glm::dvec3 axis = view * glm::normalize(glm::dvec3(direction));
+                worst_axis = worse(worst_axis, glm::length(axis - glm::dvec3(0, 0, depth)));
+                worst_hand = worse(worst_hand, std::abs(glm::determinant(view) + depth));
+            }
+            CAPTURE(int(hand));
+            CAPTURE(up.x);
+            CAPTURE(up.y);
+            CHECK(worst < 6 * eps);
+            CHECK(worst_axis < 4 * eps);
+            CHECK(worst_hand < 8 * eps);
+        }
+}
+
+TEST_CASE("look_along: agrees with GLM where GLM is defined") {
+    const glm::dvec3 position(3, -2, 5), up(0.2, 1, 0.1);
+    glm::dmat4 mirror_x(1);
+    mirror_x[0][0] = -1;  // GLM's left-handed view takes the world for left-handed too
+    double worst = 0;
+    for (glm::dvec3 d : directions()) {
+        if (glm::length(glm::cross(glm::normalize(d), glm::normalize(up))) < 0.01) continue;
+        const glm::dvec3 target = position + glm::normalize(d);
+        worst = worse(worst, difference(look_along(position, d, up, handedness::right), glm::lookAtRH(position, target, up)));
+        worst = worse(worst, difference(look_along(position, d, up, handedness::left),
+                                           mirror_x * glm::lookAtLH(position, target, up)));
+    }
+    CHECK(worst < 1e-13);
+}
+
+TEST_CASE("look_along: a hand-made case, up stays up, the length of the direction does not matter") {
+    const glm::dmat4 view = look_along(glm::dvec3(1, 2, 3), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), handedness::right);
+    // looking along +x with y up, +z is to the right
+    CHECK(glm::dvec3(view * glm::dvec4(1, 2, 3, 1)) == glm::dvec3(0, 0, 0));
+    CHECK(glm::dvec3(view * glm::dvec4(5, 3, 7, 1)) == glm::dvec3(4, 1, -4));
+
+    for (auto hand : {handedness::right, handedness::left})
+        for (glm::vec3 d : {glm::vec3(0.3f, -1, 0.2f), glm::vec3(0, -1, 0), glm::vec3(0, 3, 0)}) {
+            const glm::mat4 middle = look_along(glm::vec3(0), d, glm::vec3(0, 1, 0), hand);
+            for (int power : {-120, -60, 60, 120})
+                CHECK(look_along(glm::vec3(0), d * std::ldexp(1.0f, power), glm::vec3(0, 1, 0), hand) == middle);
+            for (float length : {1e-38f, 1e-30f, 1e-10f, 1e10f, 1e30f, 1e38f})
+                CHECK(difference(look_along(glm::vec3(0), d, glm::vec3(0, length, 0), hand), middle) < 1e-6);
+        }
+}
+
+TEST_CASE_TEMPLATE("look_along: bad input", T, float, double) {
+    using vec = glm::vec<3, T>;
+    const vec zero(0), down(0, -1, 0), up(0, 1, 0);
+    CHECK_THROWS_AS((void)look_along(zero, zero, up, handedness::right), std::invalid_argument);
+    for (double bad : {not_a_number, -not_a_number, infinity, -infinity})
+        for (int i = 0; i < 3; ++i) {
+            vec v(1);
+            v[i] = T(bad);
+            CHECK_THROWS_AS((void)look_along(v, down, up, handedness::right), std::invalid_argument);
+            CHECK_THROWS_AS((void)look_along(zero, v, up, handedness::left), std::invalid_argument);
+            CHECK_THROWS_AS((void)look_along(zero, down, v, handedness::left), std::invalid_argument);
+        }
+    CHECK_NOTHROW((void)look_along(zero, down, zero, handedness::right));
+}
+
+TEST_CASE("perspective: z/w of a hand-made case in every convention") {
+    // between 1 and 3, z/w = 1.5 - 1.5 / distance: 0.75 at distance 2
+    for (clip_space clip : all_clip_spaces()) {
+        CAPTURE(to_string(clip));
+        const glm::dmat4 m = perspective(2.0, 4.0, 1.0, 3.0, clip);
+        const double front = clip.hand == handedness::right ? -1 : 1;
+        const bool reversed = clip.direction == depth_direction::reversed, zo = clip.range == depth_range::zero_to_one;
+        const double middle = reversed ? 0.25 : 0.75;
+        const auto depth = [&](double share) { return zo ? share : 2 * share - 1; };
+        const glm::dvec3 p = through(m, {3, 2, 2 * front});
+        CHECK(p.x == doctest::Approx(0.75));
+        CHECK(p.y == doctest::Approx(0.25));
+        CHECK(p.z == doctest::Approx(depth(middle)));
+        CHECK(through(m, {0, 0, front}).z == doctest::Approx(depth(reversed)));
+        CHECK(through(m, {0, 0, 3 * front}).z == doctest::Approx(depth(!reversed)));
+        CHECK((m * glm::dvec4(0, 0, 2 * front, 1)).w == 2.0);  // w is the distance
+    }
+}
+
+TEST_CASE_TEMPLATE("perspective, orthographic: GLM's matrices where GLM has one", T, float, double) {
+    const double eps = std::numeric_limits<T>::epsilon();
+    using vec = glm::vec<2, T>;
+    double worst = 0;
+    int compared = 0;
+    for (T angle : {T(0.01), T(0.3), T(0.8), T(1.5)})
+        for (T aspect : {T(0.5), T(1), T(2)})
+            for (T z_near : {T(0.01), T(0.5), T(7)})
+                for (T z_far : {T(7.5), T(100), T(1e5)})
+                    for (clip_space clip : all_clip_spaces()) {
+                        if (clip.direction == depth_direction::reversed) continue;
+                        const bool right = clip.hand == handedness::right, zo = clip.range == depth_range::zero_to_one;
+                        const auto theirs = (right ? (zo ? glm::perspectiveRH_ZO<T> : glm::perspectiveRH_NO<T>)
+                                                   : (zo ? glm::perspectiveLH_ZO<T> : glm::perspectiveLH_NO<T>));
+                        const T extent = std::tan(angle);
+                        worst = worse(worst, difference(perspective(extent * aspect, extent, z_near, z_far, clip),
+                                                           theirs(2 * angle, aspect, z_near, z_far)));
+                        const auto box = (right ? (zo ? glm::orthoRH_ZO<T> : glm::orthoRH_NO<T>)
+                                                : (zo ? glm::orthoLH_ZO<T> : glm::orthoLH_NO<T>));
+                        const T low = -extent, high = aspect * 3;
+                        worst = worse(worst, difference(orthographic(vec(low, -5), vec(high, 8), z_near, z_far, clip),
+                                                           box(low, high, T(-5), T(8), z_near, z_far)));
+                        ++compared;
+                    }
+    CHECK(compared == 4 * 3 * 3 * 3 * 8);
+    CHECK(worst < 8 * eps);
+}
+
+TEST_CASE("orthographic: corners of the box in every convention, also behind the light") {
+    for (clip_space clip : all_clip_spaces()) {
+        CAPTURE(to_string(clip));
+        const glm::dmat4 m = orthographic(glm::dvec2(-1, -2), glm::dvec2(3, 6), -4.0, 4.0, clip);
+        const double front = clip.hand == handedness::right ? -1 : 1;
+        const bool reversed = clip.direction == depth_direction::reversed, zo = clip.range == depth_range::zero_to_one;
+        const auto depth = [&](double share) { return zo ? share : 2 * share - 1; };
+        const glm::dvec3 first = through(m, {-1, -2, -4 * front}), last = through(m, {3, 6, 4 * front});
+        const glm::dvec3 quarter = through(m, {0, 0, -2 * front});
+        CHECK(glm::length(first - glm::dvec3(-1, -1, depth(reversed))) < 1e-15);
+        CHECK(glm::length(last - glm::dvec3(1, 1, depth(!reversed))) < 1e-15);
+        CHECK(glm::length(quarter - glm::dvec3(-0.5, -0.5, depth(reversed ? 0.75 : 0.25))) < 1e-15);
+    }
+}
+
+TEST_CASE_TEMPLATE("perspective, orthographic: bad input", T, float, double) {
+    const auto planes = [](double z_near, double z_far) {
+        (void)perspective(T(1), T(1), T(z_near), T(z_far), clip_space{});
+    };
+    const auto box = [](double low, double high, double z_near, double z_far) {
+        (void)orthographic(glm::vec<2, T>(T(-1), T(low)), glm::vec<2, T>(T(1), T(high)), T(z_near), T(z_far), clip_space{});
+    };
+    CHECK_NOTHROW(planes(1, 2));
+    CHECK_NOTHROW(box(-1, 1, -1, 1));
+    CHECK_THROWS_AS(planes(2, 2), std::invalid_argument);
+    CHECK_THROWS_AS(planes(3, 2), std::invalid_argument);
+    CHECK_THROWS_AS(planes(0, 2), std::invalid_argument);
+    CHECK_THROWS_AS(planes(-1, 2), std::invalid_argument);
+    CHECK_THROWS_AS(box(1, 1, 0, 1), std::invalid_argument);
+    CHECK_THROWS_AS(box(2, 1, 0, 1), std::invalid_argument);
+    CHECK_THROWS_AS(box(0, 1, 1, 1), std::invalid_argument);
+    CHECK_THROWS_AS(box(0, 1, 2, 1), std::invalid_argument);
+    for (double bad : {not_a_number, -not_a_number, infinity, -infinity}) {
+        CHECK_THROWS_AS(planes(bad, 2), std::invalid_argument);
+        CHECK_THROWS_AS(planes(1, bad), std::invalid_argument);
+        CHECK_THROWS_AS(box(bad, 1, 0, 1), std::invalid_argument);
+        CHECK_THROWS_AS(box(0, bad, 0, 1), std::invalid_argument);
+        CHECK_THROWS_AS(box(0, 1, bad, 1), std::invalid_argument);
+        CHECK_THROWS_AS(box(0, 1, 0, bad), std::invalid_argument);
+    }
+    for (double bad : {not_a_number, infinity, 0.0, -1.0}) {
+        CHECK_THROWS_AS((void)perspective(T(bad), T(1), T(1), T(2), clip_space{}), std::invalid_argument);
+        CHECK_THROWS_AS((void)perspective(T(1), T(bad), T(1), T(2), clip_space{}), std::invalid_argument);
+    }
+}
