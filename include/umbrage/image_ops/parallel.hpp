@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+//
+// How image functions use threads: they have none, and ask the caller's scheduler.
+//
+//     auto parallel_for = [&](int count, auto&& piece) {
+//         tbb::parallel_for(tbb::blocked_range<int>(0, count),
+//                           [&](const auto& range) { piece(range.begin(), range.end()); });
+//     };
+//     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
+//
+// parallel_for(count, piece) calls piece(first, last) so that the pieces cover 0 .. count once, in any order, on any
+// threads, and returns when all are done. Pieces are bands of rows; no way to cut them changes a bit.
+#pragma once
+
+namespace umbrage {
+
+/// The default: everything in one piece, on the caller's thread.
+struct serial {
+    template <class Piece>
+    void operator()(int count, Piece&& piece) const {
+        if (count > 0) piece(0, count);
+    }
+};
+
+}  // namespace umbrage
