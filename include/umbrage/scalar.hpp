@@ -9,6 +9,7 @@
 #include <bit>
 #include <concepts>
 #include <cstdint>
+#include <type_traits>
 
 #include <umbrage/glsl.hpp>
 
@@ -36,11 +37,13 @@ concept real = std::same_as<T, float> || std::same_as<T, double>;
 
 /// Clamps to [0, 1]. NaN of either sign becomes 1, the cleared depth; -0 becomes +0.
 /// @formula     !(v < 1) ? 1 : (v > 0 ? v : 0)
-/// @exactness   A: selects, never computes
+/// @exactness   A: selects, never computes; by the order of the bits, so that -ffast-math leaves no -0 and no
+///              flushing mode takes a denormal
 template <real T>
 [[nodiscard]] constexpr T saturate(T v) {
-    if (is_nan(v)) return T(1);
-    return v < T(1) ? (v > T(0) ? v : T(0)) : T(1);
+    using bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+    if (is_nan(v) || std::bit_cast<bits>(v) >= std::bit_cast<bits>(T(1))) return T(1);
+    return std::bit_cast<bits>(v) > 0 ? v : T(0);
 }
 
 namespace glsl {

@@ -6,7 +6,9 @@
 //
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include <umbrage/filter/texel_space.hpp>
 
@@ -35,12 +37,19 @@ template <real T, class Fetch, class Compare = less_equal>
     return T(count);
 }
 
+namespace detail {
+template <real T>  // quotients of the compiler's: a run-time division would follow the rounding mode and -ffast-math
+inline constexpr std::array<T, max_box_radius + 1> box_scales{
+    T(1), T(1) / T(9), T(1) / T(25), T(1) / T(49), T(1) / T(81), T(1) / T(121), T(1) / T(169), T(1) / T(225), T(1) / T(289)};
+}  // namespace detail
+
 /// 1 / (2r+1)^2, rounded to nearest.
 /// @param radius     r, clamped to 0..8
+/// @exactness        A: a table
 template <real T>
 [[nodiscard]] constexpr T box_scale(int radius) {
     const int r = radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius);
-    return T(1) / T((2 * r + 1) * (2 * r + 1));
+    return detail::box_scales<T>[static_cast<std::size_t>(r)];
 }
 
 /// Share of the box that is lit; arguments as for box_count.
