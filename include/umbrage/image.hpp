@@ -24,7 +24,8 @@
 namespace umbrage {
 
 /// Pixels that somebody else owns: rows of `size.x` elements, `stride` bytes from one row to the next.
-/// Row 0 is the first in memory. A negative stride walks a bottom-up image; an empty view has a zero in its size.
+/// Row 0 is at `data`; with a negative stride the others come before it, as in a bottom-up image. An empty view has a
+/// zero in its size.
 template <class T>
 struct image_view {
     T* data = nullptr;

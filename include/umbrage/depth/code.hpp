@@ -3,7 +3,7 @@
 // A depth as a whole number of 2^Bits steps, and back: what every encoding of ours is made of.
 //
 //     std::uint32_t x = umbrage::depth_code<11>(0.5f);                         // 1024
-//     float d = umbrage::code_depth<11, float>(x, umbrage::upper_edge<float>);  // 1025 / 2048
+//     float d = umbrage::code_depth<11>(float(x), umbrage::upper_edge<float>);  // 1025 / 2048
 //
 #pragma once
 

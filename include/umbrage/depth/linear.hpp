@@ -49,7 +49,7 @@ template <real T>
 
 /// Forward depth from reversed, or reversed from forward.
 /// @formula       1 - depth
-/// @exactness     B: one subtraction, exact for depth >= 1/2 and for multiples of 2^-24
+/// @exactness     B: one subtraction, exact for depth in [1/2, 2] and for multiples of 2^-24 in [0, 1]
 template <real T>
 [[nodiscard]] constexpr T reverse_depth(T depth) {
     return T(1) - depth;

@@ -40,7 +40,7 @@ template <int Bits, real T>
 ///
 /// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
 /// @param edge    lower_edge, centre or upper_edge of the code's interval
-/// @return        depth; channels that no encoder wrote give (R + 2^M G + edge) 2^-Bits all the same, up to 2
+/// @return        depth; channels that no encoder wrote give the formula's value all the same, below 3/2
 /// @formula       (R + 2^(Bits - 8) G + edge) 2^-Bits, with R, G = floor(255 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-Bits at an edge, 2^-(Bits + 1) at the centre
 template <int Bits, real T>
