@@ -27,6 +27,8 @@
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/image_ops/clip.hpp>
 #include <umbrage/image_ops/encode.hpp>
+#include <umbrage/image_ops/isa.hpp>
+#include <umbrage/image_ops/parallel.hpp>
 #include <umbrage/image_ops/rasterize.hpp>
 #include <umbrage/image_ops/visibility.hpp>
 #include <umbrage/light/directional_light.hpp>

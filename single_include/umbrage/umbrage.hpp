@@ -36,6 +36,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_precision.hpp>
@@ -43,6 +44,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <glm/vector_relational.hpp>
 #include <initializer_list>
 #include <iterator>
 #include <limits>
@@ -287,11 +289,13 @@ concept real = std::same_as<T, float> || std::same_as<T, double>;
 
 /// Clamps to [0, 1]. NaN of either sign becomes 1, the cleared depth; -0 becomes +0.
 /// @formula     !(v < 1) ? 1 : (v > 0 ? v : 0)
-/// @exactness   A: selects, never computes
+/// @exactness   A: selects, never computes; by the order of the bits, so that -ffast-math leaves no -0 and no
+///              flushing mode takes a denormal
 template <real T>
 [[nodiscard]] constexpr T saturate(T v) {
-    if (is_nan(v)) return T(1);
-    return v < T(1) ? (v > T(0) ? v : T(0)) : T(1);
+    using bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+    if (is_nan(v) || std::bit_cast<bits>(v) >= std::bit_cast<bits>(T(1))) return T(1);
+    return std::bit_cast<bits>(v) > 0 ? v : T(0);
 }
 
 namespace glsl {
@@ -413,7 +417,8 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
 namespace umbrage {
 
 /// Pixels that somebody else owns: rows of `size.x` elements, `stride` bytes from one row to the next.
-/// Row 0 is the first in memory. A negative stride walks a bottom-up image; an empty view has a zero in its size.
+/// Row 0 is at `data`; with a negative stride the others come before it, as in a bottom-up image. An empty view has a
+/// zero in its size.
 template <class T>
 struct image_view {
     T* data = nullptr;
@@ -687,8 +692,10 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
 //
 //     float stored = umbrage::decode_aras(umbrage::load_unorm8(texel));
 //
-// Faults of the format: 1.0 decodes to 0, and a store that truncates is off by up to 1/255. The repaired writer has
-// neither, for the same reader.
+// Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error is
+// up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left is
+// the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighbouring floats decode 1 ulp out of it.
+//
 
 namespace umbrage {
 
@@ -730,6 +737,26 @@ template <real T>
     }
     return digits;
 }
+
+/// The format as a value, for functions over images, faults and all; the store rounds.
+struct aras {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+    static constexpr double max_error = 1.0;  ///< at 1.0; below it 2^-23, or 2^-7.98 where the store truncates
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_aras(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_aras(load_unorm8(t)); }
+};
+
+/// The same, written without the faults.
+struct aras_repaired {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(255) * 255 * 255 * 255 + 1;
+    static constexpr double max_error = 0x1p-23;  ///< whether the store rounds or truncates
+
+    [[nodiscard]] texel encode(float depth) const { return encode_aras_repaired(depth); }
+    [[nodiscard]] float decode(texel t) const { return decode_aras(load_unorm8(t)); }
+};
 
 namespace glsl {
 
@@ -900,7 +927,7 @@ template <real T>
 
 /// Forward depth from reversed, or reversed from forward.
 /// @formula       1 - depth
-/// @exactness     B: one subtraction, exact for depth >= 1/2 and for multiples of 2^-24
+/// @exactness     B: one subtraction, exact for depth in [1/2, 2] and for multiples of 2^-24 in [0, 1]
 template <real T>
 [[nodiscard]] constexpr T reverse_depth(T depth) {
     return T(1) - depth;
@@ -1062,7 +1089,7 @@ UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
 // A depth as a whole number of 2^Bits steps, and back: what every encoding of ours is made of.
 //
 //     std::uint32_t x = umbrage::depth_code<11>(0.5f);                         // 1024
-//     float d = umbrage::code_depth<11, float>(x, umbrage::upper_edge<float>);  // 1025 / 2048
+//     float d = umbrage::code_depth<11>(float(x), umbrage::upper_edge<float>);  // 1025 / 2048
 //
 
 namespace umbrage {
@@ -1128,7 +1155,7 @@ template <int Bits, real T>
 ///
 /// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
 /// @param edge    lower_edge, centre or upper_edge of the code's interval
-/// @return        depth; channels that no encoder wrote give (R + 2^M G + edge) 2^-Bits all the same, up to 2
+/// @return        depth; channels that no encoder wrote give the formula's value all the same, below 3/2
 /// @formula       (R + 2^(Bits - 8) G + edge) 2^-Bits, with R, G = floor(255 c + 1/2)
 /// @exactness     A;  |depth - decoded| <= 2^-Bits at an edge, 2^-(Bits + 1) at the centre
 template <int Bits, real T>
@@ -1355,13 +1382,14 @@ UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP flo
 //     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::encode_three_rgba(depth));
 //     float stored = umbrage::decode_three_rgba(umbrage::load_unorm8(texel));
 //
-// Worst error on depths k / 2^24, and the faults, as measured by the tests:
+// Worst error of any binary32 depth, and the faults, as measured by the tests:
 //
-//     format          store rounds   store truncates   faults
-//     rgba            0              0                 none
-//     rgb             2^-24          2^-24             none
-//     rg              2^-17          2^-16             none
-//     legacy          0 below 1      0 below 1         1.0 decodes to 255/256, below depths that come before it
+//     format             store rounds     store truncates   faults
+//     rgba               2^-32            2^-31.99          none
+//     rgb                2^-24            2^-23.99          none
+//     rg                 2^-16.99         2^-15.99          none
+//     legacy             2^-32, below 1   2^-32, below 1    1.0 decodes to 255/256, below depths that come before it
+//     legacy, repaired   2^-24            2^-24             none
 //
 
 namespace umbrage {
@@ -1455,6 +1483,58 @@ template <real T>
     return {0, static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>(x >> 8 & 0xFF),
             static_cast<std::uint8_t>(x >> 16)};
 }
+
+// The formats as values, for functions over images; the store rounds.
+
+/// RGBA, r167 and later.
+struct three_rgba {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+    static constexpr double max_error = 0x1p-32;  ///< where the store truncates, 256/255 of it
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_three_rgba(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_three_rgba(load_unorm8(t)); }
+};
+
+/// RGB, r167 and later.
+struct three_rgb {
+    using texel = glm::u8vec3;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
+    static constexpr double max_error = 0x1p-24;  ///< where the store truncates, 256/255 of it
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_three_rgb(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_three_rgb(load_unorm8(t)); }
+};
+
+/// RG, r167 and later.
+struct three_rg {
+    using texel = glm::u8vec2;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 16;
+    static constexpr double max_error = 0x1.02p-17;  ///< 2^-16 * 256/255 where the store truncates
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_three_rg(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_three_rg(load_unorm8(t)); }
+};
+
+/// RGBA, r73 to r166, fault and all.
+struct three_legacy {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+    static constexpr double max_error = 1.0 / 256.0;  ///< at 1.0; below it 2^-32
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_three_legacy(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_three_legacy(load_unorm8(t)); }
+};
+
+/// RGBA for readers of r73 to r166, written without the fault.
+struct three_legacy_repaired {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
+    static constexpr double max_error = 0x1p-24;  ///< whether the store rounds or truncates
+
+    [[nodiscard]] texel encode(float depth) const { return encode_three_legacy_repaired(depth); }
+    [[nodiscard]] float decode(texel t) const { return decode_three_legacy(load_unorm8(t)); }
+};
 
 namespace glsl {
 
@@ -1674,12 +1754,19 @@ template <real T, class Fetch, class Compare = less_equal>
     return T(count);
 }
 
+namespace detail {
+template <real T>  // quotients of the compiler's: a run-time division would follow the rounding mode and -ffast-math
+inline constexpr std::array<T, max_box_radius + 1> box_scales{
+    T(1), T(1) / T(9), T(1) / T(25), T(1) / T(49), T(1) / T(81), T(1) / T(121), T(1) / T(169), T(1) / T(225), T(1) / T(289)};
+}  // namespace detail
+
 /// 1 / (2r+1)^2, rounded to nearest.
 /// @param radius     r, clamped to 0..8
+/// @exactness        A: a table
 template <real T>
 [[nodiscard]] constexpr T box_scale(int radius) {
     const int r = radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius);
-    return T(1) / T((2 * r + 1) * (2 * r + 1));
+    return detail::box_scales<T>[static_cast<std::size_t>(r)];
 }
 
 /// Share of the box that is lit; arguments as for box_count.
@@ -1953,7 +2040,18 @@ struct light_space {
     clip_space clip;
 };
 
-/// World to light's view space.
+namespace detail {
+
+/// Unit vector; scaled first, so that nothing overflows or underflows. Zero stays zero.
+template <real T>
+[[nodiscard]] glm::vec<3, T> unit(glm::vec<3, T> v) {
+    const T scale = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
+    return scale > T(0) ? glm::normalize(v / scale) : v;
+}
+
+}  // namespace detail
+
+/// World to light's view space: x to the right, y up, whichever hand, so that a mesh keeps its winding.
 ///
 /// @param position    of the light, world
 /// @param direction   it looks along, any length > 0
@@ -1967,12 +2065,10 @@ template <real T>
     for (int i = 0; i < 3; ++i)
         if (!is_finite(position[i]) || !is_finite(direction[i]) || !is_finite(up[i]))
             throw std::invalid_argument("umbrage: a light's position, direction and up must be finite");
-    const T scale = glm::max(glm::max(glm::abs(direction.x), glm::abs(direction.y)), glm::abs(direction.z));
-    if (!(scale > T(0))) throw std::invalid_argument("umbrage: a light's direction must not be zero");
-    const glm::vec<3, T> forward = glm::normalize(direction / scale);  // scaled first: no overflow, no underflow
+    const glm::vec<3, T> forward = detail::unit(direction);
+    if (forward == glm::vec<3, T>(0)) throw std::invalid_argument("umbrage: a light's direction must not be zero");
 
-    const T up_length = glm::length(up);
-    glm::vec<3, T> side = up_length > T(0) ? glm::cross(forward, up / up_length) : glm::vec<3, T>(0);
+    glm::vec<3, T> side = glm::cross(forward, detail::unit(up));
     if (!(glm::length(side) > T(1e-3))) {
         const glm::vec<3, T> along = glm::abs(forward);
         const int least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
@@ -1980,8 +2076,8 @@ template <real T>
         axis[least] = T(1);
         side = glm::cross(forward, axis);
     }
-    side = glm::normalize(side);
-    const glm::vec<3, T> above = glm::cross(side, forward);
+    const glm::vec<3, T> above = glm::normalize(glm::cross(side, forward));
+    side = glm::cross(forward, above);  // again: up nearly parallel to forward leaves the first a hundred ulp askew
     const glm::vec<3, T> depth = hand == handedness::right ? -forward : forward;
 
     glm::mat<4, 4, T> view(T(1));
@@ -2504,42 +2600,279 @@ struct clipped_polygon {
 
 }  // namespace umbrage
 
+// ---- umbrage/image_ops/isa.hpp
+// One loop, compiled for each instruction set, the machine's best chosen when the program runs. No flags, no intrinsics.
+//
+//     umbrage::detail::on_best_isa([&]() UMBRAGE_INLINE { for (...) block(...); });
+//
+// A body is inlined into thin functions that carry the target; what it calls must be UMBRAGE_INLINE too, or it is
+// compiled for the base set. GCC vectorises at -O2 only loops whose count it knows, and no `c ? x : y` on floats: so
+// loops run over blocks of 64, and select on the bits.
+//
+// UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice; a machine that lacks it takes the next lower one. No choice
+// changes a bit of a result of tier A. It has to be the same in all files of a program.
+
+#if defined(__GNUC__) || defined(__clang__)
+#define UMBRAGE_INLINE __attribute__((always_inline))
+#else
+#define UMBRAGE_INLINE
+#endif
+
+#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
+#define UMBRAGE_HAS_DISPATCH 1
+#define UMBRAGE_AVX2 __attribute__((target("avx2"), noinline))
+#define UMBRAGE_AVX512 __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"), noinline))
+#else
+#define UMBRAGE_HAS_DISPATCH 0
+#endif
+
+#ifndef UMBRAGE_FORCE_ISA
+#define UMBRAGE_FORCE_ISA avx512
+#endif
+
+namespace umbrage {
+
+enum class isa { base, avx2, avx512 };
+
+/// The best instruction set of this machine, of those that get a path of their own.
+[[nodiscard]] inline isa best_isa() {
+#if UMBRAGE_HAS_DISPATCH
+    __builtin_cpu_init();
+    if (!__builtin_cpu_supports("avx2")) return isa::base;
+    const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    return wide ? isa::avx512 : isa::avx2;
+#else
+    return isa::base;
+#endif
+}
+
+namespace detail {
+
+/// What image functions use; tests set it to see every path.
+inline isa isa_in_use = best_isa() < isa::UMBRAGE_FORCE_ISA ? best_isa() : isa::UMBRAGE_FORCE_ISA;
+
+#if UMBRAGE_HAS_DISPATCH
+template <class Body>
+UMBRAGE_AVX2 void on_avx2(const Body& body) {
+    body();
+}
+template <class Body>
+UMBRAGE_AVX512 void on_avx512(const Body& body) {
+    body();
+}
+#endif
+
+/// Runs the body, compiled for the instruction set in use. Only for results that no contraction to FMA can change.
+template <class Body>
+void on_best_isa(const Body& body) {
+#if UMBRAGE_HAS_DISPATCH
+    if (isa_in_use == isa::avx512) return on_avx512(body);
+    if (isa_in_use == isa::avx2) return on_avx2(body);
+#endif
+    body();
+}
+
+/// The same for sums of products that round: AVX-512 brings FMA along, with which compilers change the result.
+template <class Body>
+void on_best_isa_without_fma(const Body& body) {
+#if UMBRAGE_HAS_DISPATCH
+    if (isa_in_use != isa::base) return on_avx2(body);
+#endif
+    body();
+}
+
+inline constexpr int block = 64;  ///< elements of a loop whose count the compiler knows
+
+/// saturate() with selects on the bits: the magnitude up to 1, where the value is above 0 or a NaN.
+[[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v) {
+    constexpr std::int32_t one = 0x3F800000, infinity = 0x7F800000;
+    const std::int32_t magnitude = std::bit_cast<std::int32_t>(v) & 0x7FFFFFFF;
+    const std::int32_t kept = -(std::int32_t(v > 0.0f) | std::int32_t(magnitude > infinity));
+    return std::bit_cast<float>((magnitude < one ? magnitude : one) & kept);
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/parallel.hpp
+// How image functions use threads: they have none, and ask the caller's scheduler.
+//
+//     auto parallel_for = [&](int count, auto&& piece) {
+//         tbb::parallel_for(tbb::blocked_range<int>(0, count),
+//                           [&](const auto& range) { piece(range.begin(), range.end()); });
+//     };
+//     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
+//
+// parallel_for(count, piece) calls piece(first, last) so that the pieces cover 0 .. count once, in any order, on any
+// threads, and returns when all are done. Pieces are bands of rows; no way to cut them changes a bit.
+
+namespace umbrage {
+
+/// The default: everything in one piece, on the caller's thread.
+struct serial {
+    template <class Piece>
+    void operator()(int count, Piece&& piece) const {
+        if (count > 0) piece(0, count);
+    }
+};
+
+}  // namespace umbrage
+
 // ---- umbrage/image_ops/encode.hpp
-// Whole depth images into texels of an encoding, and back.
+// Whole depth images into texels of an encoding, and back, about as fast as memory can be copied.
 //
 //     umbrage::image<glm::u8vec2> packed(depth.size());
 //     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{});
 //
+// Bit for bit what the encoding's own encode and decode give. The encodings of this library have loops of their own that
+// compilers can vectorise; any other type like them works as well.
 
 namespace umbrage {
+namespace detail {
+
+/// depth_code() in a form that vectorises.
+template <int Bits>
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t depth_code_bits(float depth) {
+    constexpr std::int32_t codes = std::int32_t(1) << Bits;
+    const auto x = static_cast<std::int32_t>(saturate_bits(depth) * float(codes));
+    return x < codes ? x : codes - 1;
+}
+
+/// A block of 64 depths to texels and back; this general one leaves the work to the encoding.
+template <class Encoding>
+struct block_codec {
+    using texel = typename Encoding::texel;
+    static UMBRAGE_INLINE void encode(const float* depth, texel* texels, const Encoding& encoding) {
+        for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    }
+    static UMBRAGE_INLINE void decode(const texel* texels, float* depth, const Encoding& encoding) {
+        for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
+    }
+};
+
+/// Texels as 16-bit words: R is where this machine has the first byte.
+template <int Bits>
+struct block_codec<rg<Bits>> {
+    static constexpr int r = std::endian::native == std::endian::little ? 0 : 8, g = 8 - r;
+    static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec2* texels, const rg<Bits>&) {
+        std::uint16_t words[block];
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t x = depth_code_bits<Bits>(depth[i]);
+            words[i] = static_cast<std::uint16_t>((x & 0xFF) << r | (x >> 8) << (16 - Bits) << g);
+        }
+        std::memcpy(static_cast<void*>(texels), words, sizeof words);
+    }
+    static UMBRAGE_INLINE void decode(const glm::u8vec2* texels, float* depth, const rg<Bits>& encoding) {
+        std::uint16_t words[block];
+        std::memcpy(words, texels, sizeof words);
+        const float edge = encoding.edge;  // a copy: as far as a compiler knows, depth may overwrite the other
+        for (int i = 0; i < block; ++i) depth[i] = decode(words[i], edge);
+    }
+    static UMBRAGE_INLINE float decode(std::int32_t word, float edge) {
+        return code_depth<Bits>(float((word >> r & 0xFF) + ((word >> g & 0xFF) << (Bits - 8))), edge);
+    }
+};
+
+template <>
+struct block_codec<rgb24> {
+    static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec3* texels, const rgb24&) {
+        std::int32_t x[block];
+        for (int i = 0; i < block; ++i) x[i] = depth_code_bits<24>(depth[i]);
+        for (int i = 0; i < block; ++i)
+            texels[i] = {static_cast<std::uint8_t>(x[i] >> 16), static_cast<std::uint8_t>(x[i] >> 8 & 0xFF),
+                         static_cast<std::uint8_t>(x[i] & 0xFF)};
+    }
+    static UMBRAGE_INLINE void decode(const glm::u8vec3* texels, float* depth, const rgb24& encoding) {
+        const float edge = encoding.edge;
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t x = (texels[i].x << 16) + (texels[i].y << 8) + texels[i].z;
+            depth[i] = code_depth<24>(float(x), edge);
+        }
+    }
+};
+
+template <>
+struct block_codec<float_bits> {
+    static_assert(sizeof(glm::u8vec4) == sizeof(float));
+    static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec4* texels, const float_bits& encoding) {
+        if constexpr (std::endian::native == std::endian::little)
+            std::memcpy(static_cast<void*>(texels), depth, block * sizeof(float));
+        else
+            for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    }
+    static UMBRAGE_INLINE void decode(const glm::u8vec4* texels, float* depth, const float_bits& encoding) {
+        if constexpr (std::endian::native == std::endian::little)
+            std::memcpy(depth, texels, block * sizeof(float));
+        else
+            for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
+    }
+};
+
+template <>
+struct block_codec<depth32f> {
+    static UMBRAGE_INLINE void encode(const float* depth, float* texels, const depth32f&) {
+        for (int i = 0; i < block; ++i) texels[i] = saturate_bits(depth[i]);
+    }
+    static UMBRAGE_INLINE void decode(const float* texels, float* depth, const depth32f&) {
+        std::memcpy(depth, texels, block * sizeof(float));
+    }
+};
+
+/// A row in blocks; the last one goes through copies as long as a block.
+template <class From, class To, class Convert>
+UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert) {
+    int x = 0;
+    for (; x + block <= count; x += block) convert(from + x, to + x);
+    if (x == count) return;
+    From padded[block]{};
+    To result[block];
+    for (int i = 0; i < count - x; ++i) padded[i] = from[x + i];
+    convert(padded, result);
+    for (int i = 0; i < count - x; ++i) to[x + i] = result[i];
+}
+
+}  // namespace detail
 
 /// @param depth      any values; what the encoding makes of them
 /// @param texels     same size
 /// @param encoding   rg<Bits>, rgb24, float_bits, depth32f, or a type like them
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ
-template <class Encoding>
-void encode(image_view<const float> depth, image_view<typename Encoding::texel> texels, Encoding encoding) {
+template <class Encoding, class ParallelFor = serial>
+void encode(image_view<const float> depth, image_view<typename Encoding::texel> texels, Encoding encoding,
+            ParallelFor&& parallel = {}) {
     if (depth.size != texels.size) throw std::invalid_argument("umbrage::encode: sizes differ");
     if (depth.empty()) return;
-    for (int y = 0; y < depth.size.y; ++y) {
-        const float* from = depth.row(y);
-        typename Encoding::texel* to = texels.row(y);
-        for (int x = 0; x < depth.size.x; ++x) to[x] = encoding.encode(from[x]);
-    }
+    parallel(depth.size.y, [&](int first, int last) {
+        detail::on_best_isa([&]() UMBRAGE_INLINE {
+            for (int y = first; y < last; ++y)
+                detail::convert_row(depth.row(y), texels.row(y), depth.size.x,
+                                    [&](const auto* from, auto* to) UMBRAGE_INLINE {
+                                        detail::block_codec<Encoding>::encode(from, to, encoding);
+                                    });
+        });
+    });
 }
 
 /// @param texels     any texels of the encoding
 /// @param depth      same size
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ
-template <class Encoding>
-void decode(image_view<const typename Encoding::texel> texels, image_view<float> depth, Encoding encoding) {
+template <class Encoding, class ParallelFor = serial>
+void decode(image_view<const typename Encoding::texel> texels, image_view<float> depth, Encoding encoding,
+            ParallelFor&& parallel = {}) {
     if (depth.size != texels.size) throw std::invalid_argument("umbrage::decode: sizes differ");
     if (depth.empty()) return;
-    for (int y = 0; y < depth.size.y; ++y) {
-        const typename Encoding::texel* from = texels.row(y);
-        float* to = depth.row(y);
-        for (int x = 0; x < depth.size.x; ++x) to[x] = encoding.decode(from[x]);
-    }
+    parallel(depth.size.y, [&](int first, int last) {
+        detail::on_best_isa([&]() UMBRAGE_INLINE {
+            for (int y = first; y < last; ++y)
+                detail::convert_row(texels.row(y), depth.row(y), depth.size.x,
+                                    [&](const auto* from, auto* to) UMBRAGE_INLINE {
+                                        detail::block_codec<Encoding>::decode(from, to, encoding);
+                                    });
+        });
+    });
 }
 
 }  // namespace umbrage
