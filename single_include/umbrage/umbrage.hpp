@@ -2201,14 +2201,16 @@ template <real T>
 
 /// The taps of the 2002 sample: half a texel off in both directions.
 template <real T>
-inline constexpr std::array<glm::vec<2, T>, 4> default_taps{{{T(-0.5), T(-0.5)}, {T(0.5), T(-0.5)}, {T(-0.5), T(0.5)}, {T(0.5), T(0.5)}}};
+inline constexpr std::array<glm::vec<2, T>, 4> default_taps{
+    {{T(-0.5), T(-0.5)}, {T(0.5), T(-0.5)}, {T(-0.5), T(0.5)}, {T(0.5), T(0.5)}}};
 
 /// One texture matrix per tap, for hardware and shaders that cannot move a projective coordinate afterwards.
 ///
 /// @param texture_matrix   world to texels
 /// @param offsets          of the taps, in texels
 /// @return                 matrices with the offset applied before the division by w: equal in exact arithmetic to
-///                         adding it afterwards; in binary32 within 2 ulp of the greatest texel coordinate involved
+///                         adding it afterwards; in binary32 within 6 ulp of (|m0 x| + |m1 y| + |m2 z| + |m3|) / w,
+///                         the magnitudes that add up to a coordinate (worst seen 4.5; tap_coordinate stays closer)
 /// @formula                translate(offset) * texture_matrix
 /// @cite                   ATI Radeon SDK, ShadowMap sample, 2002
 template <real T>
@@ -2237,6 +2239,7 @@ template <real T>
 
 /// A tap's coordinate from the middle's: what the tap's own matrix would have given.
 /// @param coordinate   as shadow_coordinate returns it, before the division by w;   offset  in texels
+/// @return             after the division within 3 ulp of the offset added afterwards (worst seen 1.9)
 /// @formula            (x + offset.x w, y + offset.y w, z, w)
 /// @exactness          B
 template <real T>
