@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// From world positions to vertices on the 1/256 texel grid: projection, clipping, snapping. The rasterizer's first half.
+// From world positions to vertices on the 1/256 texel grid: projection, clipping, snapping.
 //
 //     umbrage::projection project(world_to_clip, clip, {1024, 1024});
 //     umbrage::clipped_polygon polygon = umbrage::clip_triangle(project, a, b, c);
 //
-// Texels are counted from the bottom in here (NDC y = -1), whatever the clip space says: the texture origin only mirrors
-// rows when texels are written, so that both origins give the same picture.
+// Texels are counted from the bottom in here (NDC y = -1), whatever the clip space says: the texture origin only
+// mirrors rows when texels are written, so that both origins give the same picture.
 //
 #pragma once
 
@@ -36,7 +36,7 @@ inline constexpr int guard_band = 1 << 14;
 /// A vertex on the grid. The order makes results independent of the order in which a mesh lists vertices.
 struct snapped_vertex {
     std::int32_t x, y;  ///< in 1/256 texel, within +-guard_band
-    double depth;       ///< z/w moved to [0, 1]; above 1 or below 0 beyond the far plane
+    double depth;       ///< z/w moved to [0, 1]; outside only beyond the far plane
 
     friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
 };
@@ -86,7 +86,8 @@ public:
     [[nodiscard]] glm::dvec4 cut(int plane, const glm::dvec4& in, const glm::dvec4& out) const {
         const double d = distance(plane, in);
         glm::dvec4 h = in + (out - in) * (d / (d - distance(plane, out)));
-        switch (plane) {  // what lies on the plane by definition does so to the bit
+        if (!(h.w > smallest_w)) h.w = smallest_w;  // rounding
+        switch (plane) {                            // what lies on the plane by definition does so to the bit
             case 0: h.w = smallest_w; break;
             case 1: h.z = clip_.direction == depth_direction::forward ? 0.0 : h.w; break;
             case 2: h.x = -guard_band * h.w; break;
@@ -97,7 +98,7 @@ public:
         return h;
     }
 
-    /// To the grid, halves upwards. The point must be inside all planes; the clamp only catches the rounding of cut().
+    /// To the grid, halves upwards. The point must be inside all planes; clamps only catch the rounding of cut().
     [[nodiscard]] snapped_vertex snap(const glm::dvec4& h) const {
         constexpr double limit = double(guard_band) * subtexels;
         const auto grid = [&](double v) {
@@ -106,7 +107,9 @@ public:
             const auto whole = static_cast<std::int32_t>(inside);
             return whole - (inside < whole ? 1 : 0);
         };
-        return {grid(h.x), grid(h.y), h.z / h.w};
+        const double depth = h.z / h.w;
+        if (clip_.direction == depth_direction::forward) return {grid(h.x), grid(h.y), depth > 0.0 ? depth : 0.0};
+        return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
     }
 
 private:

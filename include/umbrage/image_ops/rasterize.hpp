@@ -12,10 +12,10 @@
 //     });
 //     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, visible[texel]);
 //
-// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left rule
-// (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a grid on
-// which every sample is then computed exactly. So no order of triangles or vertices, no tiling, no instruction set and no
-// contraction to FMA changes a bit.
+// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left
+// rule (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a
+// grid on which every sample is then computed exactly. So no order of triangles or vertices, no tiling, no instruction
+// set and no contraction to FMA changes a bit; of clipped triangles the last may move a cut by 1/256 texel.
 //
 #pragma once
 
@@ -92,7 +92,8 @@ struct depth_plane {
     const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) / area;
 
     // Slopes with so few digits that the same holds for every sample.
-    unit = round_down(largest(tiny, magnitude(z0) + magnitude(slope_x) * width + magnitude(slope_y) * height)) * 0x1p-51;
+    const double reach = magnitude(z0) + magnitude(slope_x) * width + magnitude(slope_y) * height;
+    unit = round_down(largest(tiny, reach)) * 0x1p-51;
     const double dx = on_grid(slope_x, unit), dy = on_grid(slope_y, unit);
     constexpr int centre = subtexels / 2;
     return {.first = first,
@@ -108,8 +109,8 @@ struct depth_plane {
 ///
 /// @param v     vertices within the guard band, the smallest first
 /// @param size  of the image in texels
-/// @param row   (int y, int x_first, int x_last, const depth_plane&): texels x_first <= x < x_last of row y are covered;
-///              y counts from the bottom
+/// @param row   (int y, int x_first, int x_last, const depth_plane&): texels x_first <= x < x_last of row y are
+///              covered; y counts from the bottom
 /// @formula     covered: for each edge, E >= 0, or E > 0 where the edge is neither a top nor a left one
 /// @exactness   A: 64-bit integers
 template <class Row>
@@ -142,8 +143,8 @@ void rasterize_snapped(std::array<snapped_vertex, 3> v, glm::ivec2 size, cull_mo
         const auto& b = v[i < 2 ? i + 1 : 0];
         const std::int64_t dx = b.x - a.x, dy = b.y - a.y;
         const bool top_left = dy < 0 || (dy == 0 && dx < 0);
-        const std::int64_t value = dx * (first.y * subtexels + centre - a.y) - dy * (first.x * subtexels + centre - a.x);
-        edges[i] = {value - (top_left ? 0 : 1), -dy * subtexels, dx * subtexels};
+        const int to_x = first.x * subtexels + centre - a.x, to_y = first.y * subtexels + centre - a.y;
+        edges[i] = {dx * to_y - dy * to_x - (top_left ? 0 : 1), -dy * subtexels, dx * subtexels};
     }
 
     const auto plane = make_depth_plane(v, static_cast<double>(area_of()), first);
@@ -275,10 +276,13 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
     }
     const auto cross = [](glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; };
     std::array<double, 3> weights{cross(from[1], from[2]), cross(from[2], from[0]), cross(from[0], from[1])};
-    const double sign = weights[0] + weights[1] + weights[2] < 0.0 ? -1.0 : 1.0;
+    const double signed_sum = weights[0] + weights[1] + weights[2];
     double sum = 0.0;
-    for (auto& w : weights) sum += w = w * sign > 0.0 ? w * sign : 0.0;
-    if (!is_finite(sum) || sum == 0.0) return {1.0f, 0.0f, 0.0f};
+    for (auto& w : weights) {
+        if (signed_sum < 0.0) w = -w;
+        sum += w = w > 0.0 ? w : 0.0;
+    }
+    if (!is_finite(signed_sum) || sum == 0.0) return {1.0f, 0.0f, 0.0f};
     return {weights[0] / sum, weights[1] / sum, weights[2] / sum};
 }
 
