@@ -81,7 +81,8 @@ inline constexpr snippet compare_dx_sdk{
 // umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
 UMBRAGE_HIGHP float umbrage_compare_dx_sdk(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored,
                                            UMBRAGE_HIGHP float epsilon) {
-    return stored + epsilon < receiver ? 0.0 : 1.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float limit = stored + epsilon;
+    return limit < receiver ? 0.0 : 1.0;
 }
 )GLSL"};
 
@@ -91,7 +92,8 @@ inline constexpr snippet compare_exercise{
 // umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
 UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAGE_HIGHP float stored,
                                              UMBRAGE_HIGHP float epsilon) {
-    return current < stored + epsilon ? 1.0 : 0.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float limit = stored + epsilon;
+    return current < limit ? 1.0 : 0.0;
 }
 )GLSL"};
 
