@@ -17,7 +17,7 @@ namespace umbrage {
 /// Whether a point lies inside a spot light's cone.
 ///
 /// @param direction   of the light, unit length
-/// @param to_point    from the light to the point, any length whose square is finite
+/// @param to_point    from the light to the point, of any length whose square neither overflows nor underflows
 /// @param cos_outer   cosine of the angle between axis and edge of the cone, in [0, 1)
 /// @return            1 inside the cone, 0 outside, at its apex, or for NaN
 /// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test, unnormalised
