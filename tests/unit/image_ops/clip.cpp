@@ -67,6 +67,7 @@ TEST_CASE("clip_triangle: a corner at the eye is cut off where w is still positi
         CHECK(is_finite(polygon.vertices[std::size_t(i)].depth));
         CHECK(polygon.vertices[std::size_t(i)].y == 0);  // edge-on: it all lies on the lower border
     }
+    CHECK(p.cut(1, {0, 0, 1e-30, 1e38}, {0, 0, -1e-60, 0x1p-126}).w > 0.0);  // where rounding would leave nothing
 }
 
 TEST_CASE("clip_triangle: the same polygon for any order of corners, within the guard band, smallest first") {
