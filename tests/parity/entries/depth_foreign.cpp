@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <umbrage/depth/aras.hpp>
+#include <umbrage/depth/three.hpp>
+
+#include "entries.hpp"
+
+namespace parity {
+
+void add_depth_foreign(std::vector<entry>& all) {
+    namespace glsl = umbrage::glsl;
+    using namespace umbrage;
+    const auto writer = [&](const snippet& s, std::string call, vec4 (*twin)(float), std::vector<const snippet*> also = {},
+                            target output = target::rgba32f) {
+        all.push_back({.primitive = &s, .variant = output == target::rgba8 ? "8-bit target" : "",
+                       .classes = spread({{0.0f, 1.0f}}, depth_values(24)),
+                       .twin = [twin](const sample& x) { return twin(x.x[0].x); }, .call = std::move(call),
+                       .also = std::move(also), .output = output, .bits = output == target::rgba8});
+    };
+    const auto reader = [&](const snippet& s, std::string call, float (*twin)(vec4)) {
+        all.push_back({.primitive = &s, .classes = channels(), .twin = [twin](const sample& x) { return vec4(twin(x.x[0])); },
+                       .call = std::move(call)});
+    };
+
+    writer(glsl::encode_three_rgba, "umbrage_encode_three_rgba(x0.x)", [](float d) { return encode_three_rgba(d); });
+    writer(glsl::encode_three_rgb, "vec4(umbrage_encode_three_rgb(x0.x), 1.0)",
+           [](float d) { return vec4(encode_three_rgb(d), 1.0f); });
+    writer(glsl::encode_three_rg, "vec4(umbrage_encode_three_rg(x0.x), 0.0, 1.0)",
+           [](float d) { return vec4(encode_three_rg(d), 0.0f, 1.0f); });
+    writer(glsl::encode_three_legacy, "umbrage_encode_three_legacy(x0.x)", [](float d) { return encode_three_legacy(d); });
+    writer(glsl::encode_aras, "umbrage_encode_aras(x0.x)", [](float d) { return encode_aras(d); });
+    for (const target output : {target::rgba32f, target::rgba8}) {
+        const auto call = [output](const std::string& c) { return output == target::rgba8 ? "umbrage_to_unorm(" + c + ")" : c; };
+        writer(glsl::encode_three_legacy_repaired, call("umbrage_encode_three_legacy_repaired(x0.x)"),
+               [](float d) { return vec4(encode_three_legacy_repaired(d)); }, {&glsl::to_unorm}, output);
+        writer(glsl::encode_aras_repaired, call("umbrage_encode_aras_repaired(x0.x)"),
+               [](float d) { return vec4(encode_aras_repaired(d)); }, {&glsl::to_unorm}, output);
+    }
+
+    reader(glsl::decode_three_rgba, "vec4(umbrage_decode_three_rgba(x0))", [](vec4 c) { return decode_three_rgba(c); });
+    reader(glsl::decode_three_rgb, "vec4(umbrage_decode_three_rgb(vec3(x0.x, x0.y, x0.z)))",
+           [](vec4 c) { return decode_three_rgb(vec3(c)); });
+    reader(glsl::decode_three_rg, "vec4(umbrage_decode_three_rg(vec2(x0.x, x0.y)))",
+           [](vec4 c) { return decode_three_rg(vec2(c)); });
+    reader(glsl::decode_three_legacy, "vec4(umbrage_decode_three_legacy(x0))", [](vec4 c) { return decode_three_legacy(c); });
+    reader(glsl::decode_aras, "vec4(umbrage_decode_aras(x0))", [](vec4 c) { return decode_aras(c); });
+}
+
+}  // namespace parity

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include <glm/geometric.hpp>
+
+#include <umbrage/shade/lighting.hpp>
+#include <umbrage/view/false_colour.hpp>
+
+#include "entries.hpp"
+
+namespace parity {
+namespace {
+
+using namespace umbrage;
+
+/// Direction in x0.xyz, cosine in x0.w, point in x1.xyz; in "ties" the point lies on the cone as near as floats can.
+std::vector<input_class> cones() {
+    auto classes = spread({{-1, 1}, {-1, 1}, {-1, 1}, {0, 1}, {-9, 9}, {-9, 9}, {-9, 9}}, special_values());
+    classes.push_back({"ties", [](auto, random& r, sample& s) {
+                           const vec3 point(r.between(-9, 9), r.between(-9, 9), r.between(-9, 9));
+                           const vec3 axis = glm::normalize(vec3(r.between(-9, 9), r.between(-9, 9), r.between(-9, 9)));
+                           s.x[0] = vec4(axis, glm::dot(axis, glm::normalize(point)));
+                           s.x[1] = vec4(point, 0.0f);
+                       }});
+    return classes;
+}
+
+}  // namespace
+
+void add_shade(std::vector<entry>& all) {
+    namespace glsl = umbrage::glsl;
+
+    all.push_back({.primitive = &glsl::spot_cone, .classes = cones(),
+                   .twin = [](const sample& s) { return vec4(spot_cone(vec3(s.x[0]), vec3(s.x[1]), s.x[0].w)); },
+                   .call = "vec4(umbrage_spot_cone(vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z), x0.w))"});
+    all.push_back({.primitive = &glsl::diffuse_ambient,
+                   .classes = spread({{0, 1}, {0, 1}, {0, 1}, {0, 1}, {-1, 1}, {0, 1}}, special_values()),
+                   .twin = [](const sample& s) {
+                       return vec4(diffuse_ambient(vec3(s.x[0]), s.x[0].w, s.x[1].x, s.x[1].y), 1.0f);
+                   },
+                   .call = "vec4(umbrage_diffuse_ambient(vec3(x0.x, x0.y, x0.z), x0.w, x1.x, x1.y), 1.0)"});
+    all.push_back({.primitive = &glsl::false_colour, .classes = spread({{0.0f, 1.0f}}, depth_values()),
+                   .twin = [](const sample& s) { return vec4(false_colour(s.x[0].x), 1.0f); },
+                   .call = "vec4(umbrage_false_colour(x0.x), 1.0)"});
+}
+
+}  // namespace parity
