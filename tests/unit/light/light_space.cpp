@@ -110,6 +110,17 @@ TEST_CASE("look_along: a hand-made case, up stays up, the length of the directio
         }
 }
 
+TEST_CASE_TEMPLATE("look_along: up counts from an angle of 1e-3 on, below that a world axis takes its place", T, float, double) {
+    using vec = glm::vec<3, T>;
+    const auto side = [](T tilt) {
+        const auto view = look_along(vec(0), vec(tilt, -1, 0), vec(0, 1, 0), handedness::right);
+        return vec(view[0][0], view[1][0], view[2][0]);
+    };
+    CHECK(glm::length(side(T(0.0011)) - vec(0, 0, 1)) < 1e-3);
+    CHECK(glm::length(side(T(-0.0011)) - vec(0, 0, -1)) < 1e-3);
+    for (T tilt : {T(0.0009), T(0), T(-0.0009)}) CHECK(glm::length(side(tilt) - vec(-1, 0, 0)) < 1e-3);
+}
+
 TEST_CASE_TEMPLATE("look_along: bad input", T, float, double) {
     using vec = glm::vec<3, T>;
     const vec zero(0), down(0, -1, 0), up(0, 1, 0);
