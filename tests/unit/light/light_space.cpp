@@ -118,7 +118,7 @@ TEST_CASE_TEMPLATE("look_along: up counts from an angle of 1e-3 on, below that a
     };
     CHECK(glm::length(side(T(0.0011)) - vec(0, 0, 1)) < 1e-3);
     CHECK(glm::length(side(T(-0.0011)) - vec(0, 0, -1)) < 1e-3);
-    for (T tilt : {T(0.0009), T(0), T(-0.0009)}) CHECK(glm::length(side(tilt) - vec(-1, 0, 0)) < 1e-3);
+    for (T tilt : {T(0.0009), T(-0.0009)}) CHECK(glm::length(side(tilt) - vec(-1, 0, 0)) < 1e-3);
 }
 
 TEST_CASE_TEMPLATE("look_along: bad input", T, float, double) {
