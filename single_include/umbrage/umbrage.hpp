@@ -389,7 +389,8 @@ inline constexpr snippet compare_dx_sdk{
 // umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
 UMBRAGE_HIGHP float umbrage_compare_dx_sdk(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored,
                                            UMBRAGE_HIGHP float epsilon) {
-    return stored + epsilon < receiver ? 0.0 : 1.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float limit = stored + epsilon;
+    return limit < receiver ? 0.0 : 1.0;
 }
 )GLSL"};
 
@@ -399,7 +400,8 @@ inline constexpr snippet compare_exercise{
 // umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
 UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAGE_HIGHP float stored,
                                              UMBRAGE_HIGHP float epsilon) {
-    return current < stored + epsilon ? 1.0 : 0.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float limit = stored + epsilon;
+    return current < limit ? 1.0 : 0.0;
 }
 )GLSL"};
 
@@ -2304,7 +2306,7 @@ namespace umbrage {
 /// Whether a point lies inside a spot light's cone.
 ///
 /// @param direction   of the light, unit length
-/// @param to_point    from the light to the point, any length whose square is finite
+/// @param to_point    from the light to the point, of any length whose square neither overflows nor underflows
 /// @param cos_outer   cosine of the angle between axis and edge of the cone, in [0, 1)
 /// @return            1 inside the cone, 0 outside, at its apex, or for NaN
 /// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test, unnormalised
@@ -2449,13 +2451,13 @@ inline constexpr std::array registry{
 #define UMBRAGE_VERSION_PATCH 0
 
 // ---- umbrage/image_ops/clip.hpp
-// From world positions to vertices on the 1/256 texel grid: projection, clipping, snapping. The rasterizer's first half.
+// From world positions to vertices on the 1/256 texel grid: projection, clipping, snapping.
 //
 //     umbrage::projection project(world_to_clip, clip, {1024, 1024});
 //     umbrage::clipped_polygon polygon = umbrage::clip_triangle(project, a, b, c);
 //
-// Texels are counted from the bottom in here (NDC y = -1), whatever the clip space says: the texture origin only mirrors
-// rows when texels are written, so that both origins give the same picture.
+// Texels are counted from the bottom in here (NDC y = -1), whatever the clip space says: the texture origin only
+// mirrors rows when texels are written, so that both origins give the same picture.
 //
 
 namespace umbrage {
@@ -2470,7 +2472,7 @@ inline constexpr int guard_band = 1 << 14;
 /// A vertex on the grid. The order makes results independent of the order in which a mesh lists vertices.
 struct snapped_vertex {
     std::int32_t x, y;  ///< in 1/256 texel, within +-guard_band
-    double depth;       ///< z/w moved to [0, 1]; above 1 or below 0 beyond the far plane
+    double depth;       ///< z/w moved to [0, 1]; outside only beyond the far plane
 
     friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
 };
@@ -2520,7 +2522,8 @@ public:
     [[nodiscard]] glm::dvec4 cut(int plane, const glm::dvec4& in, const glm::dvec4& out) const {
         const double d = distance(plane, in);
         glm::dvec4 h = in + (out - in) * (d / (d - distance(plane, out)));
-        switch (plane) {  // what lies on the plane by definition does so to the bit
+        if (!(h.w > smallest_w)) h.w = smallest_w;  // rounding
+        switch (plane) {                            // what lies on the plane by definition does so to the bit
             case 0: h.w = smallest_w; break;
             case 1: h.z = clip_.direction == depth_direction::forward ? 0.0 : h.w; break;
             case 2: h.x = -guard_band * h.w; break;
@@ -2531,7 +2534,7 @@ public:
         return h;
     }
 
-    /// To the grid, halves upwards. The point must be inside all planes; the clamp only catches the rounding of cut().
+    /// To the grid, halves upwards. The point must be inside all planes; clamps only catch the rounding of cut().
     [[nodiscard]] snapped_vertex snap(const glm::dvec4& h) const {
         constexpr double limit = double(guard_band) * subtexels;
         const auto grid = [&](double v) {
@@ -2540,7 +2543,9 @@ public:
             const auto whole = static_cast<std::int32_t>(inside);
             return whole - (inside < whole ? 1 : 0);
         };
-        return {grid(h.x), grid(h.y), h.z / h.w};
+        const double depth = h.z / h.w;
+        if (clip_.direction == depth_direction::forward) return {grid(h.x), grid(h.y), depth > 0.0 ? depth : 0.0};
+        return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
     }
 
 private:
@@ -2893,10 +2898,10 @@ void decode(image_view<const typename Encoding::texel> texels, image_view<float>
 //     });
 //     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, visible[texel]);
 //
-// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left rule
-// (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a grid on
-// which every sample is then computed exactly. So no order of triangles or vertices, no tiling, no instruction set and no
-// contraction to FMA changes a bit.
+// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left
+// rule (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a
+// grid on which every sample is then computed exactly. So no order of triangles or vertices, no tiling, no instruction
+// set and no contraction to FMA changes a bit; of clipped triangles the last may move a cut by 1/256 texel.
 //
 
 namespace umbrage {
@@ -2951,7 +2956,8 @@ struct depth_plane {
     const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) / area;
 
     // Slopes with so few digits that the same holds for every sample.
-    unit = round_down(largest(tiny, magnitude(z0) + magnitude(slope_x) * width + magnitude(slope_y) * height)) * 0x1p-51;
+    const double reach = magnitude(z0) + magnitude(slope_x) * width + magnitude(slope_y) * height;
+    unit = round_down(largest(tiny, reach)) * 0x1p-51;
     const double dx = on_grid(slope_x, unit), dy = on_grid(slope_y, unit);
     constexpr int centre = subtexels / 2;
     return {.first = first,
@@ -2967,8 +2973,8 @@ struct depth_plane {
 ///
 /// @param v     vertices within the guard band, the smallest first
 /// @param size  of the image in texels
-/// @param row   (int y, int x_first, int x_last, const depth_plane&): texels x_first <= x < x_last of row y are covered;
-///              y counts from the bottom
+/// @param row   (int y, int x_first, int x_last, const depth_plane&): texels x_first <= x < x_last of row y are
+///              covered; y counts from the bottom
 /// @formula     covered: for each edge, E >= 0, or E > 0 where the edge is neither a top nor a left one
 /// @exactness   A: 64-bit integers
 template <class Row>
@@ -3001,8 +3007,8 @@ void rasterize_snapped(std::array<snapped_vertex, 3> v, glm::ivec2 size, cull_mo
         const auto& b = v[i < 2 ? i + 1 : 0];
         const std::int64_t dx = b.x - a.x, dy = b.y - a.y;
         const bool top_left = dy < 0 || (dy == 0 && dx < 0);
-        const std::int64_t value = dx * (first.y * subtexels + centre - a.y) - dy * (first.x * subtexels + centre - a.x);
-        edges[i] = {value - (top_left ? 0 : 1), -dy * subtexels, dx * subtexels};
+        const int to_x = first.x * subtexels + centre - a.x, to_y = first.y * subtexels + centre - a.y;
+        edges[i] = {dx * to_y - dy * to_x - (top_left ? 0 : 1), -dy * subtexels, dx * subtexels};
     }
 
     const auto plane = make_depth_plane(v, static_cast<double>(area_of()), first);
@@ -3134,10 +3140,13 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
     }
     const auto cross = [](glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; };
     std::array<double, 3> weights{cross(from[1], from[2]), cross(from[2], from[0]), cross(from[0], from[1])};
-    const double sign = weights[0] + weights[1] + weights[2] < 0.0 ? -1.0 : 1.0;
+    const double signed_sum = weights[0] + weights[1] + weights[2];
     double sum = 0.0;
-    for (auto& w : weights) sum += w = w * sign > 0.0 ? w * sign : 0.0;
-    if (!is_finite(sum) || sum == 0.0) return {1.0f, 0.0f, 0.0f};
+    for (auto& w : weights) {
+        if (signed_sum < 0.0) w = -w;
+        sum += w = w > 0.0 ? w : 0.0;
+    }
+    if (!is_finite(signed_sum) || sum == 0.0) return {1.0f, 0.0f, 0.0f};
     return {weights[0] / sum, weights[1] / sum, weights[2] / sum};
 }
 
