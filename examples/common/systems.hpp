@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+//
+// The four systems that the library descends from, as values: what their light is, how a depth is stored, how it is
+// compared, filtered and shaded. Nothing here draws; the CPU programs and the viewer both read these.
+//
+//     example::system system = example::radeon_8500;
+//     example::scene scene = example::make_scene(system);
+//     example::light light = example::make_light(system, scene, 60, 40, system.map_size);
+//     glm::vec3 point = example::lifted(system, light, position, normal, system.map_size);  // what to look up
+//
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <umbrage/depth/linear.hpp>
+#include <umbrage/light/directional_light.hpp>
+#include <umbrage/light/spot_light.hpp>
+#include <umbrage/shade/lighting.hpp>
+
+#include "camera.hpp"
+#include "scene.hpp"
+
+namespace example {
+
+enum class light_kind {
+    spot,      ///< perspective
+    fitted,    ///< orthographic, a tight box around the scene
+    exercise,  ///< orthographic, map size / 10 wide, 10 world units from the origin
+};
+enum class depth_kind {
+    projected,  ///< z/w as the rasterizer has it
+    linear,     ///< distance along the light's axis over z_far
+};
+enum class receiver_kind {
+    plain,    ///< compared as it is with decode()
+    scaled,   ///< receiver_ps14, with decode_ps14: the map's side alone went through the look-up texture
+    encoded,  ///< through the look-up texture as well, both sides by decode_ps14
+};
+enum class filter_kind { hard, four_tap, pcf_2x2, box };  ///< pcf_2x2 is pcf_2x2_dx_sdk where the test is dx_sdk's
+enum class test_kind {
+    less_equal,  ///< receiver - bias <= stored
+    dx_sdk,      ///< compare_dx_sdk: shadow when stored + bias < receiver
+    exercise,    ///< compare_exercise: lit when receiver < stored + bias
+};
+enum class shading_kind {
+    diffuse_ambient,  ///< shadow takes the diffuse light away
+    darken,           ///< shadow multiplies the lit picture by `ambient`
+};
+
+struct system {
+    std::string_view name;   ///< of its program
+    std::string_view title;  ///< for people
+
+    light_kind light = light_kind::spot;
+    float distance = 10;            ///< of a spot from what it looks at, world units
+    float outer_angle = 32;         ///< of a spot, degrees between axis and edge of the cone
+    float azimuth = 60, elevation = 40;  ///< where the light is to begin with, degrees
+    int map_size = 1024;
+
+    depth_kind depth = depth_kind::linear;
+    std::string_view encoding = "float";  ///< one of encoding_names in encodings.hpp
+    receiver_kind receiver = receiver_kind::plain;
+
+    filter_kind filter = filter_kind::hard;
+    test_kind test = test_kind::less_equal;
+    float bias = 0x1p-18f;  ///< in the map's depth; epsilon where the original says so
+    float lift = 1;         ///< texels along the normal, see lifted(); the originals had none
+
+    shading_kind shading = shading_kind::diffuse_ambient;
+    float ambient = 0.22f;
+    bool textured = false;    ///< multiply by texture()
+    float scene_scale = 1;
+};
+
+/// ATI SDK, pixel shader 1.4: 11 bits in two channels, four taps with a matrix each.
+inline constexpr system radeon_8500{
+    .name = "radeon_8500",
+    .title = "Radeon 8500 ShadowMap",
+    .light = light_kind::spot,
+    .encoding = "rg11",
+    .receiver = receiver_kind::scaled,
+    .filter = filter_kind::four_tap,
+    .bias = 1.5f / 2048,  // the look-up rounds down by up to one code
+    .lift = 2,
+};
+
+/// Microsoft DirectX SDK, ShadowMap: a spot light, z/w in a float map, 2x2 percentage-closer filtering.
+inline constexpr system dx_sdk{
+    .name = "dx_sdk",
+    .title = "DirectX SDK ShadowMap",
+    .light = light_kind::spot,
+    .distance = 8,
+    .outer_angle = 24,
+    .map_size = 512,
+    .depth = depth_kind::projected,
+    .filter = filter_kind::pcf_2x2,
+    .test = test_kind::dx_sdk,
+    .bias = 0.00005f,
+    .lift = 2,
+    .textured = true,
+};
+
+/// The directional-light exercise: linear depth over the far plane, 10 texels per world unit, one comparison.
+inline constexpr system exercise{
+    .name = "exercise",
+    .title = "Directional-light exercise",
+    .light = light_kind::exercise,
+    .filter = filter_kind::hard,
+    .test = test_kind::exercise,
+    .bias = 0.0005f,
+    .lift = 1,
+    .scene_scale = 2.5f,
+};
+
+/// Self-shadowing under pixel shader 1.x: both sides through the look-up texture, one comparison, darken.
+inline constexpr system self_shadowing{
+    .name = "self_shadowing",
+    .title = "Self-shadowing under pixel shader 1.x",
+    .light = light_kind::fitted,
+    .depth = depth_kind::projected,  // an orthographic light's z/w is linear
+    .encoding = "rg11",
+    .receiver = receiver_kind::encoded,
+    .filter = filter_kind::hard,
+    .bias = 0.5f / 2048,  // both sides round down alike
+    .lift = 1,
+    .shading = shading_kind::darken,
+    .ambient = 0.4f,
+};
+
+inline constexpr std::array systems{radeon_8500, dx_sdk, exercise, self_shadowing};
+
+inline constexpr glm::vec3 sky{0.30f, 0.36f, 0.44f};  ///< where the camera sees nothing; lit in visibility masks
+
+/// The system's scene: the built-in one, or a mesh on a floor.
+[[nodiscard]] inline scene make_scene(const system& s, const std::filesystem::path& mesh_file = {},
+                                      up_axis up = up_axis::y) {
+    scene out = mesh_file.empty() ? default_scene() : on_floor(load_mesh(mesh_file), up);
+    for (glm::vec3& p : out.geometry.positions) p *= s.scene_scale;
+    for (glm::vec3* p : {&out.low, &out.high, &out.target}) *p *= s.scene_scale;
+    return out;
+}
+
+/// Where the camera stands to begin with.
+[[nodiscard]] inline camera_setup make_camera_setup(const system& s, const scene& scene, float aspect) {
+    return {.target = scene.target, .azimuth = 0, .elevation = 30, .distance = 7.5f * s.scene_scale, .aspect = aspect};
+}
+
+/// A light in the numbers that each stage asks for.
+struct light {
+    bool spot = true;
+    glm::vec3 position{0}, direction{0, -1, 0};  ///< of length one; a directional light has no position
+    float cos_outer = 0, z_near = 0, z_far = 1;
+    float spread = 1;  ///< width of the map at distance 1 (spot) or everywhere, world units
+    umbrage::light_space<float> space{};
+
+    [[nodiscard]] glm::mat4 world_to_clip() const { return space.projection * space.view; }
+    [[nodiscard]] glm::vec3 to_light(glm::vec3 p) const { return spot ? glm::normalize(position - p) : -direction; }
+
+    /// 1 within reach of the light.
+    [[nodiscard]] float cone(glm::vec3 p) const {
+        return spot ? umbrage::spot_cone(direction, p - position, cos_outer) : 1.0f;
+    }
+
+    /// Edge of a texel's footprint at a point, across the light, in world units.
+    [[nodiscard]] float texel_world(glm::vec3 p, int map_size) const {
+        return spread * (spot ? std::max(glm::dot(p - position, direction), 0.0f) : 1.0f) / static_cast<float>(map_size);
+    }
+
+    /// The system's kind of depth from the depth pass's z/w in [0, 1].
+    [[nodiscard]] float depth(const system& s, float z) const {
+        if (s.depth == depth_kind::projected) return z;
+        return umbrage::linear_depth(spot ? umbrage::view_z_from_depth(z, z_near, z_far) : z_near + z * (z_far - z_near),
+                                     1 / z_far);
+    }
+};
+
+/// @param azimuth, elevation  degrees; azimuth 0 is towards the camera, 90 to its right; elevation 90 straight above
+[[nodiscard]] inline light make_light(const system& s, const scene& scene, float azimuth, float elevation, int map_size,
+                                      umbrage::clip_space clip = picture_clip) {
+    const glm::vec3 towards = direction_at(azimuth, elevation);
+    const glm::vec3 up = direction_at(azimuth, elevation + 90);  // turns with the light, never parallel to it
+    light out{.spot = s.light == light_kind::spot, .direction = -towards};
+    switch (s.light) {
+        case light_kind::spot: {
+            out.position = scene.target + s.distance * s.scene_scale * towards;
+            const glm::vec3 middle = 0.5f * (scene.low + scene.high), half = 0.5f * (scene.high - scene.low);
+            out.z_near = 0.1f;
+            out.z_far = 1.01f * (glm::dot(middle - out.position, out.direction) + glm::dot(half, glm::abs(out.direction)));
+            const float angle = glm::radians(s.outer_angle);
+            out.cos_outer = std::cos(angle);
+            out.space = umbrage::make_spot_light<float>({.position = out.position, .direction = out.direction, .up = up,
+                .outer_angle_radians = angle, .z_near = out.z_near, .z_far = out.z_far, .clip = clip});
+            break;
+        }
+        case light_kind::fitted:
+            out.space = umbrage::fit_directional_light<float>(
+                {.direction = out.direction, .up = up, .low = scene.low, .high = scene.high, .clip = clip});
+            break;
+        case light_kind::exercise:
+            out.z_near = 0.1f;
+            out.z_far = 40;
+            out.space = umbrage::make_directional_light<float>({.direction = out.direction, .up = up, .offset = 10,
+                .map_size = map_size, .divisor = 10, .z_near = out.z_near, .z_far = out.z_far, .clip = clip});
+            break;
+    }
+    out.spread = 2 / std::min(out.space.projection[0][0], out.space.projection[1][1]);
+    return out;
+}
+
+/// The point to look up instead of the surface itself: off it by so many texels that the surface cannot shadow
+/// itself at any angle. Without it (lift = 0) a system has the bias in depth alone, as the originals had.
+/// @param normal  of length one, on the camera's side
+[[nodiscard]] inline glm::vec3 lifted(const system& s, const light& l, glm::vec3 position, glm::vec3 normal, int map_size) {
+    const float cosine = glm::dot(normal, l.direction);
+    const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
+    return position + normal * (s.lift * sine * l.texel_world(position, map_size));
+}
+
+/// Procedural texture of `textured` systems, a chequered solid that things are cut from: a factor for the colour.
+[[nodiscard]] inline float texture(glm::vec3 position) {
+    const glm::vec3 cell = glm::floor(position * 4.0f + 0.37f);
+    return std::fmod(std::abs(cell.x + cell.y + cell.z), 2.0f) == 0 ? 1.0f : 0.6f;
+}
+
+/// What the camera sees of a surface.
+/// @param normal, to_light  of length one
+[[nodiscard]] inline glm::vec3 shade(const system& s, glm::vec3 colour, glm::vec3 normal, glm::vec3 to_light, float visibility) {
+    const float n_dot_l = glm::dot(normal, to_light);
+    if (s.shading == shading_kind::diffuse_ambient)
+        return umbrage::diffuse_ambient(colour, s.ambient, n_dot_l, visibility);
+    return umbrage::diffuse_ambient(colour, s.ambient, n_dot_l, 1.0f) * (s.ambient + (1 - s.ambient) * visibility);
+}
+
+}  // namespace example
