@@ -95,8 +95,9 @@ public:
 
     [[nodiscard]] glm::ivec2 size() const { return size_; }
     [[nodiscard]] bool empty() const { return texels_.empty(); }
-    [[nodiscard]] std::span<T> texels() { return texels_; }
-    [[nodiscard]] std::span<const T> texels() const { return texels_; }
+    [[nodiscard]] std::span<T> texels() & { return texels_; }
+    [[nodiscard]] std::span<const T> texels() const& { return texels_; }
+    void texels() && = delete;  ///< of a temporary: they would dangle
 
     [[nodiscard]] T& operator[](glm::ivec2 texel) { return view()[texel]; }
     [[nodiscard]] const T& operator[](glm::ivec2 texel) const { return view()[texel]; }
