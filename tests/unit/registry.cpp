@@ -75,9 +75,9 @@ TEST_CASE("registry: lists every snippet of every header once, and nothing else"
         CHECK(listed[f.name] == (f.family ? 8 : 1));  // Bits = 9 .. 16
         listed.erase(f.name);
     }
-    for (const auto& [name, count] : listed) {
-        CAPTURE(name);
-        CHECK(count == 0);  // listed, but in no header
+    for (const auto& left : listed) {
+        CAPTURE(left.first);
+        CHECK(left.second == 0);  // listed, but in no header
     }
 }
 
