@@ -138,7 +138,7 @@ void encode(image_view<const float> depth, image_view<typename Encoding::texel> 
     if (depth.size != texels.size) throw std::invalid_argument("umbrage::encode: sizes differ");
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
-        detail::on_best_isa([&]() UMBRAGE_INLINE {
+        detail::on_best_isa([&](auto) UMBRAGE_INLINE {
             for (int y = first; y < last; ++y)
                 detail::convert_row(depth.row(y), texels.row(y), depth.size.x,
                                     [&](const auto* from, auto* to) UMBRAGE_INLINE {
@@ -158,7 +158,7 @@ void decode(image_view<const typename Encoding::texel> texels, image_view<float>
     if (depth.size != texels.size) throw std::invalid_argument("umbrage::decode: sizes differ");
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
-        detail::on_best_isa([&]() UMBRAGE_INLINE {
+        detail::on_best_isa([&](auto) UMBRAGE_INLINE {
             for (int y = first; y < last; ++y)
                 detail::convert_row(texels.row(y), depth.row(y), depth.size.x,
                                     [&](const auto* from, auto* to) UMBRAGE_INLINE {

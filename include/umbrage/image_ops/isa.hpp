@@ -2,7 +2,7 @@
 //
 // One loop, compiled for each instruction set, the machine's best chosen when the program runs. No flags, no intrinsics.
 //
-//     umbrage::detail::on_best_isa([&]() UMBRAGE_INLINE { for (...) block(...); });
+//     umbrage::detail::on_best_isa([&](auto) UMBRAGE_INLINE { for (...) block(...); });
 //
 // A body is inlined into thin functions that carry the target; what it calls must be UMBRAGE_INLINE too, or it is
 // compiled for the base set. GCC vectorises at -O2 only loops whose count it knows, and no `c ? x : y` on floats: so
@@ -14,6 +14,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 #if defined(__GNUC__) || defined(__clang__)
 #define UMBRAGE_INLINE __attribute__((always_inline))
@@ -55,25 +56,29 @@ namespace detail {
 /// What image functions use; tests set it to see every path.
 inline isa isa_in_use = best_isa() < isa::UMBRAGE_FORCE_ISA ? best_isa() : isa::UMBRAGE_FORCE_ISA;
 
+template <isa Set>
+using isa_constant = std::integral_constant<isa, Set>;
+
 #if UMBRAGE_HAS_DISPATCH
 template <class Body>
 UMBRAGE_AVX2 void on_avx2(const Body& body) {
-    body();
+    body(isa_constant<isa::avx2>{});
 }
 template <class Body>
 UMBRAGE_AVX512 void on_avx512(const Body& body) {
-    body();
+    body(isa_constant<isa::avx512>{});
 }
 #endif
 
-/// Runs the body, compiled for the instruction set in use. Only for results that no contraction to FMA can change.
+/// Runs the body, compiled for the instruction set in use, which it gets as a constant. Only for results that no
+/// contraction to FMA can change.
 template <class Body>
 void on_best_isa(const Body& body) {
 #if UMBRAGE_HAS_DISPATCH
     if (isa_in_use == isa::avx512) return on_avx512(body);
     if (isa_in_use == isa::avx2) return on_avx2(body);
 #endif
-    body();
+    body(isa_constant<isa::base>{});
 }
 
 /// The same for sums of products that round: AVX-512 brings FMA along, with which compilers change the result.
@@ -82,16 +87,16 @@ void on_best_isa_without_fma(const Body& body) {
 #if UMBRAGE_HAS_DISPATCH
     if (isa_in_use != isa::base) return on_avx2(body);
 #endif
-    body();
+    body(isa_constant<isa::base>{});
 }
 
 inline constexpr int block = 64;  ///< elements of a loop whose count the compiler knows
 
-/// saturate() with selects on the bits: the magnitude up to 1, where the value is above 0 or a NaN.
+/// saturate() on the bits: the magnitude up to 1, or 0 for what is negative and not a NaN.
 [[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v) {
-    constexpr std::int32_t one = 0x3F800000, infinity = 0x7F800000;
-    const std::int32_t magnitude = std::bit_cast<std::int32_t>(v) & 0x7FFFFFFF;
-    const std::int32_t kept = -(std::int32_t(v > 0.0f) | std::int32_t(magnitude > infinity));
+    constexpr auto one = std::bit_cast<std::int32_t>(1.0f), minus_infinity = static_cast<std::int32_t>(0xFF800000u);
+    const auto bits = std::bit_cast<std::int32_t>(v);
+    const std::int32_t magnitude = bits & 0x7FFFFFFF, kept = -std::int32_t(bits > minus_infinity);
     return std::bit_cast<float>((magnitude < one ? magnitude : one) & kept);
 }
 

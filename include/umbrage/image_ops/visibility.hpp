@@ -4,87 +4,189 @@
 //
 //     umbrage::visibility(map.view(), umbrage::rg<11>{}, receivers.view(), umbrage::filters::pcf_2x2{}, out.view());
 //
+// Straight from what a camera saw, with no image of receivers in between:
+//
+//     umbrage::depth_receivers seen{depth.view(), umbrage::receiver_matrix(inverse, to_texels, size, clip), bias};
+//     umbrage::visibility(map.view(), umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out.view());
+//
+// Bit for bit what the filter gives for each receiver alone.
 #pragma once
 
-#include <array>
+#include <cstring>
 #include <stdexcept>
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <umbrage/filter/box.hpp>
-#include <umbrage/filter/four_tap.hpp>
-#include <umbrage/filter/hard.hpp>
-#include <umbrage/filter/pcf_2x2.hpp>
+#include <umbrage/clip_space.hpp>
 #include <umbrage/image.hpp>
+#include <umbrage/image_ops/filters.hpp>
+#include <umbrage/image_ops/parallel.hpp>
+#include <umbrage/image_ops/visibility_blocks.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 namespace umbrage {
 
-/// The filters as values: what they need beyond map, coordinate and receiver.
-namespace filters {
-
-struct hard {
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::hard(fetch, coord, receiver);
-    }
+/// Receivers as three images of the same size: x and y in texels of the map, depth, biased.
+struct receiver_planes {
+    image_view<const float> x, y, depth;
 };
 
-struct four_tap {
-    std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< in texels
-
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::four_tap(fetch, coord + offsets[0], coord + offsets[1], coord + offsets[2], coord + offsets[3],
-                                 receiver);
-    }
+/// Receivers as a camera's depth image.
+struct depth_receivers {
+    image_view<const float> depth;  ///< as the depth pass leaves it, in [0, 1]
+    glm::mat4 matrix;               ///< receiver_matrix
+    float bias = 0.0f;              ///< in the map's depth, taken off each receiver's
 };
 
-struct pcf_2x2 {
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::pcf_2x2(fetch, coord, receiver);
+/// The way from a camera's depth image to the shadow map.
+///
+/// @param clip_to_world    inverse of the camera's projection * view
+/// @param texture_matrix   world to texels of the map
+/// @param size             of the depth image in texels, each >= 1
+/// @param clip             the camera's convention
+/// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
+///                         the camera; the product is taken in double
+/// @throws std::invalid_argument  size below 1
+[[nodiscard]] inline glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
+                                               glm::ivec2 size, clip_space clip) {
+    if (size.x < 1 || size.y < 1) throw std::invalid_argument("umbrage::receiver_matrix: size below 1");
+    const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
+    glm::dmat4 to_clip(1.0);
+    to_clip[0][0] = 2.0 / size.x;
+    to_clip[1][1] = up * 2.0 / size.y;
+    to_clip[3] = {-1.0, -up, 0.0, 1.0};
+    if (clip.range == depth_range::minus_one_to_one) {
+        to_clip[2][2] = 2.0;
+        to_clip[3][2] = -1.0;
     }
-};
+    return glm::mat4(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
+}
 
-struct pcf_2x2_dx_sdk {
-    float epsilon = 0.0f;  ///< in depth
+/// One receiver of a camera's depth image.
+/// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), bias taken off its depth
+/// @exactness     C, as project_coordinate
+[[nodiscard]] inline glm::vec3 receiver_at(const depth_receivers& seen, glm::ivec2 texel) {
+    const glm::vec3 at(static_cast<float>(texel.x) + 0.5f, static_cast<float>(texel.y) + 0.5f, seen.depth[texel]);
+    const glm::vec3 p = project_coordinate(shadow_coordinate(seen.matrix, at));
+    return {p.x, p.y, p.z - seen.bias};
+}
 
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::pcf_2x2_dx_sdk(fetch, coord, receiver, epsilon);
-    }
-};
+namespace detail {
 
-struct box {
-    int radius = 1;  ///< clamped to 0..8
+/// Most blocks are whole, and then the compiler knows how much there is to copy.
+UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
+    if (count == block)
+        std::memcpy(to, from, block * sizeof(float));
+    else
+        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
+}
 
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::box(fetch, coord, receiver, radius);
-    }
-};
+/// Receivers x .. x + count of row y.
+UMBRAGE_INLINE inline void load(const image_view<const glm::vec3>& receivers, int x, int y, int count, receiver_block& r) {
+    const glm::vec3* from = receivers.row(y) + x;
+    const auto copy = [&](int n) UMBRAGE_INLINE {
+        for (int i = 0; i < n; ++i) {
+            r.x[i] = from[i].x;
+            r.y[i] = from[i].y;
+            r.z[i] = from[i].z;
+        }
+    };
+    count == block ? copy(block) : copy(count);
+}
+UMBRAGE_INLINE inline void load(const receiver_planes& receivers, int x, int y, int count, receiver_block& r) {
+    copy_floats(r.x, receivers.x.row(y) + x, count);
+    copy_floats(r.y, receivers.y.row(y) + x, count);
+    copy_floats(r.z, receivers.depth.row(y) + x, count);
+}
 
-}  // namespace filters
+/// receiver_at for a block.
+inline void load(const depth_receivers& seen, int first, int row, int count, receiver_block& r) {
+    copy_floats(r.z, seen.depth.row(row) + first, count);
+    on_best_isa_without_fma([&, m = seen.matrix, bias = seen.bias](auto) UMBRAGE_INLINE {
+        const float y = static_cast<float>(row) + 0.5f;
+        for (int i = 0; i < block; ++i) {
+            const float x = static_cast<float>(first + i) + 0.5f, depth = r.z[i];
+            const auto sum = [&](int k) UMBRAGE_INLINE { return m[0][k] * x + m[1][k] * y + m[2][k] * depth + m[3][k]; };
+            const float w = sum(3);
+            const auto bits = std::bit_cast<std::int32_t>(w);
+            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
+            r.x[i] = select(in_front, sum(0) / w, 65536.0f);
+            r.y[i] = select(in_front, sum(1) / w, 65536.0f);
+            r.z[i] = masked(sum(2) / w, in_front) - bias;
+        }
+    });
+}
+
+[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
+    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
+        throw std::invalid_argument("umbrage::visibility: sizes differ");
+    return receivers.depth.size;
+}
+
+/// Every receiver through a filter in either form.
+template <class Receivers, class Filter, class ParallelFor>
+void filter_rows(const Receivers& receivers, const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+    parallel(out.size.y, [&](int first, int last) {
+        on_best_isa([&](auto set) UMBRAGE_INLINE {
+            receiver_block r;
+            float visibility[block];
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < out.size.x; x += block) {
+                    const int count = out.size.x - x < block ? out.size.x - x : block;
+                    load(receivers, x, y, count, r);
+                    filter(r, count, visibility, set);
+                    copy_floats(out.row(y) + x, visibility, count);
+                }
+        });
+    });
+}
+
+template <class Encoding, class Receivers, class Filter, class ParallelFor>
+void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
+                  const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+    if (size_of(receivers) != out.size) throw std::invalid_argument("umbrage::visibility: sizes differ");
+    if (map.empty()) throw std::invalid_argument("umbrage::visibility: empty map");
+    if (out.empty()) return;
+    using blocks = block_filter<Filter, Encoding>;
+    if constexpr (blocks::least > 0)
+        if (map.size.x >= blocks::least && map.size.y >= blocks::least &&
+            texel_bytes<const typename Encoding::texel>::fits(map))
+            return filter_rows(receivers, blocks{map, encoding, filter}, out, parallel);
+    filter_rows(receivers, one_by_one<Filter, Encoding>{map, encoding, filter}, out, parallel);
+}
+
+}  // namespace detail
 
 /// @param map         shadow map, texels of the encoding; outside, the nearest texel inside counts
 /// @param encoding    how the map's texels hold depth; its edge decides ties
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param filter      one of filters::, or any callable (fetch, coord, receiver) -> visibility
 /// @param out         visibility, 1 lit; same size as receivers
+/// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
 /// @throws std::invalid_argument  sizes differ, or the map is empty
-template <class Encoding, class Filter>
+template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, Encoding encoding,
-                image_view<const glm::vec3> receivers, Filter filter, image_view<float> out) {
-    if (receivers.size != out.size) throw std::invalid_argument("umbrage::visibility: sizes differ");
-    const auto fetch = decoded(map, encoding);
-    if (receivers.empty()) return;
-    for (int y = 0; y < receivers.size.y; ++y) {
-        const glm::vec3* from = receivers.row(y);
-        float* to = out.row(y);
-        for (int x = 0; x < receivers.size.x; ++x) to[x] = filter(fetch, glm::vec2(from[x]), from[x].z);
-    }
+                image_view<const glm::vec3> receivers, Filter filter, image_view<float> out,
+                ParallelFor&& parallel = {}) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+}
+
+/// Receivers as a structure of arrays.
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, Encoding encoding, const receiver_planes& receivers,
+                Filter filter, image_view<float> out, ParallelFor&& parallel = {}) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+}
+
+/// Receivers from a camera's depth image: visibility of receiver_at for each of its texels.
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, Encoding encoding, const depth_receivers& receivers,
+                Filter filter, image_view<float> out, ParallelFor&& parallel = {}) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel);
 }
 
 }  // namespace umbrage

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+//
+// The filters over blocks of 64 receivers: what visibility() is made of. Each does a filter in three loops: where to
+// look (vectorised), the loads (one for two neighbours), and compare and weigh (vectorised).
+//
+//     umbrage::detail::receiver_block r;
+//     umbrage::detail::block_filter<umbrage::filters::pcf_2x2, umbrage::rg<11>>{map, {}, {}}(r, visibility, isa);
+//
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include <umbrage/filter/box.hpp>
+#include <umbrage/filter/texel_space.hpp>
+#include <umbrage/image_ops/encode.hpp>
+#include <umbrage/image_ops/filters.hpp>
+#include <umbrage/image_ops/isa.hpp>
+
+namespace umbrage::detail {
+
+/// Texels, texels, depth; what lies behind the last receiver of a row is not read into any result.
+struct receiver_block {
+    alignas(64) float x[block]{}, y[block]{}, z[block]{};
+};
+
+/// less_equal as a number. -ffast-math makes compilers forget what NaN does to <=; then the bits say it.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+    const auto number = [](float v) UMBRAGE_INLINE { return std::int32_t((std::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000); };
+    return std::int32_t(receiver <= stored) & number(receiver) & number(stored);
+#else
+    return std::int32_t(receiver <= stored);
+#endif
+}
+
+/// inside_texel_space as a mask: all bits, or none.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t texel_space_mask(float x, float y) {
+    constexpr auto limit = std::bit_cast<std::int32_t>(32768.0f);
+    return -(std::int32_t((std::bit_cast<std::int32_t>(x) & 0x7FFFFFFF) < limit) &
+             std::int32_t((std::bit_cast<std::int32_t>(y) & 0x7FFFFFFF) < limit));
+}
+[[nodiscard]] UMBRAGE_INLINE inline float masked(float v, std::int32_t mask) {
+    return std::bit_cast<float>(std::bit_cast<std::int32_t>(v) & mask);
+}
+[[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
+    return std::bit_cast<float>((std::bit_cast<std::int32_t>(a) & mask) | (std::bit_cast<std::int32_t>(b) & ~mask));
+}
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_int(float v) {  // |v| < 2^31
+    const auto toward_zero = static_cast<std::int32_t>(v);
+    return toward_zero - std::int32_t(static_cast<float>(toward_zero) > v);
+}
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t clamp_int(std::int32_t v, std::int32_t highest) {
+    v = v > 0 ? v : 0;
+    return v < highest ? v : highest;
+}
+
+/// What is loaded for a block of receivers: a texel each, or two neighbours. The depths in them and the
+/// receiver's are asked for in loops that vectorise; this general form decodes while it loads.
+template <class Encoding>
+struct loaded_texels {
+    const Encoding& encoding;
+    float depths[2 * block];
+    explicit loaded_texels(const Encoding& e) : encoding(e) {}
+    UMBRAGE_INLINE void load_one(int i, const typename Encoding::texel* t) { depths[i] = encoding.decode(*t); }
+    UMBRAGE_INLINE void load_two(int i, const typename Encoding::texel* t) {
+        depths[2 * i] = encoding.decode(t[0]);
+        depths[2 * i + 1] = encoding.decode(t[1]);
+    }
+    static UMBRAGE_INLINE float receiver(float depth) { return depth; }
+    UMBRAGE_INLINE float one(int i) const { return depths[i]; }
+    UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
+    UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
+};
+
+/// Floats need no decoding, but two of them are one load.
+template <>
+struct loaded_texels<depth32f> {
+    float depths[2 * block];
+    explicit loaded_texels(const depth32f&) {}
+    UMBRAGE_INLINE void load_one(int i, const float* t) { depths[i] = *t; }
+    UMBRAGE_INLINE void load_two(int i, const float* t) { std::memcpy(depths + 2 * i, t, 2 * sizeof(float)); }
+    static UMBRAGE_INLINE float receiver(float depth) { return depth; }
+    UMBRAGE_INLINE float one(int i) const { return depths[i]; }
+    UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
+    UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
+};
+
+/// Byte pairs, two of them to a word. Both sides of the comparison stay 2^Bits times the depth, which changes no result.
+template <int Bits>
+struct loaded_texels<rg<Bits>> {
+    static constexpr bool little = std::endian::native == std::endian::little;
+    float edge;
+    std::uint32_t words[block];
+    explicit loaded_texels(const rg<Bits>& encoding) : edge(encoding.edge) {}
+    UMBRAGE_INLINE void load_one(int i, const glm::u8vec2* t) {
+        std::uint16_t word;
+        std::memcpy(&word, t, sizeof word);
+        words[i] = word;
+    }
+    UMBRAGE_INLINE void load_two(int i, const glm::u8vec2* t) { std::memcpy(words + i, t, sizeof *words); }
+    static UMBRAGE_INLINE float receiver(float depth) { return depth * float(1 << Bits); }
+    UMBRAGE_INLINE float one(int i) const { return number(codes(i) & 0xFFFF); }
+    UMBRAGE_INLINE float first(int i) const { return number(little ? codes(i) & 0xFFFF : codes(i) >> 16); }
+    UMBRAGE_INLINE float second(int i) const { return number(little ? codes(i) >> 16 : codes(i) & 0xFFFF); }
+    /// R + 2^(Bits - 8) G of both texels at once, in the two halves of a word.
+    UMBRAGE_INLINE std::uint32_t codes(int i) const {
+        constexpr std::uint32_t low = 0x00FF00FF, high = low << (Bits - 8);
+        const std::uint32_t w = words[i];
+        return little ? (w & low) + (w >> (16 - Bits) & high) : (w >> 8 & low) + ((w & low) << (Bits - 8));
+    }
+    UMBRAGE_INLINE float number(std::uint32_t code) const { return static_cast<float>(static_cast<std::int32_t>(code)) + edge; }
+};
+
+/// Texels of a map by their distance from the first in bytes, which fits 32 bits so that it vectorises.
+template <class T>
+struct texel_bytes {
+    const std::byte* data;
+    std::int32_t stride;
+
+    explicit texel_bytes(const image_view<T>& map)
+        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
+    static bool fits(const image_view<T>& map) {
+        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
+        return map.size.x <= highest / std::ptrdiff_t(sizeof(T)) && map.size.y <= highest / 2 &&
+               (map.stride < 0 ? -map.stride : map.stride) <= highest / (map.size.y + 1);
+    }
+    UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
+        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
+    }
+    UMBRAGE_INLINE T* at(std::int32_t offset) const { return reinterpret_cast<T*>(data + offset); }
+    UMBRAGE_INLINE T* below(std::int32_t offset) const { return reinterpret_cast<T*>(data + stride + offset); }
+};
+
+/// Any filter, one receiver after the other.
+template <class Filter, class Encoding>
+struct one_by_one {
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const Filter& filter;
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa) const {
+        const auto fetch = decoded(map, encoding);
+        for (int i = 0; i < count; ++i) visibility[i] = filter(fetch, glm::vec2(r.x[i], r.y[i]), r.z[i]);
+    }
+};
+
+/// A receiver's own texel, clamped to the map, and the test against it, added to `count`.
+template <class Encoding>
+UMBRAGE_INLINE inline void add_hard(image_view<const typename Encoding::texel> map, const Encoding& encoding,
+                                    const receiver_block& r, glm::vec2 offset, std::int32_t* count) {
+    const texel_bytes memory(map);
+    const int last_x = map.size.x - 1, last_y = map.size.y - 1;
+    std::int32_t offsets[block], inside[block];
+    loaded_texels<Encoding> texels(encoding);
+    for (int i = 0; i < block; ++i) {
+        const float x = r.x[i] + offset.x, y = r.y[i] + offset.y;
+        inside[i] = texel_space_mask(x, y);
+        offsets[i] = memory.offset(clamp_int(floor_int(masked(x, inside[i])), last_x),
+                                   clamp_int(floor_int(masked(y, inside[i])), last_y));
+    }
+    for (int i = 0; i < block; ++i) texels.load_one(i, memory.at(offsets[i]));
+    for (int i = 0; i < block; ++i) count[i] += (is_lit(texels.receiver(r.z[i]), texels.one(i)) & inside[i]) | (1 & ~inside[i]);
+}
+
+/// The filters that have a form for blocks; `least` is the side of the smallest map that it can take.
+template <class Filter, class Encoding>
+struct block_filter {
+    static constexpr int least = 0;  ///< none
+};
+
+template <class Encoding>
+struct block_filter<filters::hard, Encoding> {
+    static constexpr int least = 1;
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const filters::hard& filter;
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+        std::int32_t lit[block]{};
+        add_hard(map, encoding, r, glm::vec2(0.0f), lit);
+        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
+    }
+};
+
+template <class Encoding>
+struct block_filter<filters::four_tap, Encoding> {
+    static constexpr int least = 1;
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const filters::four_tap& filter;
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+        std::int32_t lit[block]{};
+        for (const glm::vec2 offset : filter.offsets) add_hard(map, encoding, r, offset, lit);
+        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]) * 0.25f;
+    }
+};
+
+/// A position clamped to the middles of the map's border texels has the same neighbours and weights that add up to the
+/// same, so that both neighbours are in the map and one load gets them.
+template <class Encoding>
+struct block_filter<filters::pcf_2x2, Encoding> {
+    static constexpr int least = 2;
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const filters::pcf_2x2& filter;
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+        const texel_bytes memory(map);
+        constexpr int far = 1 << 15;  // no position is farther
+        const int last_x = (map.size.x < far ? map.size.x : far) - 1, last_y = (map.size.y < far ? map.size.y : far) - 1;
+        std::int32_t offsets[block], inside[block];
+        float hi_x[block], hi_y[block];
+        loaded_texels<Encoding> low(encoding), high(encoding);
+        const auto place = [](float coord, int last, float& hi) UMBRAGE_INLINE {
+            const std::int32_t position = clamp_int(floor_int(coord * 256.0f) - 128, last * 256);
+            const std::int32_t texel = (position >> 8) < last ? position >> 8 : last - 1;
+            hi = static_cast<float>(position - texel * 256);
+            return texel;
+        };
+        for (int i = 0; i < block; ++i) {
+            inside[i] = texel_space_mask(r.x[i], r.y[i]);
+            offsets[i] = memory.offset(place(masked(r.x[i], inside[i]), last_x, hi_x[i]),
+                                       place(masked(r.y[i], inside[i]), last_y, hi_y[i]));
+        }
+        for (int i = 0; i < block; ++i) {
+            low.load_two(i, memory.at(offsets[i]));
+            high.load_two(i, memory.below(offsets[i]));
+        }
+        for (int i = 0; i < block; ++i) {
+            const float z = low.receiver(r.z[i]), lo_x = 256.0f - hi_x[i], lo_y = 256.0f - hi_y[i];
+            const auto weigh = [&](const auto& row) UMBRAGE_INLINE {
+                return masked(lo_x, -is_lit(z, row.first(i))) + masked(hi_x[i], -is_lit(z, row.second(i)));
+            };
+            const float sum = lo_y * weigh(low) + hi_y[i] * weigh(high);
+            visibility[i] = select(inside[i], sum * (1.0f / 65536.0f), 1.0f);
+        }
+    }
+};
+
+}  // namespace umbrage::detail
