@@ -2,6 +2,7 @@
 #
 #     make demo    makes pictures in build/demo
 #     make test    builds and runs every test
+#     make prove   every float and every code through every encoding: minutes
 #
 # Each installs the Debian packages that it lacks first. The work itself is CMake's: see CMakePresets.json.
 
@@ -30,7 +31,7 @@ else \
 fi
 endef
 
-.PHONY: test demo asan single-header readme compile-time clean
+.PHONY: test demo prove asan single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -42,6 +43,12 @@ demo:
 	$(call install,$(demo_packages))
 	cmake --workflow --preset examples
 	build/examples/examples/shadow_render/shadow_render --output build/demo
+
+# Exhaustive runs. The table goes to build/dev/tests/proof/prove/prove.tsv; GLSL's own (tests/parity) add a line here.
+prove:
+	$(call install,$(test_packages))
+	cmake --preset dev
+	cmake --build --preset dev --target prove
 
 # The unit tests under the address and undefined behaviour sanitizers.
 asan:
