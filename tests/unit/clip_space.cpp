@@ -6,9 +6,12 @@
 using namespace umbrage;
 
 TEST_CASE("clip_space: the named ones are what their names say") {
-    static_assert(opengl_clip_space == clip_space{handedness::right, depth_range::minus_one_to_one, depth_direction::forward, texture_origin::bottom});
-    static_assert(vulkan_clip_space == clip_space{handedness::right, depth_range::zero_to_one, depth_direction::forward, texture_origin::bottom});
-    static_assert(direct3d_clip_space == clip_space{handedness::left, depth_range::zero_to_one, depth_direction::forward, texture_origin::top});
+    static_assert(opengl_clip_space == clip_space{handedness::right, depth_range::minus_one_to_one,
+                                                  depth_direction::forward, texture_origin::bottom});
+    static_assert(vulkan_clip_space == clip_space{handedness::right, depth_range::zero_to_one, depth_direction::forward,
+                                                  texture_origin::bottom});
+    static_assert(direct3d_clip_space == clip_space{handedness::left, depth_range::zero_to_one,
+                                                    depth_direction::forward, texture_origin::top});
     CHECK(opengl_clip_space != vulkan_clip_space);
 }
 

@@ -60,7 +60,8 @@ TEST_CASE_TEMPLATE("compare_dx_sdk, compare_exercise: every triple of special va
             for (T epsilon : values<T>()) {
                 const T limit = stored + epsilon;  // may be NaN where neither was
                 const bool ordered = !std::isnan(limit) && !std::isnan(receiver);
-                const T dx = compare_dx_sdk(receiver, stored, epsilon), exercise = compare_exercise(receiver, stored, epsilon);
+                const T dx = compare_dx_sdk(receiver, stored, epsilon),
+                        exercise = compare_exercise(receiver, stored, epsilon);
                 wrong += dx != (ordered && std::isgreater(receiver, limit) ? T(0) : T(1));
                 wrong += exercise != (ordered && std::isless(receiver, limit) ? T(1) : T(0));
                 if (epsilon == T(0)) wrong += ordered && dx != compare(receiver, stored);

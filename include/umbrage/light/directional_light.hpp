@@ -38,7 +38,8 @@ template <real T = float>
     // along the normalised direction, moved by the offset: the view's last row holds the light's distance
     light_space<T> space{look_along(light.target, light.direction, light.up, light.clip.hand), {}, light.clip};
     space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
-    if (!is_finite(space.view[3][2])) throw std::invalid_argument("umbrage::make_directional_light: offset must be finite");
+    if (!is_finite(space.view[3][2]))
+        throw std::invalid_argument("umbrage::make_directional_light: offset must be finite");
     const T half = T(light.map_size) / light.divisor / T(2);
     space.projection = orthographic(glm::vec<2, T>(-half), glm::vec<2, T>(half), light.z_near, light.z_far, light.clip);
     return space;

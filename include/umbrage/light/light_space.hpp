@@ -110,7 +110,8 @@ template <real T>
     detail::check_planes(z_near, z_far);
     if (!(z_near > T(0))) throw std::invalid_argument("umbrage: a perspective light needs z_near > 0");
     if (!is_finite(tan_half_x) || !is_finite(tan_half_y) || !(tan_half_x > T(0)) || !(tan_half_y > T(0)))
-        throw std::invalid_argument("umbrage: a perspective light needs an opening angle above 0 and below 180 degrees");
+        throw std::invalid_argument(
+            "umbrage: a perspective light needs an opening angle above 0 and below 180 degrees");
     const auto [at_near, at_far] = detail::ends<T>(clip);
     const T forward = clip.hand == handedness::right ? T(-1) : T(1);
     glm::mat<4, 4, T> m(T(0));
@@ -128,7 +129,8 @@ template <real T>
 /// @param z_near, z_far    z_near < z_far, world units, may be negative (behind the light's position)
 /// @throws std::invalid_argument   an empty or non-finite box
 template <real T>
-[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far, clip_space clip) {
+[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
+                                             clip_space clip) {
     detail::check_planes(z_near, z_far);
     for (int i = 0; i < 2; ++i)
         if (!is_finite(low[i]) || !is_finite(high[i]) || !(low[i] < high[i]))

@@ -64,8 +64,8 @@ inline constexpr std::array<glm::vec<2, T>, 4> default_taps{
 /// @formula                translate(offset) * texture_matrix
 /// @cite                   ATI Radeon SDK, ShadowMap sample, 2002
 template <real T>
-[[nodiscard]] std::array<glm::mat<4, 4, T>, 4> tap_matrices(const glm::mat<4, 4, T>& texture_matrix,
-                                                            const std::array<glm::vec<2, T>, 4>& offsets = default_taps<T>) {
+[[nodiscard]] std::array<glm::mat<4, 4, T>, 4> tap_matrices(
+    const glm::mat<4, 4, T>& texture_matrix, const std::array<glm::vec<2, T>, 4>& offsets = default_taps<T>) {
     std::array<glm::mat<4, 4, T>, 4> taps;
     for (std::size_t tap = 0; tap < 4; ++tap) {
         taps[tap] = texture_matrix;
@@ -83,7 +83,8 @@ template <real T>
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
     glm::vec<4, T> c(0);
-    for (int row = 0; row < 4; ++row) c[row] = m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z + m[3][row];
+    for (int row = 0; row < 4; ++row)
+        c[row] = m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z + m[3][row];
     return c;
 }
 

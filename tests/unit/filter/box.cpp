@@ -32,7 +32,8 @@ TEST_CASE("box_count: brute force for every radius, in float and double, radius 
     const auto fetch = clamped(map);
     const auto xs = awkward_coordinates(random, size.x), ys = awkward_coordinates(random, size.y);
     int wrong = 0, partly = 0;
-    for (int radius : {0, 1, 2, 3, 4, 5, 6, 7, 8, -1, 9, 1000, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
+    for (int radius :
+         {0, 1, 2, 3, 4, 5, 6, 7, 8, -1, 9, 1000, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
         for (std::size_t i = 0; i < 500; ++i) {
             const glm::vec2 c(xs[i * 7 % xs.size()], ys[i * 5 % ys.size()]);
             const float receiver = static_cast<float>(i % 9) / 8.0f;
@@ -65,7 +66,8 @@ TEST_CASE("box_count: fetches each texel of the box once") {
     }
 }
 
-TEST_CASE_TEMPLATE("box: all lit is exactly 1, all dark exactly 0, one texel less is less, for every radius", T, float, double) {
+TEST_CASE_TEMPLATE("box: all lit is exactly 1, all dark exactly 0, one texel less is less, for every radius", T, float,
+                   double) {
     for (int radius = -1; radius <= 9; ++radius) {
         const glm::vec<2, T> c(5.5);
         CHECK(box([](glm::ivec2) { return T(0.5); }, c, T(0.5), radius) == T(1));

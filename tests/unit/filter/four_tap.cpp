@@ -41,7 +41,8 @@ TEST_CASE("four_tap: with the default taps it is pcf_2x2 at texel corners") {
         for (int x = -2; x <= size.x + 2; ++x)
             for (float receiver : {0.0f, 0.25f, 0.5f, 0.75f, 1.0f, 2.0f}) {
                 const glm::vec2 corner(x, y);
-                const float got = four_tap(clamped(map), corner + taps[0], corner + taps[1], corner + taps[2], corner + taps[3], receiver);
+                const float got = four_tap(clamped(map), corner + taps[0], corner + taps[1], corner + taps[2],
+                                           corner + taps[3], receiver);
                 CHECK(got == pcf_2x2(clamped(map), corner, receiver));
                 partly += got > 0 && got < 1;
             }
@@ -59,7 +60,8 @@ TEST_CASE("four_tap: brute force") {
         const float receiver = static_cast<float>(i % 9) / 8.0f;
         for (auto& t : tap) {
             t = {coordinate(random), coordinate(random)};
-            lit += texel_at(map, std::llround(std::floor(double(t.x))), std::llround(std::floor(double(t.y)))) >= receiver;
+            lit +=
+                texel_at(map, std::llround(std::floor(double(t.x))), std::llround(std::floor(double(t.y)))) >= receiver;
         }
         CHECK(four_tap(clamped(map), tap[0], tap[1], tap[2], tap[3], receiver) == static_cast<float>(lit) / 4);
     }

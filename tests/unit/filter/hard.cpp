@@ -47,7 +47,8 @@ TEST_CASE("hard: brute force, in float and double") {
     for (float x : awkward_coordinates(random, size.x))
         for (float y : awkward_coordinates(random, size.y)) {
             const float receiver = static_cast<float>(tried % 9) / 8.0f;
-            const double expected = texel_at(map, std::llround(std::floor(double(x))), std::llround(std::floor(double(y)))) >= receiver;
+            const double expected =
+                texel_at(map, std::llround(std::floor(double(x))), std::llround(std::floor(double(y)))) >= receiver;
             const float got = hard(fetch, glm::vec2(x, y), receiver);
             wrong += got != expected;
             wrong += hard(fetch, glm::dvec2(x, y), double(receiver)) != expected;

@@ -23,14 +23,18 @@ inline umbrage::image<float> random_map(std::mt19937& random, glm::ivec2 size, i
 
 /// Texel by 64-bit coordinates, clamped to the map: an oracle of its own.
 inline double texel_at(const umbrage::image<float>& map, long long x, long long y) {
-    const auto inside = [](long long v, int size) { return static_cast<std::size_t>(std::clamp<long long>(v, 0, size - 1)); };
-    return double(map.texels()[inside(y, map.size().y) * static_cast<std::size_t>(map.size().x) + inside(x, map.size().x)]);
+    const auto inside = [](long long v, int size) {
+        return static_cast<std::size_t>(std::clamp<long long>(v, 0, size - 1));
+    };
+    return double(
+        map.texels()[inside(y, map.size().y) * static_cast<std::size_t>(map.size().x) + inside(x, map.size().x)]);
 }
 
 /// Coordinates where things happen: inside and around the map, at texel edges and centres, a step beside them,
 /// near the limits of texel space.
 inline std::vector<float> awkward_coordinates(std::mt19937& random, int size) {
-    std::vector<float> all{0.0f, -0.0f, 32767.0f, -32767.0f, std::nextafter(32768.0f, 0.0f), std::nextafter(-32768.0f, 0.0f)};
+    std::vector<float> all{
+        0.0f, -0.0f, 32767.0f, -32767.0f, std::nextafter(32768.0f, 0.0f), std::nextafter(-32768.0f, 0.0f)};
     for (int i = -3; i <= size + 3; ++i)
         for (float part : {0.0f, 0.5f, 0.25f, 1.0f / 256, 255.0f / 256}) {
             const float c = float(i) + part;

@@ -35,9 +35,11 @@ TEST_CASE("pcf_2x2: every mask and every pair of weights against whole numbers")
             for (int fx = 0; fx < 256; ++fx) {
                 // anywhere within the 1/256 that the weights stand for
                 const glm::ivec2 base(fy % 7 - 3, fx % 5 * 1000 - 2000);
-                const glm::vec2 part(static_cast<float>((fx * 31 + fy) % 8) / 8, static_cast<float>((fx + fy * 31) % 8) / 8);
+                const glm::vec2 part(static_cast<float>((fx * 31 + fy) % 8) / 8,
+                                     static_cast<float>((fx + fy * 31) % 8) / 8);
                 const glm::vec2 coord = glm::vec2(base) + 0.5f + (glm::vec2(fx, fy) + part) / 256.0f;
-                wrong += pcf_2x2(masked(mask, base), coord, 0.5f) * 65536.0f != static_cast<float>(weighted(mask, fx, fy));
+                wrong +=
+                    pcf_2x2(masked(mask, base), coord, 0.5f) * 65536.0f != static_cast<float>(weighted(mask, fx, fy));
             }
     CHECK(wrong == 0);
 }
@@ -69,7 +71,8 @@ TEST_CASE("pcf_2x2: brute force, in float and double, up to the limits of texel 
         for (float y : awkward_coordinates(random, size.y)) {
             const float receiver = static_cast<float>(tried++ % 3) / 2.0f;
             // position in 1/256 texel, in whole numbers from here on
-            const long long px = std::llround(std::floor(double(x) * 256.0)) - 128, py = std::llround(std::floor(double(y) * 256.0)) - 128;
+            const long long px = std::llround(std::floor(double(x) * 256.0)) - 128,
+                            py = std::llround(std::floor(double(y) * 256.0)) - 128;
             const long long tx = px >> 8, ty = py >> 8;
             int mask = 0;
             for (int k = 0; k < 4; ++k) mask |= (texel_at(map, tx + k % 2, ty + k / 2) >= receiver) << k;
@@ -105,7 +108,9 @@ TEST_CASE_TEMPLATE("pcf_2x2_dx_sdk: by hand", T, float, double) {
     using vec = glm::vec<2, T>;
     image<T> map({2, 2});
     map[{0, 0}] = 0, map[{1, 0}] = 1, map[{0, 1}] = T(0.5), map[{1, 1}] = 0;
-    const auto at = [&](T x, T y, T receiver, T epsilon) { return pcf_2x2_dx_sdk(clamped(map), vec(x, y), receiver, epsilon); };
+    const auto at = [&](T x, T y, T receiver, T epsilon) {
+        return pcf_2x2_dx_sdk(clamped(map), vec(x, y), receiver, epsilon);
+    };
     CHECK(at(0.5, 0.5, T(0.1), 0) == 0);
     CHECK(at(1.5, 0.5, T(0.1), 0) == 1);
     CHECK(at(1, 1, T(0.625), 0) == 0.25);
@@ -127,7 +132,8 @@ TEST_CASE("pcf_2x2_dx_sdk: pcf_2x2 where the weights are whole 1/256, within 1/1
         const glm::vec2 grid = glm::vec2(position(random), position(random)) / 256.0f;
         if (i < 20000) CHECK(pcf_2x2_dx_sdk(fetch, grid, receiver, 0.0f) == pcf_2x2(fetch, grid, receiver));
         const glm::vec2 c(coordinate(random), coordinate(random));
-        worst = std::max(worst, double(std::abs(pcf_2x2_dx_sdk(fetch, c, receiver, 0.0f) - pcf_2x2(fetch, c, receiver))));
+        worst =
+            std::max(worst, double(std::abs(pcf_2x2_dx_sdk(fetch, c, receiver, 0.0f) - pcf_2x2(fetch, c, receiver))));
     }
     // each of the two weights is cut by less than 1/256
     CHECK(worst < 1.0 / 128);
@@ -146,7 +152,9 @@ TEST_CASE("pcf_2x2_dx_sdk: against double") {
         const double u = c.x - 0.5 - double(x), v = c.y - 0.5 - double(y);
         double expected = 0;
         for (int k = 0; k < 4; ++k)
-            expected += float(texel_at(map, x + k % 2, y + k / 2)) + epsilon < receiver ? 0 : (k % 2 ? u : 1 - u) * (k / 2 ? v : 1 - v);
+            expected += float(texel_at(map, x + k % 2, y + k / 2)) + epsilon < receiver
+                            ? 0
+                            : (k % 2 ? u : 1 - u) * (k / 2 ? v : 1 - v);
         const float got = pcf_2x2_dx_sdk(clamped(map), glm::vec2(c), receiver, epsilon);
         worst = std::max(worst, std::abs(double(got) - expected));
         CHECK_FALSE(!(got >= 0.0f && got <= 1.0f));

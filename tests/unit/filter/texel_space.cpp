@@ -15,7 +15,8 @@
 using namespace umbrage;
 
 TEST_CASE("inside_texel_space: below 2^15, NaN outside") {
-    for (float inside : {0.0f, -0.0f, 1e-45f, -1.0f, 32767.0f, std::nextafter(32768.0f, 0.0f), std::nextafter(-32768.0f, 0.0f)}) {
+    for (float inside :
+         {0.0f, -0.0f, 1e-45f, -1.0f, 32767.0f, std::nextafter(32768.0f, 0.0f), std::nextafter(-32768.0f, 0.0f)}) {
         CHECK(inside_texel_space(glm::vec2(inside, 1)));
         CHECK(inside_texel_space(glm::vec2(1, inside)));
         CHECK(inside_texel_space(glm::dvec2(inside, inside)));

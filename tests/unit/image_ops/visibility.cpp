@@ -28,7 +28,8 @@ image<glm::vec3> receivers_for(glm::ivec2 map_size, glm::ivec2 size, std::mt1993
     std::uniform_int_distribution<std::size_t> pick(0, special.size() - 1);
     image<glm::vec3> out(size);
     for (glm::vec3& r : out.texels()) {
-        r = {anywhere(random) * static_cast<float>(map_size.x), anywhere(random) * static_cast<float>(map_size.y), depth(random)};
+        r = {anywhere(random) * static_cast<float>(map_size.x), anywhere(random) * static_cast<float>(map_size.y),
+             depth(random)};
         if (one_in(random) == 0) r.x = static_cast<float>(texel(random)) + static_cast<float>(eighth(random)) / 8;
         if (one_in(random) == 0) r.y = static_cast<float>(texel(random));
         if (one_in(random) == 0) r[one_in(random) % 3] = special[pick(random)];
@@ -49,7 +50,8 @@ image<typename Encoding::texel> packed_map(Encoding encoding, glm::ivec2 size, s
 
 /// Number of pixels whose bits are not the primitive's. The primitive is called by hand, with a fetch of our own.
 template <class Encoding, class Filter, class Primitive>
-int differing(Encoding encoding, glm::ivec2 map_size, glm::ivec2 size, Filter filter, Primitive primitive, unsigned seed) {
+int differing(Encoding encoding, glm::ivec2 map_size, glm::ivec2 size, Filter filter, Primitive primitive,
+              unsigned seed) {
     std::mt19937 random(seed);
     const auto map = packed_map(encoding, map_size, random);
     const auto receivers = receivers_for(map_size, size, random);
@@ -97,7 +99,8 @@ int differing_for_all_filters(Encoding encoding, glm::ivec2 map_size, glm::ivec2
 TEST_CASE("visibility: the primitive's bits at every pixel, for every filter and encoding") {
     unsigned seed = 1;
     // a map of ordinary size, and maps smaller than the filters' reach
-    for (glm::ivec2 map_size : {glm::ivec2(67, 41), glm::ivec2(1, 1), glm::ivec2(2, 1), glm::ivec2(1, 9), glm::ivec2(3, 2), glm::ivec2(16, 17)})
+    for (glm::ivec2 map_size : {glm::ivec2(67, 41), glm::ivec2(1, 1), glm::ivec2(2, 1), glm::ivec2(1, 9),
+                                glm::ivec2(3, 2), glm::ivec2(16, 17)})
         for (glm::ivec2 size : {glm::ivec2(133, 21), glm::ivec2(1, 3)}) {
             CAPTURE(map_size.x);
             CAPTURE(size.x);

@@ -37,7 +37,8 @@ TEST_CASE("make_directional_light: the exercise's set-up on points worked out by
         };
         // 1024 texels at 10 a unit are 102.4 units; the light is 10 units before the target
         const glm::dmat4 along_z = texture_matrix(
-            make_directional_light<double>({.direction = {0, 0, -2}, .z_near = 0.5, .z_far = 20.5, .clip = clip}), {1024, 1024});
+            make_directional_light<double>({.direction = {0, 0, -2}, .z_near = 0.5, .z_far = 20.5, .clip = clip}),
+            {1024, 1024});
         check(along_z, {0, 0, 0}, {512, 512, 9.5 / 20});
         check(along_z, {51.2, 51.2, 9.5}, {1024, 1024, 0});
         check(along_z, {-51.2, -51.2, -10.5}, {0, 0, 1});
@@ -51,7 +52,8 @@ TEST_CASE("make_directional_light: the exercise's set-up on points worked out by
         check(oblique, {5, 6, 7}, {512, 512, 3.0 / 8});
         check(oblique, {6, 7, 8}, {612, 512 + 200 * root, 3.0 / 8});
         check(oblique, {6, 5, 7}, {512, 512, (3 + 2 * root) / 8});
-        check(oblique, glm::dvec3(5, 6, 7) - 4.0 * root * glm::dvec3(1, -1, 0), {512, 512, -1.0 / 8});  // the light itself
+        check(oblique, glm::dvec3(5, 6, 7) - 4.0 * root * glm::dvec3(1, -1, 0),
+              {512, 512, -1.0 / 8});  // the light itself
     }
 }
 
@@ -63,7 +65,8 @@ TEST_CASE("make_directional_light: the light is at target - direction * offset")
             const glm::dvec3 direction(coordinate(random), coordinate(random), coordinate(random));
             const glm::dvec3 target(coordinate(random), coordinate(random), coordinate(random));
             const double offset = coordinate(random);
-            const auto light = make_directional_light<double>({.direction = direction, .target = target, .offset = offset, .clip = clip});
+            const auto light = make_directional_light<double>(
+                {.direction = direction, .target = target, .offset = offset, .clip = clip});
             const glm::dvec3 position = target - glm::normalize(direction) * offset;
             CHECK(glm::length(through(light.view, position)) < 1e-13);
             CHECK(light.clip == clip);
@@ -74,9 +77,11 @@ TEST_CASE("make_directional_light: straight down and up, float near double") {
     for (clip_space clip : all_clip_spaces())
         for (float sign : {-1.0f, 1.0f}) {
             const glm::mat4 m = texture_matrix(
-                make_directional_light({.direction = {0, sign, 0}, .z_near = 1, .z_far = 19, .clip = clip}), {1024, 1024});
+                make_directional_light({.direction = {0, sign, 0}, .z_near = 1, .z_far = 19, .clip = clip}),
+                {1024, 1024});
             CHECK(glm::length(through(m, {0, 0, 0}) - glm::dvec3(512, 512, 0.5)) < 1e-4);
-            CHECK(std::abs(through(m, {0, -9 * sign, 0}).z - (clip.direction == depth_direction::forward ? 0 : 1)) < 1e-6);
+            CHECK(std::abs(through(m, {0, -9 * sign, 0}).z - (clip.direction == depth_direction::forward ? 0 : 1)) <
+                  1e-6);
             const glm::dvec3 moved = through(m, {3, 0, 4});
             CHECK(glm::length(glm::dvec2(moved) - 512.0) == doctest::Approx(50.0));  // 5 units, 10 texels each
         }
@@ -107,7 +112,8 @@ TEST_CASE_TEMPLATE("make_directional_light: bad input", T, float, double) {
     CHECK_NOTHROW(with([](auto& l) { l.offset = 0; }));
 }
 
-TEST_CASE("fit_directional_light: holds all corners, and not a bit more than them and the margin, in every convention") {
+TEST_CASE(
+    "fit_directional_light: holds all corners, and not a bit more than them and the margin, in every convention") {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> coordinate(-5, 5), extent(0, 8);
     for (clip_space clip : all_clip_spaces()) {
@@ -116,7 +122,8 @@ TEST_CASE("fit_directional_light: holds all corners, and not a bit more than the
         double worst = 0;
         int outside = 0;
         for (int i = 0; i < 300; ++i) {
-            directional_fit<double> fit{.direction = {coordinate(random), coordinate(random), coordinate(random)}, .clip = clip};
+            directional_fit<double> fit{.direction = {coordinate(random), coordinate(random), coordinate(random)},
+                                        .clip = clip};
             if (i % 7 == 0) fit.direction = {0, i % 2 ? 1 : -1, 0};
             fit.low = {coordinate(random), coordinate(random), coordinate(random)};
             fit.high = fit.low + glm::dvec3(extent(random), i % 3 ? extent(random) : 0.0, i % 5 ? extent(random) : 0.0);
@@ -133,7 +140,8 @@ TEST_CASE("fit_directional_light: holds all corners, and not a bit more than the
             const double margin = fit.margin * glm::length(fit.high - fit.low);
             // from where the box's sides land, back to view space: they are the margin away from the outermost corners
             const glm::dmat4 back = glm::inverse(light.projection);
-            const bool zo = clip.range == depth_range::zero_to_one, reversed = clip.direction == depth_direction::reversed;
+            const bool zo = clip.range == depth_range::zero_to_one,
+                       reversed = clip.direction == depth_direction::reversed;
             const double shallow = zo ? 0 : -1;
             const glm::dvec3 first = through(back, {-1, -1, reversed ? 1 : shallow}) * glm::dvec3(1, 1, front);
             const glm::dvec3 last = through(back, {1, 1, reversed ? shallow : 1}) * glm::dvec3(1, 1, front);
@@ -158,7 +166,8 @@ TEST_CASE("fit_directional_light: the same world point, the same texel and depth
 
 TEST_CASE("fit_directional_light: by hand, and in float") {
     // looking down -z at a box of 2 x 4 x 4, diagonal 6, margin 0.6: half extents 1.6, 2.6, 2.6
-    const auto light = fit_directional_light<double>({.direction = {0, 0, -1}, .low = {0, 0, 0}, .high = {2, 4, 4}, .margin = 0.1});
+    const auto light =
+        fit_directional_light<double>({.direction = {0, 0, -1}, .low = {0, 0, 0}, .high = {2, 4, 4}, .margin = 0.1});
     const glm::dmat4 uv = texture_matrix_uv(light);
     CHECK(glm::length(through(uv, {1, 2, 2}) - 0.5) < 1e-15);
     CHECK(glm::length(through(uv, {0, 0, 4}) - glm::dvec3(0.6 / 3.2, 0.6 / 5.2, 0.6 / 5.2)) < 1e-15);
@@ -167,7 +176,8 @@ TEST_CASE("fit_directional_light: by hand, and in float") {
     std::uniform_real_distribution<float> coordinate(-5, 5), extent(0.1f, 8);
     int outside = 0;
     for (int i = 0; i < 2000; ++i) {
-        directional_fit<float> fit{.direction = {coordinate(random), coordinate(random), coordinate(random)}, .margin = 1e-4f};
+        directional_fit<float> fit{.direction = {coordinate(random), coordinate(random), coordinate(random)},
+                                   .margin = 1e-4f};
         fit.low = {coordinate(random), coordinate(random), coordinate(random)};
         fit.high = fit.low + glm::vec3(extent(random), extent(random), extent(random));
         const glm::mat4 m = texture_matrix_uv(fit_directional_light(fit));

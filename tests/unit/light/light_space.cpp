@@ -28,7 +28,8 @@ std::vector<glm::dvec3> directions() {
     }
     for (double tilt = 1.0; tilt > 1e-12; tilt *= 0.7)
         for (double sign : {-1.0, 1.0})
-            for (double turn : {0.0, 1.0, 2.5, 4.0}) all.push_back({tilt * std::cos(turn), sign, tilt * std::sin(turn)});
+            for (double turn : {0.0, 1.0, 2.5, 4.0})
+                all.push_back({tilt * std::cos(turn), sign, tilt * std::sin(turn)});
     for (int x = -1; x <= 1; ++x)
         for (int y = -1; y <= 1; ++y)
             for (int z = -1; z <= 1; ++z)
@@ -87,7 +88,8 @@ TEST_CASE("look_along: agrees with GLM where GLM is defined") {
     for (glm::dvec3 d : directions()) {
         if (glm::length(glm::cross(glm::normalize(d), glm::normalize(up))) < 0.01) continue;
         const glm::dvec3 target = position + glm::normalize(d);
-        worst = worse(worst, difference(look_along(position, d, up, handedness::right), glm::lookAtRH(position, target, up)));
+        worst = worse(worst,
+                      difference(look_along(position, d, up, handedness::right), glm::lookAtRH(position, target, up)));
         worst = worse(worst, difference(look_along(position, d, up, handedness::left),
                                            mirror_x * glm::lookAtLH(position, target, up)));
     }
@@ -95,7 +97,8 @@ TEST_CASE("look_along: agrees with GLM where GLM is defined") {
 }
 
 TEST_CASE("look_along: a hand-made case, up stays up, the length of the direction does not matter") {
-    const glm::dmat4 view = look_along(glm::dvec3(1, 2, 3), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), handedness::right);
+    const glm::dmat4 view =
+        look_along(glm::dvec3(1, 2, 3), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), handedness::right);
     // looking along +x with y up, +z is to the right
     CHECK(glm::dvec3(view * glm::dvec4(1, 2, 3, 1)) == glm::dvec3(0, 0, 0));
     CHECK(glm::dvec3(view * glm::dvec4(5, 3, 7, 1)) == glm::dvec3(4, 1, -4));
@@ -110,7 +113,8 @@ TEST_CASE("look_along: a hand-made case, up stays up, the length of the directio
         }
 }
 
-TEST_CASE_TEMPLATE("look_along: up counts from an angle of 1e-3 on, below that a world axis takes its place", T, float, double) {
+TEST_CASE_TEMPLATE("look_along: up counts from an angle of 1e-3 on, below that a world axis takes its place", T, float,
+                   double) {
     using vec = glm::vec<3, T>;
     const auto side = [](T tilt) {
         const auto view = look_along(vec(0), vec(tilt, -1, 0), vec(0, 1, 0), handedness::right);
@@ -203,7 +207,8 @@ TEST_CASE_TEMPLATE("perspective, orthographic: bad input", T, float, double) {
         (void)perspective(T(1), T(1), T(z_near), T(z_far), clip_space{});
     };
     const auto box = [](double low, double high, double z_near, double z_far) {
-        (void)orthographic(glm::vec<2, T>(T(-1), T(low)), glm::vec<2, T>(T(1), T(high)), T(z_near), T(z_far), clip_space{});
+        (void)orthographic(glm::vec<2, T>(T(-1), T(low)), glm::vec<2, T>(T(1), T(high)), T(z_near), T(z_far),
+                           clip_space{});
     };
     CHECK_NOTHROW(planes(1, 2));
     CHECK_NOTHROW(box(-1, 1, -1, 1));

@@ -81,7 +81,8 @@ TEST_CASE("make_spot_light: the cone's edge touches the map's edges and never le
         glm::dvec2 low(2), high(-1);
         for (int i = 0; i < 360; ++i) {
             const double turn = i * std::numbers::pi / 180, extent = std::tan(light.outer_angle_radians);
-            const glm::dvec4 edge = back * glm::dvec4(extent * std::cos(turn) * 5, extent * std::sin(turn) * 5, 5 * front, 1);
+            const glm::dvec4 edge =
+                back * glm::dvec4(extent * std::cos(turn) * 5, extent * std::sin(turn) * 5, 5 * front, 1);
             const glm::dvec2 p(through(uv, glm::dvec3(edge)));
             low = glm::min(low, p);
             high = glm::max(high, p);
@@ -104,8 +105,13 @@ TEST_CASE("make_spot_light: straight down and straight up") {
 TEST_CASE("make_spot_light: float is double, rounded") {
     for (clip_space clip : all_clip_spaces()) {
         const auto d = tilted(clip);
-        const auto f = make_spot_light<float>({.position = d.position, .direction = d.direction, .up = d.up,
-                                               .outer_angle_radians = 0.7f, .z_near = 0.5f, .z_far = 40.0f, .clip = clip});
+        const auto f = make_spot_light<float>({.position = d.position,
+                                               .direction = d.direction,
+                                               .up = d.up,
+                                               .outer_angle_radians = 0.7f,
+                                               .z_near = 0.5f,
+                                               .z_far = 40.0f,
+                                               .clip = clip});
         const auto exact = make_spot_light(d);
         for (int c = 0; c < 4; ++c)
             for (int r = 0; r < 4; ++r) {

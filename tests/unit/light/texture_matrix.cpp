@@ -28,8 +28,10 @@ light_space<float> random_light(std::mt19937& random, int i, clip_space clip = {
     const glm::vec3 position(coordinate(random), coordinate(random), coordinate(random));
     const glm::vec3 direction = glm::vec3(coordinate(random), coordinate(random), coordinate(random)) * 0.3f - position;
     if (i % 2)
-        return make_spot_light<float>({.position = position, .direction = direction, .outer_angle_radians = angle(random), .clip = clip});
-    return fit_directional_light<float>({.direction = direction, .low = glm::vec3(-6), .high = glm::vec3(7), .clip = clip});
+        return make_spot_light<float>(
+            {.position = position, .direction = direction, .outer_angle_radians = angle(random), .clip = clip});
+    return fit_directional_light<float>(
+        {.direction = direction, .low = glm::vec3(-6), .high = glm::vec3(7), .clip = clip});
 }
 
 }  // namespace
@@ -58,7 +60,8 @@ TEST_CASE("texture_matrix_uv: texture_matrix over the map's size") {
             for (int c = 0; c < 4; ++c) {
                 CHECK(power[c] == uv[c] * glm::vec4(1024, 512, 1, 1));
                 CHECK(glm::length(glm::dvec4(any[c]) - exact_any[c]) <= 1e-6 * (1000 + glm::length(exact_any[c])));
-                CHECK(glm::length(exact_uv[c] * glm::dvec4(1000, 37, 1, 1) - exact_any[c]) < 1e-12 * (1 + glm::length(exact_any[c])));
+                CHECK(glm::length(exact_uv[c] * glm::dvec4(1000, 37, 1, 1) - exact_any[c]) <
+                      1e-12 * (1 + glm::length(exact_any[c])));
             }
         }
 }
@@ -90,8 +93,10 @@ TEST_CASE("tap_matrices: exact arithmetic cannot tell them from offsets after th
             for (std::size_t tap = 0; tap < 4; ++tap) {
                 const glm::dvec3 expected = middle + glm::dvec3(offsets[tap], 0);
                 const double scale = 1000 + glm::length(expected);
-                worst = worse(worst, glm::length(project_coordinate(shadow_coordinate(taps[tap], world)) - expected) / scale);
-                worst = worse(worst, glm::length(project_coordinate(tap_coordinate(h, offsets[tap])) - expected) / scale);
+                worst = worse(worst,
+                              glm::length(project_coordinate(shadow_coordinate(taps[tap], world)) - expected) / scale);
+                worst =
+                    worse(worst, glm::length(project_coordinate(tap_coordinate(h, offsets[tap])) - expected) / scale);
                 ++tried;
             }
         }
@@ -132,7 +137,8 @@ TEST_CASE("tap_matrices: the stated gap in binary32") {
             }
         }
     }
-    MESSAGE("worst of " << tried << " points: tap_matrices " << worst_matrix << " ulp, tap_coordinate " << worst_coordinate << " ulp");
+    MESSAGE("worst of " << tried << " points: tap_matrices " << worst_matrix << " ulp, tap_coordinate "
+                        << worst_coordinate << " ulp");
     CHECK(tried > 50000);
     CHECK(depth_changed == 0);
     CHECK(worst_matrix < 6);
@@ -167,7 +173,8 @@ TEST_CASE("shadow_coordinate: near GLM's product, which adds in another order") 
     }
 }
 
-TEST_CASE_TEMPLATE("project_coordinate: division in front of the light, lit by every filter elsewhere", T, float, double) {
+TEST_CASE_TEMPLATE("project_coordinate: division in front of the light, lit by every filter elsewhere", T, float,
+                   double) {
     using vec4 = glm::vec<4, T>;
     using vec3 = glm::vec<3, T>;
     CHECK(project_coordinate(vec4(6, 8, 1, 4)) == vec3(1.5, 2, 0.25));
@@ -199,11 +206,20 @@ TEST_CASE("texture_matrix: lands on the texel and the depth that the rasterizer 
             CAPTURE(to_string(clip));
             CAPTURE(kind);
             const light_space<float> light =
-                kind == 0   ? make_spot_light<float>({.position = {1, 4, -2}, .direction = {-0.7f, -4, 1.8f}, .outer_angle_radians = 0.7f,
-                                                      .z_near = 1, .z_far = 9, .clip = clip})
-                : kind == 1 ? make_directional_light<float>({.direction = {0.3f, -1, 0.2f}, .map_size = 60, .divisor = 10,
-                                                             .z_near = 1, .z_far = 20, .clip = clip})
-                            : fit_directional_light<float>({.direction = {0, -1, 0}, .low = {-2.5f, -1, -2}, .high = {3, 1, 3}, .clip = clip});
+                kind == 0   ? make_spot_light<float>({.position = {1, 4, -2},
+                                                      .direction = {-0.7f, -4, 1.8f},
+                                                      .outer_angle_radians = 0.7f,
+                                                      .z_near = 1,
+                                                      .z_far = 9,
+                                                      .clip = clip})
+                : kind == 1 ? make_directional_light<float>({.direction = {0.3f, -1, 0.2f},
+                                                             .map_size = 60,
+                                                             .divisor = 10,
+                                                             .z_near = 1,
+                                                             .z_far = 20,
+                                                             .clip = clip})
+                            : fit_directional_light<float>(
+                                  {.direction = {0, -1, 0}, .low = {-2.5f, -1, -2}, .high = {3, 1, 3}, .clip = clip});
             image<float> map(size, cleared_depth(clip));
             rasterize_depth(map, {positions, triangles}, light.projection * light.view, clip);
 
@@ -220,7 +236,8 @@ TEST_CASE("texture_matrix: lands on the texel and the depth that the rasterizer 
                     const glm::dvec3 p = through(back, {x + 0.5, y + 0.5, map[{x, y}]});
                     worst_height = worse(worst_height, std::abs(glm::dot(p - a, glm::normalize(normal))));
                     const double area = glm::dot(normal, normal);
-                    for (double weight : {glm::dot(glm::cross(b - a, p - a), normal) / area, glm::dot(glm::cross(c - b, p - b), normal) / area,
+                    for (double weight : {glm::dot(glm::cross(b - a, p - a), normal) / area,
+                                          glm::dot(glm::cross(c - b, p - b), normal) / area,
                                           glm::dot(glm::cross(a - c, p - c), normal) / area})
                         worst_outside = worse(worst_outside, -weight);
                 }

@@ -37,11 +37,13 @@ TEST_CASE("spot_cone: as the normalised test in double, but for 2^-22 around the
     constexpr int count = 200000;
     for (int i = 0; i < count; ++i) {
         const glm::vec3 axis = glm::normalize(glm::vec3(coordinate(random), coordinate(random), coordinate(random)));
-        const glm::vec3 to_point = glm::vec3(coordinate(random), coordinate(random), coordinate(random)) * std::exp2(power(random));
+        const glm::vec3 to_point =
+            glm::vec3(coordinate(random), coordinate(random), coordinate(random)) * std::exp2(power(random));
         const double cosine = glm::dot(glm::dvec3(axis), glm::normalize(glm::dvec3(to_point)));
         // every other cone has its edge close to the point
         float cos_outer = edge(random);
-        if (i % 2 && cosine > 0.01) cos_outer = std::min(0.9999f, static_cast<float>(cosine * (1 + (edge(random) - 0.5) * 1e-5)));
+        if (i % 2 && cosine > 0.01)
+            cos_outer = std::min(0.9999f, static_cast<float>(cosine * (1 + (edge(random) - 0.5) * 1e-5)));
         const float got = spot_cone(axis, to_point, cos_outer);
         if (std::abs(cosine - double(cos_outer)) < 0x1p-22) {
             ++near_edge;
@@ -93,9 +95,11 @@ TEST_CASE("diffuse_ambient: float near double, between ambient and full light, b
         const glm::vec3 albedo(share(random), share(random), share(random));
         const float ambient = share(random), n_dot_l = cosine(random), visibility = share(random);
         const glm::vec3 got = diffuse_ambient(albedo, ambient, n_dot_l, visibility);
-        const double light = double(ambient) + (1 - double(ambient)) * double(visibility) * std::max(0.0, double(n_dot_l));
+        const double light =
+            double(ambient) + (1 - double(ambient)) * double(visibility) * std::max(0.0, double(n_dot_l));
         worst = std::max(worst, glm::length(glm::dvec3(got) - glm::dvec3(albedo) * light));
-        const glm::vec3 dark = diffuse_ambient(albedo, ambient, n_dot_l, 0.0f), lit = diffuse_ambient(albedo, ambient, n_dot_l, 1.0f);
+        const glm::vec3 dark = diffuse_ambient(albedo, ambient, n_dot_l, 0.0f),
+                        lit = diffuse_ambient(albedo, ambient, n_dot_l, 1.0f);
         for (int k = 0; k < 3; ++k) out_of_bounds += !(dark[k] <= got[k] && got[k] <= lit[k]);
     }
     CHECK(worst < 3e-7);
