@@ -490,8 +490,9 @@ public:
 
     [[nodiscard]] glm::ivec2 size() const { return size_; }
     [[nodiscard]] bool empty() const { return texels_.empty(); }
-    [[nodiscard]] std::span<T> texels() { return texels_; }
-    [[nodiscard]] std::span<const T> texels() const { return texels_; }
+    [[nodiscard]] std::span<T> texels() & { return texels_; }
+    [[nodiscard]] std::span<const T> texels() const& { return texels_; }
+    void texels() && = delete;  ///< of a temporary: they would dangle
 
     [[nodiscard]] T& operator[](glm::ivec2 texel) { return view()[texel]; }
     [[nodiscard]] const T& operator[](glm::ivec2 texel) const { return view()[texel]; }
@@ -2126,7 +2127,8 @@ template <real T>
     detail::check_planes(z_near, z_far);
     if (!(z_near > T(0))) throw std::invalid_argument("umbrage: a perspective light needs z_near > 0");
     if (!is_finite(tan_half_x) || !is_finite(tan_half_y) || !(tan_half_x > T(0)) || !(tan_half_y > T(0)))
-        throw std::invalid_argument("umbrage: a perspective light needs an opening angle above 0 and below 180 degrees");
+        throw std::invalid_argument(
+            "umbrage: a perspective light needs an opening angle above 0 and below 180 degrees");
     const auto [at_near, at_far] = detail::ends<T>(clip);
     const T forward = clip.hand == handedness::right ? T(-1) : T(1);
     glm::mat<4, 4, T> m(T(0));
@@ -2144,7 +2146,8 @@ template <real T>
 /// @param z_near, z_far    z_near < z_far, world units, may be negative (behind the light's position)
 /// @throws std::invalid_argument   an empty or non-finite box
 template <real T>
-[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far, clip_space clip) {
+[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
+                                             clip_space clip) {
     detail::check_planes(z_near, z_far);
     for (int i = 0; i < 2; ++i)
         if (!is_finite(low[i]) || !is_finite(high[i]) || !(low[i] < high[i]))
@@ -2216,8 +2219,8 @@ inline constexpr std::array<glm::vec<2, T>, 4> default_taps{
 /// @formula                translate(offset) * texture_matrix
 /// @cite                   ATI Radeon SDK, ShadowMap sample, 2002
 template <real T>
-[[nodiscard]] std::array<glm::mat<4, 4, T>, 4> tap_matrices(const glm::mat<4, 4, T>& texture_matrix,
-                                                            const std::array<glm::vec<2, T>, 4>& offsets = default_taps<T>) {
+[[nodiscard]] std::array<glm::mat<4, 4, T>, 4> tap_matrices(
+    const glm::mat<4, 4, T>& texture_matrix, const std::array<glm::vec<2, T>, 4>& offsets = default_taps<T>) {
     std::array<glm::mat<4, 4, T>, 4> taps;
     for (std::size_t tap = 0; tap < 4; ++tap) {
         taps[tap] = texture_matrix;
@@ -2235,7 +2238,8 @@ template <real T>
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
     glm::vec<4, T> c(0);
-    for (int row = 0; row < 4; ++row) c[row] = m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z + m[3][row];
+    for (int row = 0; row < 4; ++row)
+        c[row] = m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z + m[3][row];
     return c;
 }
 
@@ -2611,7 +2615,7 @@ struct clipped_polygon {
 // ---- umbrage/image_ops/isa.hpp
 // One loop, compiled for each instruction set, the machine's best chosen when the program runs. No flags, no intrinsics.
 //
-//     umbrage::detail::on_best_isa([&]() UMBRAGE_INLINE { for (...) block(...); });
+//     umbrage::detail::on_best_isa([&](auto) UMBRAGE_INLINE { for (...) block(...); });
 //
 // A body is inlined into thin functions that carry the target; what it calls must be UMBRAGE_INLINE too, or it is
 // compiled for the base set. GCC vectorises at -O2 only loops whose count it knows, and no `c ? x : y` on floats: so
@@ -2660,25 +2664,29 @@ namespace detail {
 /// What image functions use; tests set it to see every path.
 inline isa isa_in_use = best_isa() < isa::UMBRAGE_FORCE_ISA ? best_isa() : isa::UMBRAGE_FORCE_ISA;
 
+template <isa Set>
+using isa_constant = std::integral_constant<isa, Set>;
+
 #if UMBRAGE_HAS_DISPATCH
 template <class Body>
 UMBRAGE_AVX2 void on_avx2(const Body& body) {
-    body();
+    body(isa_constant<isa::avx2>{});
 }
 template <class Body>
 UMBRAGE_AVX512 void on_avx512(const Body& body) {
-    body();
+    body(isa_constant<isa::avx512>{});
 }
 #endif
 
-/// Runs the body, compiled for the instruction set in use. Only for results that no contraction to FMA can change.
+/// Runs the body, compiled for the instruction set in use, which it gets as a constant. Only for results that no
+/// contraction to FMA can change.
 template <class Body>
 void on_best_isa(const Body& body) {
 #if UMBRAGE_HAS_DISPATCH
     if (isa_in_use == isa::avx512) return on_avx512(body);
     if (isa_in_use == isa::avx2) return on_avx2(body);
 #endif
-    body();
+    body(isa_constant<isa::base>{});
 }
 
 /// The same for sums of products that round: AVX-512 brings FMA along, with which compilers change the result.
@@ -2687,16 +2695,16 @@ void on_best_isa_without_fma(const Body& body) {
 #if UMBRAGE_HAS_DISPATCH
     if (isa_in_use != isa::base) return on_avx2(body);
 #endif
-    body();
+    body(isa_constant<isa::base>{});
 }
 
 inline constexpr int block = 64;  ///< elements of a loop whose count the compiler knows
 
-/// saturate() with selects on the bits: the magnitude up to 1, where the value is above 0 or a NaN.
+/// saturate() on the bits: the magnitude up to 1, or 0 for what is negative and not a NaN.
 [[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v) {
-    constexpr std::int32_t one = 0x3F800000, infinity = 0x7F800000;
-    const std::int32_t magnitude = std::bit_cast<std::int32_t>(v) & 0x7FFFFFFF;
-    const std::int32_t kept = -(std::int32_t(v > 0.0f) | std::int32_t(magnitude > infinity));
+    constexpr auto one = std::bit_cast<std::int32_t>(1.0f), minus_infinity = static_cast<std::int32_t>(0xFF800000u);
+    const auto bits = std::bit_cast<std::int32_t>(v);
+    const std::int32_t magnitude = bits & 0x7FFFFFFF, kept = -std::int32_t(bits > minus_infinity);
     return std::bit_cast<float>((magnitude < one ? magnitude : one) & kept);
 }
 
@@ -2853,7 +2861,7 @@ void encode(image_view<const float> depth, image_view<typename Encoding::texel> 
     if (depth.size != texels.size) throw std::invalid_argument("umbrage::encode: sizes differ");
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
-        detail::on_best_isa([&]() UMBRAGE_INLINE {
+        detail::on_best_isa([&](auto) UMBRAGE_INLINE {
             for (int y = first; y < last; ++y)
                 detail::convert_row(depth.row(y), texels.row(y), depth.size.x,
                                     [&](const auto* from, auto* to) UMBRAGE_INLINE {
@@ -2873,7 +2881,7 @@ void decode(image_view<const typename Encoding::texel> texels, image_view<float>
     if (depth.size != texels.size) throw std::invalid_argument("umbrage::decode: sizes differ");
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
-        detail::on_best_isa([&]() UMBRAGE_INLINE {
+        detail::on_best_isa([&](auto) UMBRAGE_INLINE {
             for (int y = first; y < last; ++y)
                 detail::convert_row(texels.row(y), depth.row(y), depth.size.x,
                                     [&](const auto* from, auto* to) UMBRAGE_INLINE {
@@ -3152,10 +3160,10 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
 
 }  // namespace umbrage
 
-// ---- umbrage/image_ops/visibility.hpp
-// A whole image of receivers against a shadow map, with any filter and any encoding.
+// ---- umbrage/image_ops/filters.hpp
+// The filters as values, for functions over images.
 //
-//     umbrage::visibility(map.view(), umbrage::rg<11>{}, receivers.view(), umbrage::filters::pcf_2x2{}, out.view());
+//     umbrage::visibility(map.view(), umbrage::rg<11>{}, receivers.view(), umbrage::filters::box{.radius = 2}, out.view());
 //
 
 namespace umbrage {
@@ -3207,23 +3215,417 @@ struct box {
 
 }  // namespace filters
 
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/visibility_blocks.hpp
+// The filters over blocks of 64 receivers: what visibility() is made of. Each does a filter in three loops: where to
+// look (vectorised), the loads (one for two neighbours), and compare and weigh (vectorised).
+//
+//     umbrage::detail::receiver_block r;
+//     umbrage::detail::block_filter<umbrage::filters::pcf_2x2, umbrage::rg<11>>{map, {}, {}}(r, visibility, isa);
+//
+
+namespace umbrage::detail {
+
+/// Texels, texels, depth; what lies behind the last receiver of a row is not read into any result.
+struct receiver_block {
+    alignas(64) float x[block]{}, y[block]{}, z[block]{};
+};
+
+/// less_equal as a number. -ffast-math makes compilers forget what NaN does to <=; then the bits say it.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+    const auto number = [](float v) UMBRAGE_INLINE { return std::int32_t((std::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000); };
+    return std::int32_t(receiver <= stored) & number(receiver) & number(stored);
+#else
+    return std::int32_t(receiver <= stored);
+#endif
+}
+
+/// inside_texel_space as a mask: all bits, or none.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t texel_space_mask(float x, float y) {
+    constexpr auto limit = std::bit_cast<std::int32_t>(32768.0f);
+    return -(std::int32_t((std::bit_cast<std::int32_t>(x) & 0x7FFFFFFF) < limit) &
+             std::int32_t((std::bit_cast<std::int32_t>(y) & 0x7FFFFFFF) < limit));
+}
+[[nodiscard]] UMBRAGE_INLINE inline float masked(float v, std::int32_t mask) {
+    return std::bit_cast<float>(std::bit_cast<std::int32_t>(v) & mask);
+}
+[[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
+    return std::bit_cast<float>((std::bit_cast<std::int32_t>(a) & mask) | (std::bit_cast<std::int32_t>(b) & ~mask));
+}
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_int(float v) {  // |v| < 2^31
+    const auto toward_zero = static_cast<std::int32_t>(v);
+    return toward_zero - std::int32_t(static_cast<float>(toward_zero) > v);
+}
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t clamp_int(std::int32_t v, std::int32_t highest) {
+    v = v > 0 ? v : 0;
+    return v < highest ? v : highest;
+}
+
+/// What is loaded for a block of receivers: a texel each, or two neighbours. The depths in them and the
+/// receiver's are asked for in loops that vectorise; this general form decodes while it loads.
+template <class Encoding>
+struct loaded_texels {
+    const Encoding& encoding;
+    float depths[2 * block];
+    explicit loaded_texels(const Encoding& e) : encoding(e) {}
+    UMBRAGE_INLINE void load_one(int i, const typename Encoding::texel* t) { depths[i] = encoding.decode(*t); }
+    UMBRAGE_INLINE void load_two(int i, const typename Encoding::texel* t) {
+        depths[2 * i] = encoding.decode(t[0]);
+        depths[2 * i + 1] = encoding.decode(t[1]);
+    }
+    static UMBRAGE_INLINE float receiver(float depth) { return depth; }
+    UMBRAGE_INLINE float one(int i) const { return depths[i]; }
+    UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
+    UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
+};
+
+/// Floats need no decoding, but two of them are one load.
+template <>
+struct loaded_texels<depth32f> {
+    float depths[2 * block];
+    explicit loaded_texels(const depth32f&) {}
+    UMBRAGE_INLINE void load_one(int i, const float* t) { depths[i] = *t; }
+    UMBRAGE_INLINE void load_two(int i, const float* t) { std::memcpy(depths + 2 * i, t, 2 * sizeof(float)); }
+    static UMBRAGE_INLINE float receiver(float depth) { return depth; }
+    UMBRAGE_INLINE float one(int i) const { return depths[i]; }
+    UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
+    UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
+};
+
+/// Byte pairs, two of them to a word. Both sides of the comparison stay 2^Bits times the depth, which changes no result.
+template <int Bits>
+struct loaded_texels<rg<Bits>> {
+    static constexpr bool little = std::endian::native == std::endian::little;
+    float edge;
+    std::uint32_t words[block];
+    explicit loaded_texels(const rg<Bits>& encoding) : edge(encoding.edge) {}
+    UMBRAGE_INLINE void load_one(int i, const glm::u8vec2* t) {
+        std::uint16_t word;
+        std::memcpy(&word, t, sizeof word);
+        words[i] = word;
+    }
+    UMBRAGE_INLINE void load_two(int i, const glm::u8vec2* t) { std::memcpy(words + i, t, sizeof *words); }
+    static UMBRAGE_INLINE float receiver(float depth) { return depth * float(1 << Bits); }
+    UMBRAGE_INLINE float one(int i) const { return number(codes(i) & 0xFFFF); }
+    UMBRAGE_INLINE float first(int i) const { return number(little ? codes(i) & 0xFFFF : codes(i) >> 16); }
+    UMBRAGE_INLINE float second(int i) const { return number(little ? codes(i) >> 16 : codes(i) & 0xFFFF); }
+    /// R + 2^(Bits - 8) G of both texels at once, in the two halves of a word.
+    UMBRAGE_INLINE std::uint32_t codes(int i) const {
+        constexpr std::uint32_t low = 0x00FF00FF, high = low << (Bits - 8);
+        const std::uint32_t w = words[i];
+        return little ? (w & low) + (w >> (16 - Bits) & high) : (w >> 8 & low) + ((w & low) << (Bits - 8));
+    }
+    UMBRAGE_INLINE float number(std::uint32_t code) const { return static_cast<float>(static_cast<std::int32_t>(code)) + edge; }
+};
+
+/// Texels of a map by their distance from the first in bytes, which fits 32 bits so that it vectorises.
+template <class T>
+struct texel_bytes {
+    const std::byte* data;
+    std::int32_t stride;
+
+    explicit texel_bytes(const image_view<T>& map)
+        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
+    static bool fits(const image_view<T>& map) {
+        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
+        return map.size.x <= highest / std::ptrdiff_t(sizeof(T)) && map.size.y <= highest / 2 &&
+               (map.stride < 0 ? -map.stride : map.stride) <= highest / (map.size.y + 1);
+    }
+    UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
+        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
+    }
+    UMBRAGE_INLINE T* at(std::int32_t offset) const { return reinterpret_cast<T*>(data + offset); }
+    UMBRAGE_INLINE T* below(std::int32_t offset) const { return reinterpret_cast<T*>(data + stride + offset); }
+};
+
+/// Any filter, one receiver after the other.
+template <class Filter, class Encoding>
+struct one_by_one {
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const Filter& filter;
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa) const {
+        const auto fetch = decoded(map, encoding);
+        for (int i = 0; i < count; ++i) visibility[i] = filter(fetch, glm::vec2(r.x[i], r.y[i]), r.z[i]);
+    }
+};
+
+/// A receiver's own texel, clamped to the map, and the test against it, added to `count`.
+template <class Encoding>
+UMBRAGE_INLINE inline void add_hard(image_view<const typename Encoding::texel> map, const Encoding& encoding,
+                                    const receiver_block& r, glm::vec2 offset, std::int32_t* count) {
+    const texel_bytes memory(map);
+    const int last_x = map.size.x - 1, last_y = map.size.y - 1;
+    std::int32_t offsets[block], inside[block];
+    loaded_texels<Encoding> texels(encoding);
+    for (int i = 0; i < block; ++i) {
+        const float x = r.x[i] + offset.x, y = r.y[i] + offset.y;
+        inside[i] = texel_space_mask(x, y);
+        offsets[i] = memory.offset(clamp_int(floor_int(masked(x, inside[i])), last_x),
+                                   clamp_int(floor_int(masked(y, inside[i])), last_y));
+    }
+    for (int i = 0; i < block; ++i) texels.load_one(i, memory.at(offsets[i]));
+    for (int i = 0; i < block; ++i) count[i] += (is_lit(texels.receiver(r.z[i]), texels.one(i)) & inside[i]) | (1 & ~inside[i]);
+}
+
+/// The filters that have a form for blocks; `least` is the side of the smallest map that it can take.
+template <class Filter, class Encoding>
+struct block_filter {
+    static constexpr int least = 0;  ///< none
+};
+
+template <class Encoding>
+struct block_filter<filters::hard, Encoding> {
+    static constexpr int least = 1;
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const filters::hard& filter;
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+        std::int32_t lit[block]{};
+        add_hard(map, encoding, r, glm::vec2(0.0f), lit);
+        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
+    }
+};
+
+template <class Encoding>
+struct block_filter<filters::four_tap, Encoding> {
+    static constexpr int least = 1;
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const filters::four_tap& filter;
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+        std::int32_t lit[block]{};
+        for (const glm::vec2 offset : filter.offsets) add_hard(map, encoding, r, offset, lit);
+        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]) * 0.25f;
+    }
+};
+
+/// A position clamped to the middles of the map's border texels has the same neighbours and weights that add up to the
+/// same, so that both neighbours are in the map and one load gets them.
+template <class Encoding>
+struct block_filter<filters::pcf_2x2, Encoding> {
+    static constexpr int least = 2;
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const filters::pcf_2x2& filter;
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+        const texel_bytes memory(map);
+        constexpr int far = 1 << 15;  // no position is farther
+        const int last_x = (map.size.x < far ? map.size.x : far) - 1, last_y = (map.size.y < far ? map.size.y : far) - 1;
+        std::int32_t offsets[block], inside[block];
+        float hi_x[block], hi_y[block];
+        loaded_texels<Encoding> low(encoding), high(encoding);
+        const auto place = [](float coord, int last, float& hi) UMBRAGE_INLINE {
+            const std::int32_t position = clamp_int(floor_int(coord * 256.0f) - 128, last * 256);
+            const std::int32_t texel = (position >> 8) < last ? position >> 8 : last - 1;
+            hi = static_cast<float>(position - texel * 256);
+            return texel;
+        };
+        for (int i = 0; i < block; ++i) {
+            inside[i] = texel_space_mask(r.x[i], r.y[i]);
+            offsets[i] = memory.offset(place(masked(r.x[i], inside[i]), last_x, hi_x[i]),
+                                       place(masked(r.y[i], inside[i]), last_y, hi_y[i]));
+        }
+        for (int i = 0; i < block; ++i) {
+            low.load_two(i, memory.at(offsets[i]));
+            high.load_two(i, memory.below(offsets[i]));
+        }
+        for (int i = 0; i < block; ++i) {
+            const float z = low.receiver(r.z[i]), lo_x = 256.0f - hi_x[i], lo_y = 256.0f - hi_y[i];
+            const auto weigh = [&](const auto& row) UMBRAGE_INLINE {
+                return masked(lo_x, -is_lit(z, row.first(i))) + masked(hi_x[i], -is_lit(z, row.second(i)));
+            };
+            const float sum = lo_y * weigh(low) + hi_y[i] * weigh(high);
+            visibility[i] = select(inside[i], sum * (1.0f / 65536.0f), 1.0f);
+        }
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/image_ops/visibility.hpp
+// A whole image of receivers against a shadow map, with any filter and any encoding.
+//
+//     umbrage::visibility(map.view(), umbrage::rg<11>{}, receivers.view(), umbrage::filters::pcf_2x2{}, out.view());
+//
+// Straight from what a camera saw, with no image of receivers in between:
+//
+//     umbrage::depth_receivers seen{depth.view(), umbrage::receiver_matrix(inverse, to_texels, size, clip), bias};
+//     umbrage::visibility(map.view(), umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out.view());
+//
+// Bit for bit what the filter gives for each receiver alone.
+
+namespace umbrage {
+
+/// Receivers as three images of the same size: x and y in texels of the map, depth, biased.
+struct receiver_planes {
+    image_view<const float> x, y, depth;
+};
+
+/// Receivers as a camera's depth image.
+struct depth_receivers {
+    image_view<const float> depth;  ///< as the depth pass leaves it, in [0, 1]
+    glm::mat4 matrix;               ///< receiver_matrix
+    float bias = 0.0f;              ///< in the map's depth, taken off each receiver's
+};
+
+/// The way from a camera's depth image to the shadow map.
+///
+/// @param clip_to_world    inverse of the camera's projection * view
+/// @param texture_matrix   world to texels of the map
+/// @param size             of the depth image in texels, each >= 1
+/// @param clip             the camera's convention
+/// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
+///                         the camera; the product is taken in double
+/// @throws std::invalid_argument  size below 1
+[[nodiscard]] inline glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
+                                               glm::ivec2 size, clip_space clip) {
+    if (size.x < 1 || size.y < 1) throw std::invalid_argument("umbrage::receiver_matrix: size below 1");
+    const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
+    glm::dmat4 to_clip(1.0);
+    to_clip[0][0] = 2.0 / size.x;
+    to_clip[1][1] = up * 2.0 / size.y;
+    to_clip[3] = {-1.0, -up, 0.0, 1.0};
+    if (clip.range == depth_range::minus_one_to_one) {
+        to_clip[2][2] = 2.0;
+        to_clip[3][2] = -1.0;
+    }
+    return glm::mat4(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
+}
+
+/// One receiver of a camera's depth image.
+/// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), bias taken off its depth
+/// @exactness     C, as project_coordinate
+[[nodiscard]] inline glm::vec3 receiver_at(const depth_receivers& seen, glm::ivec2 texel) {
+    const glm::vec3 at(static_cast<float>(texel.x) + 0.5f, static_cast<float>(texel.y) + 0.5f, seen.depth[texel]);
+    const glm::vec3 p = project_coordinate(shadow_coordinate(seen.matrix, at));
+    return {p.x, p.y, p.z - seen.bias};
+}
+
+namespace detail {
+
+/// Most blocks are whole, and then the compiler knows how much there is to copy.
+UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
+    if (count == block)
+        std::memcpy(to, from, block * sizeof(float));
+    else
+        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
+}
+
+/// Receivers x .. x + count of row y.
+UMBRAGE_INLINE inline void load(const image_view<const glm::vec3>& receivers, int x, int y, int count, receiver_block& r) {
+    const glm::vec3* from = receivers.row(y) + x;
+    const auto copy = [&](int n) UMBRAGE_INLINE {
+        for (int i = 0; i < n; ++i) {
+            r.x[i] = from[i].x;
+            r.y[i] = from[i].y;
+            r.z[i] = from[i].z;
+        }
+    };
+    count == block ? copy(block) : copy(count);
+}
+UMBRAGE_INLINE inline void load(const receiver_planes& receivers, int x, int y, int count, receiver_block& r) {
+    copy_floats(r.x, receivers.x.row(y) + x, count);
+    copy_floats(r.y, receivers.y.row(y) + x, count);
+    copy_floats(r.z, receivers.depth.row(y) + x, count);
+}
+
+/// receiver_at for a block.
+inline void load(const depth_receivers& seen, int first, int row, int count, receiver_block& r) {
+    copy_floats(r.z, seen.depth.row(row) + first, count);
+    on_best_isa_without_fma([&, m = seen.matrix, bias = seen.bias](auto) UMBRAGE_INLINE {
+        const float y = static_cast<float>(row) + 0.5f;
+        for (int i = 0; i < block; ++i) {
+            const float x = static_cast<float>(first + i) + 0.5f, depth = r.z[i];
+            const auto sum = [&](int k) UMBRAGE_INLINE { return m[0][k] * x + m[1][k] * y + m[2][k] * depth + m[3][k]; };
+            const float w = sum(3);
+            const auto bits = std::bit_cast<std::int32_t>(w);
+            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
+            r.x[i] = select(in_front, sum(0) / w, 65536.0f);
+            r.y[i] = select(in_front, sum(1) / w, 65536.0f);
+            r.z[i] = masked(sum(2) / w, in_front) - bias;
+        }
+    });
+}
+
+[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
+    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
+        throw std::invalid_argument("umbrage::visibility: sizes differ");
+    return receivers.depth.size;
+}
+
+/// Every receiver through a filter in either form.
+template <class Receivers, class Filter, class ParallelFor>
+void filter_rows(const Receivers& receivers, const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+    parallel(out.size.y, [&](int first, int last) {
+        on_best_isa([&](auto set) UMBRAGE_INLINE {
+            receiver_block r;
+            float visibility[block];
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < out.size.x; x += block) {
+                    const int count = out.size.x - x < block ? out.size.x - x : block;
+                    load(receivers, x, y, count, r);
+                    filter(r, count, visibility, set);
+                    copy_floats(out.row(y) + x, visibility, count);
+                }
+        });
+    });
+}
+
+template <class Encoding, class Receivers, class Filter, class ParallelFor>
+void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
+                  const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+    if (size_of(receivers) != out.size) throw std::invalid_argument("umbrage::visibility: sizes differ");
+    if (map.empty()) throw std::invalid_argument("umbrage::visibility: empty map");
+    if (out.empty()) return;
+    using blocks = block_filter<Filter, Encoding>;
+    if constexpr (blocks::least > 0)
+        if (map.size.x >= blocks::least && map.size.y >= blocks::least &&
+            texel_bytes<const typename Encoding::texel>::fits(map))
+            return filter_rows(receivers, blocks{map, encoding, filter}, out, parallel);
+    filter_rows(receivers, one_by_one<Filter, Encoding>{map, encoding, filter}, out, parallel);
+}
+
+}  // namespace detail
+
 /// @param map         shadow map, texels of the encoding; outside, the nearest texel inside counts
 /// @param encoding    how the map's texels hold depth; its edge decides ties
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param filter      one of filters::, or any callable (fetch, coord, receiver) -> visibility
 /// @param out         visibility, 1 lit; same size as receivers
+/// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
 /// @throws std::invalid_argument  sizes differ, or the map is empty
-template <class Encoding, class Filter>
+template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, Encoding encoding,
-                image_view<const glm::vec3> receivers, Filter filter, image_view<float> out) {
-    if (receivers.size != out.size) throw std::invalid_argument("umbrage::visibility: sizes differ");
-    const auto fetch = decoded(map, encoding);
-    if (receivers.empty()) return;
-    for (int y = 0; y < receivers.size.y; ++y) {
-        const glm::vec3* from = receivers.row(y);
-        float* to = out.row(y);
-        for (int x = 0; x < receivers.size.x; ++x) to[x] = filter(fetch, glm::vec2(from[x]), from[x].z);
-    }
+                image_view<const glm::vec3> receivers, Filter filter, image_view<float> out,
+                ParallelFor&& parallel = {}) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+}
+
+/// Receivers as a structure of arrays.
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, Encoding encoding, const receiver_planes& receivers,
+                Filter filter, image_view<float> out, ParallelFor&& parallel = {}) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+}
+
+/// Receivers from a camera's depth image: visibility of receiver_at for each of its texels.
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, Encoding encoding, const depth_receivers& receivers,
+                Filter filter, image_view<float> out, ParallelFor&& parallel = {}) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel);
 }
 
 }  // namespace umbrage
@@ -3259,7 +3661,8 @@ template <real T = float>
     // along the normalised direction, moved by the offset: the view's last row holds the light's distance
     light_space<T> space{look_along(light.target, light.direction, light.up, light.clip.hand), {}, light.clip};
     space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
-    if (!is_finite(space.view[3][2])) throw std::invalid_argument("umbrage::make_directional_light: offset must be finite");
+    if (!is_finite(space.view[3][2]))
+        throw std::invalid_argument("umbrage::make_directional_light: offset must be finite");
     const T half = T(light.map_size) / light.divisor / T(2);
     space.projection = orthographic(glm::vec<2, T>(-half), glm::vec<2, T>(half), light.z_near, light.z_far, light.clip);
     return space;
