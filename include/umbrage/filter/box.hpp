@@ -77,9 +77,9 @@ UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
     if (!umbrage_inside_texel_space(coord)) return float(width * width);
     UMBRAGE_HIGHP vec2 first = floor(coord) - float(r);
     UMBRAGE_HIGHP float count = 0.0;
-    for (int j = 0; j < 17; ++j) {
+    for (int j = 0; j < 17; j++) {
         if (j >= width) break;
-        for (int i = 0; i < 17; ++i) {
+        for (int i = 0; i < 17; i++) {
             if (i >= width) break;
             count += UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, first + vec2(float(i), float(j))));
         }
@@ -92,15 +92,16 @@ inline constexpr snippet box_scale{
     .name = "box_scale", .summary = "1 / (2r+1)^2", .exactness = tier::a, .source = R"GLSL(
 // umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
 UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
-    if (radius < 1) return 1.0;
-    if (radius < 2) return 0.111111112;
-    if (radius < 3) return 0.0399999991;
-    if (radius < 4) return 0.0204081628;
-    if (radius < 5) return 0.0123456791;
-    if (radius < 6) return 0.00826446246;
-    if (radius < 7) return 0.00591715984;
-    if (radius < 8) return 0.00444444455;
-    return 0.00346020772;
+    UMBRAGE_HIGHP float scale = 0.00346020772;  // not returned as a literal: that would have the host's precision
+    if (radius < 8) scale = 0.00444444455;
+    if (radius < 7) scale = 0.00591715984;
+    if (radius < 6) scale = 0.00826446246;
+    if (radius < 5) scale = 0.0123456791;
+    if (radius < 4) scale = 0.0204081628;
+    if (radius < 3) scale = 0.0399999991;
+    if (radius < 2) scale = 0.111111112;
+    if (radius < 1) scale = 1.0;
+    return scale;
 }
 )GLSL"};
 

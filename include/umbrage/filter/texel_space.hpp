@@ -50,7 +50,8 @@ inline constexpr snippet inside_texel_space{
     .source = R"GLSL(
 // umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    return abs(coord.x) < 32768.0 && abs(coord.y) < 32768.0;
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 )GLSL"};
 
