@@ -13,6 +13,7 @@
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "compare.hpp"
 
@@ -100,6 +101,7 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
     std::size_t most = 0;
     for (version v : dialects) most = std::max(most, o.inputs(v, only));
     static std::uint64_t serial = 0;
+    bool told = false;  // one dialect's differences in full are enough
     const std::size_t maps = std::max<std::size_t>(e.maps.size(), 1);
     for (std::size_t m = 0; m < maps; ++m) {
         const texels* map = e.maps.empty() ? nullptr : &e.maps[m];
@@ -113,7 +115,7 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
                 if (wanted <= first) continue;
                 std::ostringstream log;
                 compare(j, expected, b.run(dialects[d], j, std::min(j.count, wanted - first)), rows[d].t, log);
-                if (!log.str().empty()) std::cout << b.name() << ", GLSL " << rows[d].dialect << '\n' << log.str();
+                if (!log.str().empty()) std::cout << "GLSL " << rows[d].dialect << '\n' << (std::exchange(told, true) ? "  differs: " + e.name() + '\n' : log.str());
             }
         }
     }
