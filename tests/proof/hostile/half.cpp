@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The two-channel encodings in mediump: the text of the GLSL snippets itself, compiled with a float that is binary16.
+// What mediump leaves of the two-channel encodings, 9 to 13 bits.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -10,18 +10,7 @@
 
 #include <umbrage/depth/rg.hpp>
 
-#include "half.hpp"
-
-namespace mediump {
-using vec2 = half_vector<2>;
-using vec3 = half_vector<3>;
-using vec4 = half_vector<4>;
-#define float half
-#define UMBRAGE_HIGHP
-#define UMBRAGE_PRECISE
-#include "rg.glsl.hpp"
-#undef float
-}  // namespace mediump
+#include "mediump.hpp"
 
 namespace {
 
@@ -48,13 +37,6 @@ const path paths[] = {
     {13, mediump::umbrage_encode_rg13, mediump::umbrage_decode_rg13, exact<13>, {}, 0},
 };
 
-// Written through to_unorm into an 8-bit target and sampled again, all in half.
-mediump::vec2 stored(glm::u8vec2 k, umbrage::unorm_store store) {
-    const mediump::vec2 written = mediump::umbrage_to_unorm(mediump::vec2(double(k.x), double(k.y)));
-    const auto byte = [store](half c) { return half(umbrage::store_unorm8(c.v, store) / 255.0); };
-    return {byte(written.x), byte(written.y)};
-}
-
 }  // namespace
 
 TEST_CASE("half: rounds to nearest even, overflows above 65504, keeps denormals") {
@@ -71,7 +53,7 @@ TEST_CASE("half: rounds to nearest even, overflows above 65504, keeps denormals"
 TEST_CASE("to_unorm, from_unorm: every byte survives mediump, whether the store rounds or truncates") {
     for (const auto store : {umbrage::unorm_store::rounds, umbrage::unorm_store::truncates})
         for (int k = 0; k < 256; ++k) {
-            const mediump::vec2 read = stored(glm::u8vec2(static_cast<std::uint8_t>(k)), store);
+            const mediump::vec2 read = mediump::stored({double(k), double(k)}, store);
             CHECK(mediump::umbrage_from_unorm(read.x).v == float(k));
         }
 }
@@ -85,7 +67,8 @@ TEST_CASE("encode_rg, decode_rg: in mediump 11 bits hold at both edges, the cent
         int first = -1;
         for (int x = 0; x < codes; ++x) {
             const glm::u8vec2 k = p.exact(float(x) / float(codes));
-            const mediump::vec2 sampled = stored(k, x % 2 ? umbrage::unorm_store::rounds : umbrage::unorm_store::truncates);
+            const auto store = x % 2 ? umbrage::unorm_store::rounds : umbrage::unorm_store::truncates;
+            const mediump::vec2 sampled = mediump::stored({double(k.x), double(k.y)}, store);
             for (int e = 0; e < 3; ++e) {
                 const double edge = e / 2.0;
                 if (p.decode(sampled, edge).v == float((x + edge) / codes)) continue;

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// A museum of public bugs: each exhibit runs the old formula, written anew from its description, and ours on the same
+// inputs. The test demands that the old one fails and ours does not; main.cpp makes MUSEUM.md of the same table.
+#pragma once
+
+#include <cmath>
+#include <span>
+
+#include <glm/gtc/type_precision.hpp>
+#include <umbrage/unorm.hpp>
+
+struct score {
+    long wrong = 0, tried = 0;
+    double worst = 0.0;
+
+    /// One input: its error, and what is still allowed. NaN is wrong, and infinitely so.
+    void add(double error, double allowed) {
+        error = std::isnan(error) ? HUGE_VAL : std::abs(error);
+        ++tried;
+        wrong += error > allowed;
+        worst = error > worst ? error : worst;
+    }
+};
+
+struct exhibit {
+    const char* title;
+    const char* seen;     ///< where: public systems and threads
+    const char* trouble;  ///< what goes wrong
+    const char* formula;  ///< the old one
+    const char* counted;  ///< what is tried and what counts as wrong
+    const char* unit;     ///< of the worst error
+    const char* ours;     ///< what umbrage does
+    score (*old_way)();
+    score (*our_way)();
+};
+
+std::span<const exhibit> encodings();
+std::span<const exhibit> filters();
+std::span<const exhibit> spaces();
+
+/// Through an 8-bit target: what is read back of written values, or of integer channels, which go through to_unorm.
+template <int L>
+glm::vec<L, float> stored(glm::vec<L, float> written, umbrage::unorm_store store = umbrage::unorm_store::rounds) {
+    return umbrage::load_unorm8(umbrage::store_unorm8(written, store));
+}
+template <int L>
+glm::vec<L, float> stored(glm::vec<L, std::uint8_t> channels, umbrage::unorm_store store = umbrage::unorm_store::rounds) {
+    return stored(umbrage::to_unorm(glm::vec<L, float>(channels)), store);
+}

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+//
+// Exhibits: matrices, projections, conventions.
+#include "museum.hpp"
+
+#include <array>
+
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+#include <umbrage/filter/hard.hpp>
+#include <umbrage/light/directional_light.hpp>
+#include <umbrage/light/spot_light.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+namespace {
+
+using namespace umbrage;
+using glm::mat4;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+
+constexpr glm::ivec2 map_size{1024, 1024};
+const vec3 position(2.0f, 9.0f, 4.0f);
+const vec3 direction(-2.0f, -9.0f, -4.0f);
+
+light_space<float> spot(clip_space clip) {
+    return make_spot_light<float>({.position = position, .direction = direction, .outer_angle_radians = 0.5f, .z_near = 1.0f,
+                                   .z_far = 20.0f, .clip = clip});
+}
+
+// Points of a grid around the light's target; `side` 1 in front of the light, -1 mirrored behind it.
+template <class Visit>
+void points(Visit visit, float side = 1.0f) {
+    for (int i = 0; i < 24 * 24 * 24; ++i) {
+        const vec3 p = vec3(i % 24, i / 24 % 24, i / 576) / 12.0f - 1.0f;
+        visit(side > 0.0f ? p : 2.0f * position - p);
+    }
+}
+double distance(vec3 a, vec3 b) { return glm::length(glm::dvec3(a) - glm::dvec3(b)); }
+
+// Texels and depth of a point, from the projection in double, conventions spelled out once more.
+vec3 truth(const light_space<float>& light, vec3 p) {
+    const glm::dvec4 c = glm::dmat4(light.projection) * (glm::dmat4(light.view) * glm::dvec4(p, 1.0));
+    const glm::dvec3 ndc = glm::dvec3(c) / c.w;
+    const double y = light.clip.origin == texture_origin::top ? -ndc.y : ndc.y;
+    const double z = light.clip.range == depth_range::minus_one_to_one ? ndc.z * 0.5 + 0.5 : ndc.z;
+    return vec3((ndc.x * 0.5 + 0.5) * map_size.x, (y * 0.5 + 0.5) * map_size.y, z);
+}
+// Where points land, in texels, against the truth; the map stores depth clamped, `depth` counts it in 1024ths.
+template <class Land>
+score landings(clip_space clip, Land land) {
+    const light_space<float> light = spot(clip);
+    score s;
+    points([&](vec3 p) {
+        vec3 here = land(light, p), there = truth(light, p);
+        here.z = saturate(here.z) * 1024.0f;
+        there.z *= 1024.0f;
+        s.add(distance(here, there), 0.01);
+    });
+    return s;
+}
+vec3 ours(const light_space<float>& light, vec3 p) {
+    return project_coordinate(shadow_coordinate(texture_matrix(light, map_size), p));
+}
+vec3 transposed(const light_space<float>& light, vec3 p) {
+    const vec4 c = glm::transpose(texture_matrix(light, map_size)) * vec4(p, 1.0f);
+    return vec3(c.x / c.w, c.y / c.w, c.z / c.w);
+}
+// x and y to [0, 1], and z left as the projection gave it.
+vec3 z_as_it_is(const light_space<float>& light, vec3 p) {
+    const vec4 c = light.projection * light.view * vec4(p, 1.0f);
+    const vec3 ndc(c.x / c.w, c.y / c.w, c.z / c.w);
+    return vec3((ndc.x * 0.5f + 0.5f) * 1024.0f, (ndc.y * 0.5f + 0.5f) * 1024.0f, ndc.z);
+}
+// A [0, 1] projection, and z halved and raised all the same.
+vec3 z_halved_twice(const light_space<float>& light, vec3 p) {
+    const vec3 c = z_as_it_is(light, p);
+    return vec3(c.x, c.y, c.z * 0.5f + 0.5f);
+}
+
+// Four taps half a texel around every point.
+template <class Tap>
+score taps(Tap tap) {
+    const light_space<float> light = spot(vulkan_clip_space);
+    const mat4 m = texture_matrix(light, map_size);
+    score s;
+    points([&](vec3 p) {
+        const vec4 c = shadow_coordinate(m, p);
+        for (const vec2 offset : default_taps<float>)
+            s.add(distance(tap(c, offset), truth(light, p) + vec3(offset, 0.0f)), 0.01);
+    });
+    return s;
+}
+
+// Lights along the axes and close to them, up = +y: how far the view is from a rotation.
+template <class View>
+score directions(View view) {
+    score s;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const float sign : {1.0f, -1.0f})
+            for (const float tilt : {0.0f, 1e-3f, 0.1f}) {
+                vec3 d(0.0f);
+                d[axis] = sign;
+                d[(axis + 1) % 3] = tilt;
+                const glm::mat3 r(view(d));
+                const glm::mat3 should_be_one = r * glm::transpose(r);
+                double error = 0.0;
+                for (int i = 0; i < 9; ++i) {
+                    const double e = std::abs(double(should_be_one[i / 3][i % 3]) - (i % 4 == 0 ? 1.0 : 0.0));
+                    error = std::isnan(e) || e > error ? e : error;
+                    if (std::isnan(error)) break;
+                }
+                s.add(error, 1e-5);
+            }
+    return s;
+}
+
+// Points behind a spot light over a map that nothing was drawn to: all lit.
+template <class Project>
+score behind(Project project) {
+    const mat4 m = texture_matrix(spot(vulkan_clip_space), map_size);
+    score s;
+    points([&](vec3 p) {
+        const vec3 c = project(shadow_coordinate(m, p));
+        s.add(double(hard([](glm::ivec2) { return 1.0f; }, vec2(c.x, c.y), c.z)) - 1.0, 0.0);
+    }, -1.0f);
+    return s;
+}
+
+const exhibit all[] = {
+    {"Row or column", "every port between Direct3D's row vectors and OpenGL's column vectors",
+     "The transposed matrix is uploaded: nothing lands where it should.", "transpose(M) * vec4(world, 1)",
+     "13824 points, more than 1/100 texel (or 1/100 of 1/1024 depth) off", "texels",
+     "GLM's columns throughout; `shadow_coordinate` is the one place that multiplies",
+     [] { return landings(vulkan_clip_space, transposed); }, [] { return landings(vulkan_clip_space, ours); }},
+    {"z of [-1, 1] used as [0, 1]", "programs mixing GLM_FORCE_DEPTH_ZERO_TO_ONE with OpenGL's default clip space",
+     "Receivers are on another scale than occluders, and the nearer part of the range, below 0, is stored as 0.", "xy / 2 + 1 / 2, z as it is",
+     "13824 points under an OpenGL projection, more than 1/100 texel (or 1/100 of 1/1024 depth) off", "1/1024 depth",
+     "`clip_space` is an argument and a member; `texture_matrix` reads it",
+     [] { return landings(opengl_clip_space, z_as_it_is); }, [] { return landings(opengl_clip_space, ours); }},
+    {"z of [0, 1] halved again", "the same, the other way round",
+     "Half of the range is gone, and receivers are on another scale than occluders.", "xyz / 2 + 1 / 2",
+     "13824 points under a Vulkan projection, more than 1/100 texel (or 1/100 of 1/1024 depth) off", "1/1024 depth",
+     "`clip_space` again", [] { return landings(vulkan_clip_space, z_halved_twice); },
+     [] { return landings(vulkan_clip_space, ours); }},
+    {"Upside down", "maps of Direct3D, Metal and WebGPU read with OpenGL's texture matrix",
+     "The first row is at the top; the shadow is mirrored.", "y / 2 + 1 / 2",
+     "13824 points under a Direct3D projection, more than 1/100 texel off", "texels", "`texture_origin` is part of `clip_space`",
+     [] { return landings(direct3d_clip_space, z_as_it_is); }, [] { return landings(direct3d_clip_space, ours); }},
+    {"The offset and the division", "four-tap filters that move projective coordinates",
+     "An offset added before the division by w is divided too: taps close in as the light moves away.",
+     "(x + offset.x, y + offset.y, z, w), then divide", "13824 points, 4 taps each, more than 1/100 texel off", "texels",
+     "`tap_coordinate` and `tap_matrices` scale the offset by w",
+     [] { return taps([](vec4 c, vec2 o) { return project_coordinate(vec4(c.x + o.x, c.y + o.y, c.z, c.w)); }); },
+     [] { return taps([](vec4 c, vec2 o) { return project_coordinate(tap_coordinate(c, o)); }); }},
+    {"A light straight down", "look-at with a fixed up vector; filament's cube faces at +y and -y",
+     "direction x up is zero, its normal NaN, and so is the view.", "lookAt(position, position + direction, (0, 1, 0))",
+     "18 directions on and near the axes, view more than 1e-5 from a rotation", "matrix elements",
+     "`look_along` takes another axis when the hint is parallel, or nearly",
+     [] { return directions([](vec3 d) { return glm::lookAtRH(position, position + d, vec3(0.0f, 1.0f, 0.0f)); }); },
+     [] { return directions([](vec3 d) { return look_along(position, d, vec3(0.0f, 1.0f, 0.0f), handedness::right); }); }},
+    {"Behind the light", "projective texturing without a test of w",
+     "Points behind a spot light divide by a negative w, land on the map upside down and beyond its far plane.",
+     "(x, y, z) / w", "13824 points behind the light, an empty map, in shadow", "visibility",
+     "`project_coordinate` sends w <= 0 out of texel space, which every filter takes as lit",
+     [] { return behind([](vec4 c) { return vec3(c.x / c.w, c.y / c.w, c.z / c.w); }); }, [] { return behind(project_coordinate<float>); }},
+};
+
+}  // namespace
+
+std::span<const exhibit> spaces() { return all; }
