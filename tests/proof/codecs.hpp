@@ -209,7 +209,13 @@ struct seen {
 template <class Format>
 [[nodiscard]] seen look_at(unorm_store store, float (*input)(std::uint64_t), std::uint64_t first, std::uint64_t last) {
     const double stated = Format::known.error[store == unorm_store::truncates];
-    const auto read_back = [store](float depth) { return Format::read(stored(Format::write(depth), store)); };
+    // most floats are written as 0 or as 1: those two are read back once
+    const auto zero = Format::write(0.0f), one = Format::write(1.0f);
+    const float zero_read = Format::read(stored(zero, store)), one_read = Format::read(stored(one, store));
+    const auto read_back = [&](float depth) {
+        const auto written = Format::write(depth);
+        return written == zero ? zero_read : written == one ? one_read : Format::read(stored(written, store));
+    };
     float previous = first > 0 && !umbrage::is_nan(input(first - 1)) ? read_back(input(first - 1)) : 0.0f;
     seen s;
     for (std::uint64_t n = first; n < last; ++n) {
