@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -9,6 +10,8 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+
+#include <glm/geometric.hpp>
 
 #include "scene.hpp"
 
@@ -66,6 +69,12 @@ mesh load_mesh(const std::filesystem::path& path) {
                 out.triangles.emplace_back(base + face.mIndices[0], base + face.mIndices[1], base + face.mIndices[2]);
     }
     if (out.triangles.empty()) throw fail("no triangles in it");
+    std::erase_if(out.triangles, [&](glm::uvec3 t) {
+        const glm::dvec3 a = out.positions[t.x], b = out.positions[t.y], c = out.positions[t.z];
+        const double twice_area = glm::length(glm::cross(b - a, c - a));  // NaN where a coordinate is missing
+        return !(twice_area > 0.0 && twice_area < std::numeric_limits<double>::infinity());
+    });
+    if (out.triangles.empty()) throw fail("none of its triangles has an area");
     return out;
 }
 

@@ -37,10 +37,10 @@ enum class up_axis { y, z };  ///< of a mesh that somebody else made
 [[nodiscard]] scene default_scene();
 
 /// The mesh stood upright on a floor, centred, and scaled to fit into the view whatever its units were.
-/// @throws std::runtime_error  no triangle has an area
+/// @param object   at least one triangle, each with an area, as load_mesh gives it
 [[nodiscard]] scene on_floor(mesh object, up_axis up);
 
-/// OBJ, glTF, PLY and whatever else assimp reads, flattened into one mesh.
+/// OBJ, glTF, PLY and whatever else assimp reads, flattened into one mesh without triangles that cannot be drawn.
 /// @throws std::runtime_error  missing, empty or broken file; the message is one line and names the file
 [[nodiscard]] mesh load_mesh(const std::filesystem::path& path);
 

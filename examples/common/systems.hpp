@@ -3,7 +3,7 @@
 // The four systems that the library descends from, as values: what their light is, how a depth is stored, how it is
 // compared, filtered and shaded. Nothing here draws; the CPU programs and the viewer both read these.
 //
-//     example::system system = example::radeon_8500;
+//     example::shadow_system system = example::radeon_8500;
 //     example::scene scene = example::make_scene(system);
 //     example::light light = example::make_light(system, scene, 60, 40, system.map_size);
 //     glm::vec3 point = example::lifted(system, light, position, normal, system.map_size);  // what to look up
@@ -55,7 +55,7 @@ enum class shading_kind {
     darken,           ///< shadow multiplies the lit picture by `ambient`
 };
 
-struct system {
+struct shadow_system {
     std::string_view name;   ///< of its program
     std::string_view title;  ///< for people
 
@@ -81,7 +81,7 @@ struct system {
 };
 
 /// ATI SDK, pixel shader 1.4: 11 bits in two channels, four taps with a matrix each.
-inline constexpr system radeon_8500{
+inline constexpr shadow_system radeon_8500{
     .name = "radeon_8500",
     .title = "Radeon 8500 ShadowMap",
     .light = light_kind::spot,
@@ -93,7 +93,7 @@ inline constexpr system radeon_8500{
 };
 
 /// Microsoft DirectX SDK, ShadowMap: a spot light, z/w in a float map, 2x2 percentage-closer filtering.
-inline constexpr system dx_sdk{
+inline constexpr shadow_system dx_sdk{
     .name = "dx_sdk",
     .title = "DirectX SDK ShadowMap",
     .light = light_kind::spot,
@@ -109,7 +109,7 @@ inline constexpr system dx_sdk{
 };
 
 /// The directional-light exercise: linear depth over the far plane, 10 texels per world unit, one comparison.
-inline constexpr system exercise{
+inline constexpr shadow_system exercise{
     .name = "exercise",
     .title = "Directional-light exercise",
     .light = light_kind::exercise,
@@ -121,7 +121,7 @@ inline constexpr system exercise{
 };
 
 /// Self-shadowing under pixel shader 1.x: both sides through the look-up texture, one comparison, darken.
-inline constexpr system self_shadowing{
+inline constexpr shadow_system self_shadowing{
     .name = "self_shadowing",
     .title = "Self-shadowing under pixel shader 1.x",
     .light = light_kind::fitted,
@@ -140,7 +140,7 @@ inline constexpr std::array systems{radeon_8500, dx_sdk, exercise, self_shadowin
 inline constexpr glm::vec3 sky{0.30f, 0.36f, 0.44f};  ///< where the camera sees nothing; lit in visibility masks
 
 /// The system's scene: the built-in one, or a mesh on a floor.
-[[nodiscard]] inline scene make_scene(const system& s, const std::filesystem::path& mesh_file = {},
+[[nodiscard]] inline scene make_scene(const shadow_system& s, const std::filesystem::path& mesh_file = {},
                                       up_axis up = up_axis::y) {
     scene out = mesh_file.empty() ? default_scene() : on_floor(load_mesh(mesh_file), up);
     for (glm::vec3& p : out.geometry.positions) p *= s.scene_scale;
@@ -149,7 +149,7 @@ inline constexpr glm::vec3 sky{0.30f, 0.36f, 0.44f};  ///< where the camera sees
 }
 
 /// Where the camera stands to begin with.
-[[nodiscard]] inline camera_setup make_camera_setup(const system& s, const scene& scene, float aspect) {
+[[nodiscard]] inline camera_setup make_camera_setup(const shadow_system& s, const scene& scene, float aspect) {
     return {.target = scene.target, .azimuth = 0, .elevation = 30, .distance = 7.5f * s.scene_scale, .aspect = aspect};
 }
 
@@ -175,7 +175,7 @@ struct light {
     }
 
     /// The system's kind of depth from the depth pass's z/w in [0, 1].
-    [[nodiscard]] float depth(const system& s, float z) const {
+    [[nodiscard]] float depth(const shadow_system& s, float z) const {
         if (s.depth == depth_kind::projected) return z;
         return umbrage::linear_depth(spot ? umbrage::view_z_from_depth(z, z_near, z_far) : z_near + z * (z_far - z_near),
                                      1 / z_far);
@@ -183,7 +183,7 @@ struct light {
 };
 
 /// @param azimuth, elevation  degrees; azimuth 0 is towards the camera, 90 to its right; elevation 90 straight above
-[[nodiscard]] inline light make_light(const system& s, const scene& scene, float azimuth, float elevation, int map_size,
+[[nodiscard]] inline light make_light(const shadow_system& s, const scene& scene, float azimuth, float elevation, int map_size,
                                       umbrage::clip_space clip = picture_clip) {
     const glm::vec3 towards = direction_at(azimuth, elevation);
     const glm::vec3 up = direction_at(azimuth, elevation + 90);  // turns with the light, never parallel to it
@@ -218,7 +218,7 @@ struct light {
 /// The point to look up instead of the surface itself: off it by so many texels that the surface cannot shadow
 /// itself at any angle. Without it (lift = 0) a system has the bias in depth alone, as the originals had.
 /// @param normal  of length one, on the camera's side
-[[nodiscard]] inline glm::vec3 lifted(const system& s, const light& l, glm::vec3 position, glm::vec3 normal, int map_size) {
+[[nodiscard]] inline glm::vec3 lifted(const shadow_system& s, const light& l, glm::vec3 position, glm::vec3 normal, int map_size) {
     const float cosine = glm::dot(normal, l.direction);
     const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
     return position + normal * (s.lift * sine * l.texel_world(position, map_size));
@@ -232,7 +232,7 @@ struct light {
 
 /// What the camera sees of a surface.
 /// @param normal, to_light  of length one
-[[nodiscard]] inline glm::vec3 shade(const system& s, glm::vec3 colour, glm::vec3 normal, glm::vec3 to_light, float visibility) {
+[[nodiscard]] inline glm::vec3 shade(const shadow_system& s, glm::vec3 colour, glm::vec3 normal, glm::vec3 to_light, float visibility) {
     const float n_dot_l = glm::dot(normal, to_light);
     if (s.shading == shading_kind::diffuse_ambient)
         return umbrage::diffuse_ambient(colour, s.ambient, n_dot_l, visibility);

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+//
+// Runs shadow_render as a newcomer would, and looks at what comes out.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <utility>
+#include <string>
+
+#include <sys/wait.h>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#include <stb/stb_image.h>
+
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec2.hpp>
+
+#include <umbrage/image.hpp>
+
+#include <encodings.hpp>
+#include <scene.hpp>
+
+namespace {
+
+const std::filesystem::path folder = std::filesystem::path(WORK_DIR) / "check";
+
+std::string quoted(const std::filesystem::path& path) { return std::string("'").append(path.string()).append("' "); }
+
+struct result {
+    int code;
+    std::string said;  ///< on either stream
+};
+
+result run(const std::string& arguments) {
+    std::filesystem::create_directories(folder);
+    const std::string command = quoted(PROGRAM) + arguments + " 2>&1";
+    FILE* pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe);
+    result out{0, {}};
+    for (int c; (c = std::fgetc(pipe)) != EOF;) out.said += static_cast<char>(c);
+    const int status = pclose(pipe);
+    out.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return out;
+}
+
+/// A failure that a person can read: the right code, and one line that says `why`.
+void fails(const std::string& arguments, int code, const std::string& why) {
+    CAPTURE(arguments);
+    const result r = run(arguments);
+    CHECK_MESSAGE(r.code == code, r.said);
+    CHECK_MESSAGE(r.said.find(why) != std::string::npos, r.said);
+    CHECK_MESSAGE(r.said.find('\n') == r.said.size() - 1, r.said);
+}
+
+std::string output(const std::string& name) { return std::string("--quiet --output ").append(quoted(folder / name)); }
+
+umbrage::image<glm::u8vec4> picture(const std::string& name, const char* file) {
+    int width = 0, height = 0, channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> data(
+        stbi_load((folder / name / file).string().c_str(), &width, &height, &channels, 4), stbi_image_free);
+    REQUIRE(data);
+    umbrage::image<glm::u8vec4> out({width, height});
+    for (int i = 0; i < width * height; ++i)
+        out.texels()[std::size_t(i)] = {data.get()[4 * i], data.get()[4 * i + 1], data.get()[4 * i + 2], data.get()[4 * i + 3]};
+    return out;
+}
+
+std::string file(const std::string& name, const std::string& content) {
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / name, std::ios::binary) << content;
+    return quoted(folder / name);
+}
+
+/// Share of a mask's pixels that are in full shadow.
+double dark(const umbrage::image<glm::u8vec4>& mask) {
+    double count = 0;
+    for (glm::u8vec4 p : mask.texels()) count += p.r == 0;
+    return count / static_cast<double>(mask.texels().size());
+}
+
+const std::string small = "--width 240 --height 160 --map-size 256 ";
+
+}  // namespace
+
+TEST_CASE("shadow_render: the built-in scene, from the camera that is the default") {
+    const result r = run(output("default") + small);
+    REQUIRE_MESSAGE(r.code == 0, r.said);
+    CHECK(r.said.empty());
+    const auto colours = picture("default", "picture.png"), mask = picture("default", "visibility.png");
+    CHECK(colours.size() == glm::ivec2(240, 160));
+    CHECK(mask.size() == glm::ivec2(240, 160));
+    CHECK(picture("default", "depth.png").size() == glm::ivec2(256));
+    CHECK(picture("default", "map.png").size() == glm::ivec2(256));
+    CHECK(dark(mask) > 0.03);
+    CHECK(dark(mask) < 0.3);
+    CHECK(mask[{5, 5}].r == 255);      // the sky
+    CHECK(mask[{120, 155}].r == 255);  // the floor in front
+    CHECK(mask[{120, 65}].r == 0);     // the ball's shadow on the box
+    CHECK(mask[{40, 115}].r == 0);     // the torus' shadow on the floor
+    CHECK(colours[{0, 0}] != colours[{239, 0}]);  // the overlay over the sky
+}
+
+TEST_CASE("shadow_render: without --quiet each stage's time is printed, and no bar when nobody watches") {
+    const result r = run(std::string("--output ").append(quoted(folder / "times")) + small);
+    REQUIRE(r.code == 0);
+    for (const char* stage : {"depth pass", "encode", "camera pass", "visibility", "shade", "write", " ms\n"})
+        CHECK_MESSAGE(r.said.find(stage) != std::string::npos, stage);
+    CHECK(r.said.find("100%") == std::string::npos);
+}
+
+TEST_CASE("shadow_render: map.png holds the bytes of the encoding") {
+    REQUIRE(run(output("bytes") + small + "--encoding float").code == 0);
+    REQUIRE(run(output("rg11") + small + "--encoding rg11").code == 0);
+    const auto exact = picture("bytes", "map.png"), packed = picture("rg11", "map.png");
+    int differ = 0;
+    for (int y = 0; y < 256; ++y)
+        for (int x = 0; x < 256; ++x) {
+            const float depth = umbrage::decode_float_bits(exact[{x, y}]);
+            const glm::u8vec2 expected = umbrage::encode_rg<11>(depth);
+            const glm::u8vec4 texel = packed[{x, y}];
+            differ += texel.r != expected.r || texel.g != expected.g || texel.b != 0;
+        }
+    CHECK(differ == 0);
+}
+
+TEST_CASE("shadow_render: every encoding and every filter shades alike") {
+    REQUIRE(run(output("reference") + small + "--encoding float").code == 0);
+    const auto reference = picture("reference", "visibility.png");
+    const auto agrees = [&](const std::string& options, double share) {
+        CAPTURE(options);
+        REQUIRE(run(output("other") + small + options).code == 0);
+        const auto other = picture("other", "visibility.png");
+        double differ = 0;
+        for (int y = 0; y < 160; ++y)
+            for (int x = 0; x < 240; ++x) differ += std::abs(other[{x, y}].r - reference[{x, y}].r) > 64;
+        CHECK(differ < share * 240 * 160);
+    };
+    for (const std::string& name : example::encoding_names)
+        if (name != "aras" && name != "three-legacy")  // faulty at depth 1: the empty texels
+            agrees("--encoding " + name, name == "rg9" ? 0.02 : 0.01);
+    for (const char* edge : {"lower", "centre"}) agrees(std::string("--encoding rg11 --edge ") + edge, 0.01);
+    for (const char* filter : {"hard", "four-tap", "box --radius 1"}) agrees(std::string("--filter ") + filter, 0.03);
+}
+
+TEST_CASE("shadow_render: no acne on what a light lights, from any side") {
+    const auto shadowed_front = [](const std::string& options) {  // of the floor, which nothing stands before
+        CAPTURE(options);
+        REQUIRE(run(output("lit") + small + "--encoding rg9 " + options).code == 0);
+        const auto mask = picture("lit", "visibility.png");
+        int shadowed = 0;
+        for (int y = 145; y < 160; ++y)
+            for (int x = 20; x < 220; ++x) shadowed += mask[{x, y}].r != 255;
+        return shadowed;
+    };
+    for (const char* light : {"--light spot ", "--light directional "})
+        for (const char* filter : {"--filter hard ", "--filter four-tap ", "--filter pcf ", "--filter box --radius 3 "})
+            for (const char* angles : {"--azimuth 20 --elevation 20", "--azimuth 300 --elevation 50", "--elevation 90"}) {
+                const std::string options = std::string(light) + filter + angles;
+                CHECK_MESSAGE(shadowed_front(options) == 0, options);
+            }
+    CHECK(shadowed_front("--bias 0 --azimuth 20 --elevation 20") > 100);  // without the bias there is plenty
+}
+
+TEST_CASE("shadow_render: meshes of any unit, offset and up axis, in each format") {
+    const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    REQUIRE(run(output("obj") + small + file("tetrahedron.obj", obj)).code == 0);
+    const auto mask = picture("obj", "visibility.png");
+    CHECK(dark(mask) > 0.02);
+
+    std::string far = obj;
+    for (const auto& [from, to] : {std::pair{"v 0 0 0", "v 5000 8000 -3000"}, {"v 1 0 0", "v 7048 8000 -3000"},
+                                   {"v 0 1 0", "v 5000 10048 -3000"}, {"v 0 0 1", "v 5000 8000 -952"}})
+        far.replace(far.find(from), 7, to);
+    REQUIRE(run(output("far") + small + file("far.obj", far)).code == 0);
+    const auto scaled = picture("far", "visibility.png");
+    CHECK(std::ranges::equal(mask.texels(), scaled.texels()));
+
+    const std::string ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                            "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
+                            "0 0 0\n1 0 0\n0 0 1\n0 -1 0\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+    REQUIRE(run(output("ply") + small + "--up z " + file("tetrahedron.ply", ply)).code == 0);
+    const auto turned = picture("ply", "visibility.png");
+    CHECK(std::ranges::equal(mask.texels(), turned.texels()));
+
+    const std::string gltf = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":1},"indices":0}]}],
+        "buffers":[{"uri":"data:application/octet-stream;base64,AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=","byteLength":44}],
+        "bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":6},{"buffer":0,"byteOffset":8,"byteLength":36}],
+        "accessors":[{"bufferView":0,"componentType":5123,"count":3,"type":"SCALAR"},
+                     {"bufferView":1,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}]})";
+    REQUIRE(run(output("gltf") + small + file("triangle.gltf", gltf)).code == 0);
+    CHECK(dark(picture("gltf", "visibility.png")) > 0.01);
+}
+
+TEST_CASE("shadow_render: missing, empty and broken meshes") {
+    fails(quoted(folder / "none.obj"), 1, "no such file");
+    fails(quoted(folder), 1, "not a file");
+    fails(file("empty.obj", ""), 1, "the file is empty");
+    fails(file("words.obj", "once upon a time\n"), 1, "words.obj: ");
+    fails(file("words.ply", "once upon a time\n"), 1, "words.ply: ");
+    fails(file("words.gltf", "once upon a time\n"), 1, "words.gltf: ");
+    fails(file("words.txt", "once upon a time\n"), 1, "words.txt: ");
+    fails(file("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), 1, "points.obj: ");
+    fails(file("index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"), 1, "index.obj: ");
+    fails(file("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), 1, "line.obj: ");
+    fails(file("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), 1, "nan.obj: ");
+    fails(std::string("--output ").append(quoted(folder / "empty.obj" / "below")), 1, "cannot make the folder");
+}
+
+TEST_CASE("shadow_render: impossible options") {
+    for (const char* value : {"0", "-1", "100000", "99999999999999999999", "nan", "1.5", "many"})
+        fails(std::string("--map-size ") + value, 2, "--map-size");
+    for (const char* option : {"--azimuth", "--elevation", "--cone", "--distance", "--bias", "--fov", "--camera-azimuth"})
+        for (const char* value : {"nan", "-nan", "inf", "1e30", "up"}) fails(std::string(option) + " " + value, 2, option);
+    fails("--cone 180", 2, "--cone");
+    fails("--elevation 0", 2, "--elevation");
+    fails("--width 0", 2, "--width");
+    fails("--samples 0", 2, "--samples");
+    fails("--width 8192 --height 8192 --samples 4", 2, "too large");
+    fails("--radius 9", 2, "--radius");
+    fails("--encoding none", 2, "--encoding");
+    fails("--filter none", 2, "--filter");
+    fails("--light none", 2, "--light");
+    fails("--no-such-option", 2, "--no-such-option");
+    fails("one.obj two.obj", 2, "two.obj");
+}
+
+TEST_CASE("shadow_render: --help") {
+    const result r = run("--help");
+    CHECK(r.code == 0);
+    for (const char* option : {"--light", "--azimuth", "--encoding", "--filter", "--bias", "--output"})
+        CHECK_MESSAGE(r.said.find(option) != std::string::npos, option);
+}
