@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// ShadowMap of the Microsoft DirectX SDK: a spot light, z/w in a float texture, an epsilon, four comparisons and their
+// bilinear mean, on diffuse and ambient light.
+//
+//     light -> depth pass -> [map] -> fetch -> compare -> filter -> visibility -> shade
+#include <umbrage/filter/box.hpp>
+#include <umbrage/filter/pcf_2x2.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+#include "stage.hpp"
+
+namespace {
+
+using namespace example;
+
+void run(const options& o) {
+    shadow_system system = dx_sdk;
+    system.lift = o.lift;
+    const stage stage(system, o);
+
+    // Light, and the way from the world to texels of its map.
+    const light light = make_light(system, stage.scene, o.azimuth, o.elevation, o.map_size);
+    const glm::mat4 world_to_texels = umbrage::texture_matrix(light.space, glm::ivec2(o.map_size));
+
+    // Depth pass: z/w as floats; there is nothing to encode or to decode.
+    const umbrage::image<float> map = depth_pass(system, stage.scene, light, o.map_size);
+    const auto fetch = umbrage::clamped(map);
+
+    // Visibility: within the cone, compare and filter.
+    const umbrage::image<float> visibility = stage.visibility([&](const surface& s) {
+        const glm::vec3 point = lifted(system, light, s.position, s.normal, o.map_size);
+        const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
+        // Another filter: umbrage::box(fetch, glm::vec2(p), p.z - system.bias, 1)
+        return light.cone(s.position) * umbrage::pcf_2x2_dx_sdk(fetch, glm::vec2(p), p.z, system.bias);
+    });
+
+    // Shade.
+    picture shaded = stage.shade(system, light, visibility);
+    show_map(shaded, map);
+    write(o, shaded, visibility, map);
+    if (o.rays) compare_with_rays(stage, light, visibility, o.map_size, 5);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return example::run("dx_sdk", [&] {
+        if (const auto options = read_options(dx_sdk, argc, argv)) run(*options);
+    });
+}

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+//
+// The directional-light exercise of graphics courses: a light that looks from -direction * 10 to the origin, through a
+// box as wide as the map's texels / 10, its distance over z_far as depth, one comparison with an epsilon. The light
+// moves: frames.png shows it going round.
+//
+//     light -> depth pass -> [map] -> fetch -> compare -> visibility -> shade
+#include <vector>
+
+#include <umbrage/compare.hpp>
+#include <umbrage/filter/pcf_2x2.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+#include "stage.hpp"
+
+namespace {
+
+using namespace example;
+
+struct frame {
+    example::light light;
+    umbrage::image<float> map, visibility;
+    picture shaded;
+};
+
+frame render(const shadow_system& system, const stage& stage, float azimuth, float elevation, int map_size) {
+    // Light, and the way from the world to texels of its map.
+    const light light = make_light(system, stage.scene, azimuth, elevation, map_size);
+    const glm::mat4 world_to_texels = umbrage::texture_matrix(light.space, glm::ivec2(map_size));
+
+    // Depth pass: keeps what is nearer or equally near.
+    umbrage::image<float> map = depth_pass(system, stage.scene, light, map_size);
+    const auto fetch = umbrage::clamped(map);
+
+    // Visibility: one texel, one comparison.
+    umbrage::image<float> visibility = stage.visibility([&](const surface& s) {
+        const glm::vec3 point = lifted(system, light, s.position, s.normal, map_size);
+        const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
+        const float current = light.depth(system, p.z);
+        // A filter: return umbrage::pcf_2x2(fetch, glm::vec2(p), current - system.bias);
+        return umbrage::compare_exercise(current, fetch(glm::ivec2(glm::floor(glm::vec2(p)))), system.bias);
+    });
+
+    // Shade.
+    picture shaded = stage.shade(system, light, visibility);
+    show_map(shaded, map);
+    return {light, std::move(map), std::move(visibility), std::move(shaded)};
+}
+
+void run(const options& o, int frames) {
+    shadow_system system = exercise;
+    system.lift = o.lift;
+    const stage stage(system, o);
+    std::vector<picture> moving;
+    for (int i = 0; i < frames; ++i) {
+        const float turned = o.azimuth + 360.0f * static_cast<float>(i) / static_cast<float>(frames);
+        frame f = render(system, stage, turned, o.elevation, o.map_size);
+        if (i == 0) write(o, f.shaded, f.visibility, f.map);
+        if (o.rays) compare_with_rays(stage, f.light, f.visibility, o.map_size, 3);
+        moving.push_back(std::move(f.shaded));
+    }
+    write(o, "frames.png", side_by_side(moving));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return example::run("exercise", [&] {
+        int frames = 8;
+        const auto more = [&](CLI::App& app) {
+            app.add_option("--frames", frames, "of the light's way round")->check(within(1, 64));
+        };
+        if (const auto options = read_options(exercise, argc, argv, more)) run(*options, frames);
+    });
+}

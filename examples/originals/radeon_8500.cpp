@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+//
+// ShadowMap of the ATI Radeon 8500 SDK, 2002. The card had no depth textures and 8 bits a channel, so a look-up texture
+// spread 11 bits of depth over two of them, and pixel shader 1.4 put them together again and compared, four times.
+//
+//     light -> depth pass -> encode -> [map] -> fetch -> decode -> compare -> filter -> visibility -> shade
+//
+// The same pixels once more with 8 bits, with exact depth, and in the card's own fixed point show what that bought.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include <umbrage/depth/ps14.hpp>
+#include <umbrage/depth/rg_table.hpp>
+#include <umbrage/filter/four_tap.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+#include "stage.hpp"
+
+namespace {
+
+using namespace example;
+
+/// A number of pixel shader 1.4: steps of 1/4096.
+float s3_12(float v) { return std::floor(v * 4096.0f + 0.5f) / 4096.0f; }
+
+/// r / 8 + g on such numbers; the shift right drops three bits.
+float decode_s3_12(glm::vec2 sampled) { return std::floor(s3_12(sampled.x) * 4096.0f / 8.0f) / 4096.0f + s3_12(sampled.y); }
+
+void run(const options& o) {
+    shadow_system system = radeon_8500;
+    system.lift = o.lift;
+    const stage stage(system, o);
+
+    // Light: a texture matrix, and from it one for each of four taps, as the application set them up.
+    const light light = make_light(system, stage.scene, o.azimuth, o.elevation, o.map_size);
+    const auto taps = umbrage::tap_matrices(umbrage::texture_matrix(light.space, glm::ivec2(o.map_size)));
+
+    // Depth pass.
+    const umbrage::image<float> depth = depth_pass(system, stage.scene, light, o.map_size);
+
+    // Encode: a nearest fetch from 2048 x 1 texels, with the depth as coordinate.
+    static constexpr auto table = umbrage::make_rg_table<11, glm::u8vec4>();
+    umbrage::image<glm::u8vec2> map(depth.size());
+    std::ranges::transform(depth.texels(), map.texels().begin(), [](float z) {
+        return umbrage::encode_rg_table<11>([](int x) { return table[static_cast<std::size_t>(x)]; }, z);
+    });
+    umbrage::image<std::uint8_t> map_8(depth.size());  // what a single channel would have held
+    std::ranges::transform(depth.texels(), map_8.texels().begin(), [](float z) { return umbrage::store_unorm8(z); });
+
+    // Four taps in the map for a point, and its depth.
+    // fetch: texel -> what the map holds, decoded;  scale: the depth on decode's scale
+    const auto visibility_with = [&](auto fetch, auto scale) {
+        return stage.visibility([&](const surface& s) {
+            const glm::vec3 point = lifted(system, light, s.position, s.normal, o.map_size);
+            std::array<glm::vec3, 4> at;
+            for (std::size_t tap = 0; tap < 4; ++tap)
+                at[tap] = umbrage::project_coordinate(umbrage::shadow_coordinate(taps[tap], point));
+            const float receiver = scale(light.depth(system, at[0].z) - system.bias);
+            const auto xy = [](glm::vec3 p) { return glm::vec2(p.x, p.y); };
+            // Compare and filter. Another filter: umbrage::hard(fetch, xy(at[3]), receiver)
+            return light.cone(s.position) * umbrage::four_tap(fetch, xy(at[0]), xy(at[1]), xy(at[2]), xy(at[3]), receiver);
+        });
+    };
+    const auto sampled = [&, fetch = umbrage::clamped(map)](glm::ivec2 t) { return umbrage::load_unorm8(fetch(t)); };
+    const auto as_it_is = [](float z) { return z; };
+
+    // Fetch and decode, in four ways.
+    struct way {
+        const char* name;
+        umbrage::image<float> visibility;
+    };
+    const std::array ways{
+        way{"8 bits", visibility_with([&, fetch = umbrage::clamped(map_8)](glm::ivec2 t) { return fetch(t) / 255.0f; }, as_it_is)},
+        way{"11 bits", visibility_with([&](glm::ivec2 t) { return umbrage::decode_ps14(sampled(t)); },
+                                       [](float z) { return umbrage::receiver_ps14(z); })},
+        way{"11 bits in s3.12", visibility_with([&](glm::ivec2 t) { return decode_s3_12(sampled(t)); },
+                                                [](float z) { return s3_12(umbrage::receiver_ps14(z)); })},
+        way{"exact", visibility_with(umbrage::clamped(depth), as_it_is)}};
+
+    // Shade, with the map in the corner.
+    std::vector<picture> pictures, masks;
+    for (const way& w : ways) {
+        pictures.push_back(stage.shade(system, light, w.visibility));
+        show_map(pictures.back(), depth);
+        masks.push_back(grey(w.visibility));
+        std::size_t other = 0;
+        for (std::size_t i = 0; i < w.visibility.texels().size(); ++i)
+            other += w.visibility.texels()[i] != ways.back().visibility.texels()[i];
+        std::printf("%-17s %5.2f %% of the pixels are not what exact depth gives\n", w.name,
+                    100.0 * static_cast<double>(other) / static_cast<double>(w.visibility.texels().size()));
+    }
+    write(o, pictures[1], ways[1].visibility, depth);
+    write(o, "comparison.png", side_by_side(pictures));
+    write(o, "comparison_visibility.png", side_by_side(masks));
+    picture channels(map.size());
+    std::ranges::transform(map.texels(), channels.texels().begin(), [](glm::u8vec2 t) { return glm::u8vec3(t, 0); });
+    write(o, "map.png", channels);
+    if (o.rays)
+        for (std::size_t i : {1u, 2u, 3u}) compare_with_rays(stage, light, ways[i].visibility, o.map_size, 5);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return example::run("radeon_8500", [&] {
+        if (const auto options = read_options(radeon_8500, argc, argv)) run(*options);
+    });
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+//
+// Self-shadowing with pixel shader 1.x, a Direct3D 8 article. The shader could not compute a depth of more than 8 bits,
+// but it could fetch one: a look-up texture lies along the light's axis, its texels numbered in two channels. The depth
+// pass stores what each point fetches; the camera's pass fetches the same for its point, and compares.
+//
+//     light -> depth pass -> encode -> [map] -> fetch -> decode -> compare -> visibility -> shade
+//
+// Texel 256 of that texture is (0, 32, 0, 0) by the article's own formula, not (255, 32, 0, 0) as its text has it.
+#include <algorithm>
+
+#include <umbrage/depth/ps14.hpp>
+#include <umbrage/depth/rg_table.hpp>
+#include <umbrage/filter/hard.hpp>
+#include <umbrage/filter/pcf_2x2.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+#include "stage.hpp"
+
+namespace {
+
+using namespace example;
+
+void run(const options& o) {
+    shadow_system system = self_shadowing;
+    system.lift = o.lift;
+    const stage stage(system, o);
+
+    // Light: orthographic, so that depth grows evenly and the look-up texture can lie along it.
+    const light light = make_light(system, stage.scene, o.azimuth, o.elevation, o.map_size);
+    const glm::mat4 world_to_texels = umbrage::texture_matrix(light.space, glm::ivec2(o.map_size));
+
+    // Depth pass.
+    const umbrage::image<float> depth = depth_pass(system, stage.scene, light, o.map_size);
+
+    // Encode, for the map and for the receivers alike.
+    static constexpr auto table = umbrage::make_rg_table<11, glm::u8vec4>();
+    static_assert(table[256] == glm::u8vec4(0, 32, 0, 0));
+    const auto look_up = [](float z) {
+        return umbrage::encode_rg_table<11>([](int x) { return table[static_cast<std::size_t>(x)]; }, z);
+    };
+    umbrage::image<glm::u8vec2> map(depth.size());
+    std::ranges::transform(depth.texels(), map.texels().begin(), look_up);
+
+    // Fetch and decode: shift red right by three, add green.
+    const auto decode = [](glm::u8vec2 texel) { return umbrage::decode_ps14(umbrage::load_unorm8(texel)); };
+    const auto fetch = [&, texel = umbrage::clamped(map)](glm::ivec2 t) { return decode(texel(t)); };
+
+    // Visibility: one texel, one comparison.
+    const umbrage::image<float> visibility = stage.visibility([&](const surface& s) {
+        const glm::vec3 point = lifted(system, light, s.position, s.normal, o.map_size);
+        const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
+        const float receiver = decode(look_up(p.z - system.bias));
+        // Another filter: umbrage::pcf_2x2(fetch, glm::vec2(p), receiver)
+        return umbrage::hard(fetch, glm::vec2(p), receiver);
+    });
+
+    // Shade: the lit picture, darkened.
+    picture shaded = stage.shade(system, light, visibility);
+    show_map(shaded, depth);
+    write(o, shaded, visibility, depth);
+    picture channels(map.size());
+    std::ranges::transform(map.texels(), channels.texels().begin(), [](glm::u8vec2 t) { return glm::u8vec3(t, 0); });
+    write(o, "map.png", channels);
+    if (o.rays) compare_with_rays(stage, light, visibility, o.map_size, 4);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return example::run("self_shadowing", [&] {
+        if (const auto options = read_options(self_shadowing, argc, argv)) run(*options);
+    });
+}
