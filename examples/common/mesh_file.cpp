@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
-#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -64,8 +64,9 @@ mesh load_mesh(const std::filesystem::path& path) {
             const aiColor4D* painted = part->HasVertexColors(0) ? &part->mColors[0][i] : nullptr;
             out.colours.push_back(painted ? glm::vec3(painted->r, painted->g, painted->b) : colour);
         }
+        const auto inside = [&](unsigned index) { return index < part->mNumVertices; };
         for (const aiFace& face : std::span(part->mFaces, part->mNumFaces))
-            if (face.mNumIndices == 3)
+            if (face.mNumIndices == 3 && std::all_of(face.mIndices, face.mIndices + 3, inside))
                 out.triangles.emplace_back(base + face.mIndices[0], base + face.mIndices[1], base + face.mIndices[2]);
     }
     if (out.triangles.empty()) throw fail("no triangles in it");

@@ -68,6 +68,8 @@ glm::vec3 biased(const example::surface& s, const light& l, float texels, int ma
     const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
     return s.position + s.face_normal * (texels * sine * l.texel_world(s.position, map_size));
 }
+
+/// What `biased` needs so that no plane shadows itself: the way to the corner of the filter's footprint.
 float automatic_bias(float reach) {
     constexpr float snapping = 1.0f / 128;  // the depth pass moves vertices by up to 1/512 texel
     return std::numbers::sqrt2_v<float> * (reach + snapping);
