@@ -116,7 +116,8 @@ TEST_CASE("image: owns its texels") {
     CHECK(copy[{1, 2}] == 0.5f);
     const image<float> moved = std::move(map);
     CHECK(moved[{1, 2}] == 0.25f);
-    CHECK(image<int>({2, 1}).texels()[1] == 0);
+    const image<int> zeros({2, 1});
+    CHECK(zeros.texels()[1] == 0);
 }
 
 TEST_CASE("fetch_clamped: outside goes to the nearest texel inside") {
