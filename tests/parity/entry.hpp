@@ -59,7 +59,7 @@ struct entry {
     std::function<vec4(const sample&)> twin{};
     std::string call{};                      ///< vec4 expression of x0 .. x5, map, map_size, table; GLSL and C++ alike
     std::vector<texels> maps{};              ///< each gets its share of the inputs; none: no map
-    texels table{};                          ///< width x 1, values k / 255
+    texels table{};                          ///< values k / 255
     std::vector<const snippet*> also{};      ///< further snippets that `call` uses
     std::string preamble{};                  ///< macros
     target output = target::rgba32f;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// encode_rg through a look-up table, as hardware without enough arithmetic did it: a texture of 2^Bits x 1 texels,
-// fetched with the depth as coordinate, nearest filter, clamped.
+// encode_rg through a look-up table, as hardware without enough arithmetic did it: a texture fetched with the depth as
+// coordinate. Up to 11 bits it is one row of 2^Bits texels; from 12 bits on, rows of 2048, the widest texture of 2002.
 //
 //     constexpr auto table = umbrage::make_rg_table<11, glm::u8vec4>();  // 2048 x 1 RGBA8, B = A = 0
 //     glm::u8vec2 texel = umbrage::encode_rg_table<11>([&](int x) { return table[x]; }, depth);
@@ -15,7 +15,8 @@
 
 namespace umbrage {
 
-/// The table's texels. Compile-time up to 12 bits with every compiler's default limits.
+/// The table's texels, in the order of rg_table_size's rows. Compile-time up to 12 bits with every compiler's default
+/// limits.
 /// @tparam Texel   glm::u8vec2 (RG8) or glm::u8vec4 (RGBA8; blue and alpha are 0)
 /// @cite           the article on self-shadowing with pixel shader 1.x gives texel 256 as (255, 32, 0, 0);
 ///                 by its own formula, and here, it is (0, 32, 0, 0)
@@ -29,6 +30,10 @@ template <int Bits, class Texel = glm::u8vec2>
     }
     return table;
 }
+
+/// Width and height of the table as a texture.
+template <int Bits>
+inline constexpr glm::ivec2 rg_table_size = Bits <= 11 ? glm::ivec2(1 << Bits, 1) : glm::ivec2(2048, 1 << (Bits - 11));
 
 /// Depth to channels by one nearest fetch from the table: the texel encode_rg<Bits> computes.
 ///
@@ -48,17 +53,23 @@ inline constexpr auto encode_rg_table_name = detail::fill<24>("encode_rg$b_table
 template <int Bits>
 inline constexpr auto encode_rg_table_text = detail::fill<1024>(R"GLSL(
 // umbrage_encode_rg$b_table: depth to the two channels of a $b-bit code through a look-up table, whole numbers 0..255
-//   table   $n x 1 texels, nearest filter;   depth   clamped to [0, 1], NaN counts as 1
+//   table   $w x $h texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as 1
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
-    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2($n.0, 1.0), vec2(x, 0.0)));
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / $w.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * $w.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2($w.0, $h.0), texel));
     return vec2(k.x, k.y);
 }
 )GLSL",
-                                                                       {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}});
+                                                                {{'b', Bits},
+                                                                 {'n', 1 << Bits},
+                                                                 {'l', (1 << Bits) - 1},
+                                                                 {'w', unsigned(rg_table_size<Bits>.x)},
+                                                                 {'h', unsigned(rg_table_size<Bits>.y)}});
 template <int Bits>
 inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view(),
-                                         .summary = "depth to two channels through a 2^bits x 1 texture",
+                                         .summary = "depth to two channels through a look-up texture",
                                          .exactness = tier::a,
                                          .needs = {&saturate, &from_unorm, &fetch_clamped},
                                          .source = encode_rg_table_text<Bits>.view()};

@@ -78,13 +78,14 @@ template <real T>
 }
 
 /// A world position through a texture matrix; the vertex shader's part.
-/// @formula       m * (world, 1), sums from left to right
+/// @formula       m[3] + m[0] x + m[1] y + m[2] z, sums from left to right: an order that GLSL compilers without
+///                `precise` were seen to keep, where they move m[3] forward from the end
 /// @exactness     B
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
     glm::vec<4, T> c(0);
     for (int row = 0; row < 4; ++row)
-        c[row] = m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z + m[3][row];
+        c[row] = m[3][row] + m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z;
     return c;
 }
 
@@ -115,7 +116,7 @@ inline constexpr snippet shadow_coordinate{
     .source = R"GLSL(
 // umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
 UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[0] * world.x + m[1] * world.y + m[2] * world.z + m[3];
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
     return c;
 }
 )GLSL"};
