@@ -5,7 +5,7 @@
 //
 // The machine: pixel shader 1.4 on numbers with 12 fractional bits in [-8, 8). An 8-bit channel k becomes the nearest
 // multiple of 2^-12 to k / 255; the _d2, _d4, _d8 modifiers (further ones here by going on) shift right; an addition
-// is exact. The documents do not say whether the shift drops bits or rounds, so both are tabled.
+// is exact. Whether the shift drops bits or rounds is not known here, so both are tabled.
 #include <doctest/doctest.h>
 
 #include <algorithm>
