@@ -40,7 +40,7 @@ template <int L, real T>
 /// @param c     k / 255, up to thousands of ulp off; values no texture gives are not clamped
 /// @return      k, a whole number 0..255
 /// @formula     floor(255 c + 1/2)
-/// @exactness   A for any value that lies nearer to k / 255 than to its neighbours' midpoints by 2^-15
+/// @exactness   A for values farther than 2^-15 from the midpoint of two channels
 template <real T>
 [[nodiscard]] T from_unorm(T c) {
     return std::floor(c * T(255) + T(0.5));
