@@ -68,11 +68,14 @@ auto with_encoding(std::string_view name, float edge, Use&& use) {
     if (name == "rg16") return own(rg<16>{});
     if (name == "rgb24") return own(rgb24{});
     if (name == "three-rgba")
-        return others([](float d) { return encode_three_rgba(d); }, [](glm::vec4 c) { return decode_three_rgba(c); }, 0x1p-24f);
+        return others([](float d) { return encode_three_rgba(d); },
+                      [](glm::vec4 c) { return decode_three_rgba(c); }, 0x1p-24f);
     if (name == "three-rgb")
-        return others([](float d) { return encode_three_rgb(d); }, [](glm::vec3 c) { return decode_three_rgb(c); }, 0x1p-23f);
+        return others([](float d) { return encode_three_rgb(d); },
+                      [](glm::vec3 c) { return decode_three_rgb(c); }, 0x1p-23f);
     if (name == "three-rg")
-        return others([](float d) { return encode_three_rg(d); }, [](glm::vec2 c) { return decode_three_rg(c); }, 0x1p-16f);
+        return others([](float d) { return encode_three_rg(d); },
+                      [](glm::vec2 c) { return decode_three_rg(c); }, 0x1p-16f);
     if (name == "three-legacy") return others([](float d) { return encode_three_legacy(d); }, read_legacy, 0x1p-23f);
     if (name == "three-legacy-repaired")
         return others([](float d) { return encode_three_legacy_repaired(d); }, read_legacy, 0x1p-23f);

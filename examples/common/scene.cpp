@@ -53,7 +53,8 @@ void add_sphere(mesh& out, glm::vec3 centre, float radius, glm::vec3 colour) {
 void add_torus(mesh& out, const glm::mat4& place, float ring, float tube, glm::vec3 colour) {
     add_surface(out, {128, 48}, place, colour, [&](float u, float v) {
         const float a = u * tau, b = v * tau;
-        const glm::vec3 outwards(std::cos(a), std::sin(a), 0), n = std::cos(b) * outwards + glm::vec3(0, 0, std::sin(b));
+        const glm::vec3 outwards(std::cos(a), std::sin(a), 0);
+        const glm::vec3 n = std::cos(b) * outwards + glm::vec3(0, 0, std::sin(b));
         return vertex{ring * outwards + tube * n, n};
     });
 }

@@ -68,8 +68,11 @@ umbrage::image<glm::u8vec4> picture(const std::string& name, const char* file) {
         stbi_load((folder / name / file).string().c_str(), &width, &height, &channels, 4), stbi_image_free);
     REQUIRE(data);
     umbrage::image<glm::u8vec4> out({width, height});
-    for (int i = 0; i < width * height; ++i)
-        out.texels()[std::size_t(i)] = {data.get()[4 * i], data.get()[4 * i + 1], data.get()[4 * i + 2], data.get()[4 * i + 3]};
+    const stbi_uc* from = data.get();
+    for (glm::u8vec4& texel : out.texels()) {
+        texel = {from[0], from[1], from[2], from[3]};
+        from += 4;
+    }
     return out;
 }
 

@@ -49,17 +49,21 @@ struct light {
 
 [[nodiscard]] inline light make_light(const options& o, const example::scene& scene) {
     const glm::vec3 towards = example::direction_at(o.azimuth, o.elevation);
-    const glm::vec3 up = example::direction_at(o.azimuth, o.elevation + 90);  // turns with the light, never parallel to it
-    light out{.spot = o.light == light_kind::spot, .position = scene.target + o.distance * towards, .direction = -towards};
+    const glm::vec3 up = example::direction_at(o.azimuth, o.elevation + 90);  // never parallel
+    light out{.spot = o.light == light_kind::spot,
+              .position = scene.target + o.distance * towards,
+              .direction = -towards};
     if (!out.spot) {
         out.space = umbrage::fit_directional_light<float>(
-            {.direction = out.direction, .up = up, .low = scene.low, .high = scene.high, .clip = example::picture_clip});
+            {.direction = out.direction, .up = up, .low = scene.low, .high = scene.high,
+             .clip = example::picture_clip});
         return out;
     }
 
     // Planes as close as the scene allows.
     const glm::vec3 middle = 0.5f * (scene.low + scene.high), half = 0.5f * (scene.high - scene.low);
-    const float centre = glm::dot(middle - out.position, out.direction), reach = glm::dot(half, glm::abs(out.direction));
+    const float centre = glm::dot(middle - out.position, out.direction);
+    const float reach = glm::dot(half, glm::abs(out.direction));
     out.z_far = 1.01f * (centre + reach);
     out.z_near = std::max(0.99f * (centre - reach), 0.01f * out.z_far);
     const float outer_angle = glm::radians(o.cone / 2);

@@ -98,7 +98,9 @@ struct view {
     umbrage::image<std::uint32_t> seen;  ///< triangle behind each sample of the picture
 
     [[nodiscard]] bool empty(glm::ivec2 sample) const { return seen[sample] == example::nothing; }
-    [[nodiscard]] example::surface at(glm::ivec2 sample) const { return example::surface_at(scene, camera, seen, sample); }
+    [[nodiscard]] example::surface at(glm::ivec2 sample) const {
+        return example::surface_at(scene, camera, seen, sample);
+    }
 };
 
 /// Where each sample looks into the map, in texels, and the depth that it compares with; the bias is part of both.
@@ -120,7 +122,8 @@ umbrage::image<glm::vec3> receivers_of(const options& o, const view& v, float be
 
 /// Diffuse plus ambient light, inside the cone.
 template <class Step>
-umbrage::image<glm::u8vec3> shade(const options& o, const view& v, const umbrage::image<float>& visibility, Step&& step) {
+umbrage::image<glm::u8vec3> shade(const options& o, const view& v, const umbrage::image<float>& visibility,
+                                  Step&& step) {
     umbrage::image<glm::u8vec3> picture({o.width, o.height});
     for_each_texel(picture.size(), step, [&](glm::ivec2 pixel) {
         picture[pixel] = example::to_srgb(mean<glm::vec3>(pixel, o.samples, [&](glm::ivec2 t) {
@@ -180,7 +183,8 @@ void render(const options& o, const example::scene& scene, Encoding encoding, fl
     // Depth pass: the distance to what the light sees first.
     umbrage::image<float> depth(map_size, umbrage::cleared_depth(view.lamp.space.clip));
     progress.stage("depth pass", [&] {
-        umbrage::rasterize_depth(depth, example::view_of(scene.geometry), view.lamp.world_to_clip(), view.lamp.space.clip);
+        umbrage::rasterize_depth(depth, example::view_of(scene.geometry), view.lamp.world_to_clip(),
+                                 view.lamp.space.clip);
         for (float& d : depth.texels()) d = view.lamp.even_depth(d);
     });
 
@@ -221,11 +225,13 @@ void run(const options& o) {
                                                 : example::on_floor(example::load_mesh(o.mesh), o.up);
     std::error_code error;
     std::filesystem::create_directories(o.output, error);
-    if (!std::filesystem::is_directory(o.output)) throw std::runtime_error("cannot make the folder " + o.output.string());
+    if (!std::filesystem::is_directory(o.output))
+        throw std::runtime_error("cannot make the folder " + o.output.string());
     example::with_encoding(o.encoding, o.edge, [&](auto encoding, float below) { render(o, scene, encoding, below); });
     if (!o.quiet)
         std::printf("%zu triangles, %d x %d texels of %s: picture.png, map.png, depth.png and visibility.png in %s\n",
-                    scene.geometry.triangles.size(), o.map_size, o.map_size, o.encoding.c_str(), o.output.string().c_str());
+                    scene.geometry.triangles.size(), o.map_size, o.map_size, o.encoding.c_str(),
+                    o.output.string().c_str());
 }
 
 }  // namespace

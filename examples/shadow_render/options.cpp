@@ -15,14 +15,17 @@ template <class Kind>
 using choices = std::vector<std::pair<std::string, Kind>>;
 
 const choices<light_kind> lights{{"spot", light_kind::spot}, {"directional", light_kind::directional}};
-const choices<filter_kind> filters{
-    {"hard", filter_kind::hard}, {"four-tap", filter_kind::four_tap}, {"pcf", filter_kind::pcf}, {"box", filter_kind::box}};
+const choices<filter_kind> filters{{"hard", filter_kind::hard},
+                                   {"four-tap", filter_kind::four_tap},
+                                   {"pcf", filter_kind::pcf},
+                                   {"box", filter_kind::box}};
 const choices<float> edges{
     {"lower", umbrage::lower_edge<float>}, {"centre", umbrage::centre<float>}, {"upper", umbrage::upper_edge<float>}};
 const choices<example::up_axis> axes{{"y", example::up_axis::y}, {"z", example::up_axis::z}};
 
 template <class Kind>
-void add_choice(CLI::App& app, const std::string& name, Kind& value, const choices<Kind>& all, const std::string& text) {
+void add_choice(CLI::App& app, const std::string& name, Kind& value, const choices<Kind>& all,
+                const std::string& text) {
     std::vector<std::string> names;
     std::string chosen;
     for (const auto& [key, kind] : all) {
@@ -44,7 +47,8 @@ void add_choice(CLI::App& app, const std::string& name, Kind& value, const choic
 std::optional<options> parse_options(int argc, const char* const* argv) {
     using example::within;
     options o;
-    CLI::App app{"Renders a mesh with a shadow map: picture.png, map.png, depth.png and visibility.png.", "shadow_render"};
+    CLI::App app{"Renders a mesh with a shadow map: picture.png, map.png, depth.png and visibility.png.",
+                 "shadow_render"};
     app.option_defaults()->always_capture_default();
 
     app.add_option("mesh", o.mesh, "OBJ, glTF or PLY file; without one, the built-in scene");
