@@ -113,6 +113,7 @@ inline constexpr shadow_system exercise{
     .name = "exercise",
     .title = "Directional-light exercise",
     .light = light_kind::exercise,
+    .map_size = 320,  // more makes the map wider, not finer
     .filter = filter_kind::hard,
     .test = test_kind::exercise,
     .bias = 0.0005f,

@@ -30,7 +30,7 @@ frame render(const shadow_system& system, const stage& stage, float azimuth, flo
 
     // Depth pass: keeps what is nearer or equally near.
     umbrage::image<float> map = depth_pass(system, stage.scene, light, map_size);
-    const auto fetch = umbrage::clamped(map);
+    const auto fetch = umbrage::bordered(map, 1.0f);  // what the map does not reach is lit
 
     // Visibility: one texel, one comparison.
     umbrage::image<float> visibility = stage.visibility([&](const surface& s) {

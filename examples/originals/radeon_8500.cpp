@@ -91,8 +91,7 @@ void run(const options& o) {
         std::size_t other = 0;
         for (std::size_t i = 0; i < w.visibility.texels().size(); ++i)
             other += w.visibility.texels()[i] != ways.back().visibility.texels()[i];
-        std::printf("%-17s %5.2f %% of the pixels are not what exact depth gives\n", w.name,
-                    100.0 * static_cast<double>(other) / static_cast<double>(w.visibility.texels().size()));
+        std::printf("%-16s %6zu of %zu pixels are not what exact depth gives\n", w.name, other, w.visibility.texels().size());
     }
     write(o, pictures[1], ways[1].visibility, depth);
     write(o, "comparison.png", side_by_side(pictures));

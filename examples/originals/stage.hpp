@@ -162,7 +162,7 @@ inline void compare_with_rays(const stage& on, const light& l, const umbrage::im
         const float step = reach * l.texel_world(s.position, map_size);
         const glm::vec3 side = glm::normalize(glm::cross(way, s.face_normal + glm::vec3(0.1f, 0.2f, 0.3f)));
         const glm::vec3 across = glm::cross(way, side);
-        const glm::vec3 start = s.position + s.face_normal * (0.5f * step);
+        const glm::vec3 start = s.position + s.face_normal * step;  // no ray aside begins below the surface
         const float distance = l.spot ? glm::length(l.position - s.position) : 1e3f;
         int blocked = 0;
         for (const glm::vec3 aside : {glm::vec3(0), side, -side, across, -across})

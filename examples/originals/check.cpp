@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+//
+// Runs the four programs, holds their shadows against rays, and looks at what comes out.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <string>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#include <stb/stb_image.h>
+
+#include <glm/gtc/type_precision.hpp>
+
+#include <umbrage/image.hpp>
+
+namespace {
+
+const std::filesystem::path folder = std::filesystem::path(PROGRAMS) / "check";
+
+bool runs(const std::string& program, const std::string& arguments) {
+    const std::string command = "'" PROGRAMS "/" + program + "' --output '" + (folder / program).string() + "' --size 150 ";
+    return std::system((command + arguments).c_str()) == 0;
+}
+
+umbrage::image<glm::u8vec3> picture(const std::string& program, const char* file) {
+    int width = 0, height = 0, channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> data(
+        stbi_load((folder / program / file).string().c_str(), &width, &height, &channels, 3), stbi_image_free);
+    REQUIRE_MESSAGE(data, file);
+    umbrage::image<glm::u8vec3> out({width, height});
+    for (std::size_t i = 0; i < out.texels().size(); ++i)
+        out.texels()[i] = {data.get()[3 * i], data.get()[3 * i + 1], data.get()[3 * i + 2]};
+    return out;
+}
+
+/// Share of the pixels that `is` says yes to.
+template <class Is>
+double share(const umbrage::image<glm::u8vec3>& p, Is&& is) {
+    double count = 0;
+    for (glm::u8vec3 pixel : p.texels()) count += is(pixel);
+    return count / static_cast<double>(p.texels().size());
+}
+bool black(glm::u8vec3 p) { return p == glm::u8vec3(0); }
+bool white(glm::u8vec3 p) { return p == glm::u8vec3(255); }
+
+/// The default light; every program draws the same scene from the same place.
+void draws(const std::string& program, const std::string& arguments = {}) {
+    std::filesystem::remove_all(folder / program);
+    REQUIRE(runs(program, "--rays " + arguments));
+    const auto shaded = picture(program, "picture.png"), mask = picture(program, "visibility.png");
+    CHECK(shaded.size() == glm::ivec2(150, 100));
+    CHECK(share(mask, black) > 0.04);
+    CHECK(share(mask, black) < 0.3);
+    CHECK(share(mask, white) > 0.6);
+    CHECK(black(mask[{69, 43}]));   // the ball's shadow on the box
+    CHECK(white(mask[{60, 95}]));   // the floor in front
+    CHECK(shaded[{2, 2}] != shaded[{148, 2}]);  // the map over the sky
+    const auto depth = picture(program, "depth.png");  // stretched: from black to white
+    CHECK(share(depth, black) > 0);
+    CHECK(share(depth, white) > 0);
+    CHECK(share(depth, [](glm::u8vec3 p) { return !black(p) && !white(p); }) > 0.05);
+}
+
+/// Shadows attached and no acne, wherever the light is.
+void stands_all_lights(const std::string& program, const std::string& arguments = {}) {
+    for (int elevation : {20, 50, 90})
+        for (int azimuth = 0; azimuth < 360; azimuth += 45) {
+            CAPTURE(elevation);
+            CAPTURE(azimuth);
+            CHECK(runs(program, "--rays --azimuth " + std::to_string(azimuth) + " --elevation " +
+                                    std::to_string(elevation) + " " + arguments));
+        }
+}
+
+}  // namespace
+
+TEST_CASE("radeon_8500: 11 bits do what exact depth does, 8 bits do not") {
+    draws("radeon_8500");
+    CHECK(picture("radeon_8500", "map.png").size() == glm::ivec2(1024));
+    CHECK(picture("radeon_8500", "comparison.png").size() == glm::ivec2(600, 100));
+    const auto masks = picture("radeon_8500", "comparison_visibility.png");  // 8 bits, 11, 11 in s3.12, exact
+    int wrong[3] = {};
+    for (int way = 0; way < 3; ++way)
+        for (int y = 0; y < 100; ++y)
+            for (int x = 0; x < 150; ++x) wrong[way] += masks[{way * 150 + x, y}] != masks[{450 + x, y}];
+    CHECK(wrong[0] > 150);
+    CHECK(wrong[1] < 15);
+    CHECK(wrong[2] < 15);
+    stands_all_lights("radeon_8500");
+}
+
+TEST_CASE("dx_sdk: a cone, and soft edges") {
+    draws("dx_sdk");
+    const auto mask = picture("dx_sdk", "visibility.png");
+    CHECK(black(mask[{147, 75}]));  // outside the cone
+    CHECK(share(mask, [](glm::u8vec3 p) { return !black(p) && !white(p); }) > 0.005);
+    stands_all_lights("dx_sdk");
+}
+
+TEST_CASE("exercise: the light moves, and each of its shadows is where rays say") {
+    draws("exercise", "--frames 8");
+    const auto frames = picture("exercise", "frames.png");
+    CHECK(frames.size() == glm::ivec2(8 * 150, 100));
+    for (int i = 1; i < 8; ++i) {
+        int moved = 0;
+        for (int y = 0; y < 100; ++y)
+            for (int x = 0; x < 150; ++x) moved += frames[{i * 150 + x, y}] != frames[{(i - 1) * 150 + x, y}];
+        CHECK(moved > 750);
+    }
+    for (const char* elevation : {"20", "50", "90"}) CHECK(runs("exercise", std::string("--rays --elevation ") + elevation));
+}
+
+TEST_CASE("self_shadowing: darkened, and every bit of the look-up texture is used") {
+    draws("self_shadowing");
+    const auto map = picture("self_shadowing", "map.png");
+    for (int high = 1; high < 8; ++high)
+        CHECK(share(map, [&](glm::u8vec3 texel) { return texel.g == high * 32; }) > 0);
+    CHECK(share(map, [](glm::u8vec3 texel) { return texel.g % 32 != 0 || texel.b != 0; }) == 0);
+    stands_all_lights("self_shadowing");
+}
+
+TEST_CASE("originals: what cannot be drawn is refused") {
+    for (const char* program : {"radeon_8500", "dx_sdk", "exercise", "self_shadowing"})
+        for (const char* arguments : {"--map-size 0", "--elevation 0", "--size -1", "no_such_mesh.obj"}) {
+            CAPTURE(program);
+            CAPTURE(arguments);
+            CHECK(!runs(program, std::string(arguments) + " 2> /dev/null"));
+        }
+}
