@@ -38,6 +38,7 @@ test:
 	cmake --workflow --preset dev
 	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang; \
 	else echo "No clang++-14 here: the pass with it is left out."; fi
+	@build/dev/tests/readme/readme --print build/dev/tests/parity
 
 demo:
 	$(call install,$(demo_packages))
@@ -63,8 +64,9 @@ single-header:
 readme:
 	$(call install,$(test_packages))
 	cmake --preset dev
-	cmake --build --preset dev --target readme
-	build/dev/tests/readme/readme README.md --write
+	cmake --build --preset dev
+	ctest --preset dev -R "^parity"
+	build/dev/tests/readme/readme --write README.md build/dev/tests/parity
 
 # What including umbrage.hpp costs.
 compile-time:
