@@ -14,6 +14,7 @@
 
 #include <cstring>
 #include <stdexcept>
+#include <type_traits>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -21,6 +22,7 @@
 
 #include <umbrage/clip_space.hpp>
 #include <umbrage/image.hpp>
+#include <umbrage/image_ops/box_blocks.hpp>
 #include <umbrage/image_ops/filters.hpp>
 #include <umbrage/image_ops/parallel.hpp>
 #include <umbrage/image_ops/visibility_blocks.hpp>
@@ -104,11 +106,13 @@ UMBRAGE_INLINE inline void load(const receiver_planes& receivers, int x, int y, 
 /// receiver_at for a block.
 inline void load(const depth_receivers& seen, int first, int row, int count, receiver_block& r) {
     copy_floats(r.z, seen.depth.row(row) + first, count);
-    on_best_isa_without_fma([&, m = seen.matrix, bias = seen.bias](auto) UMBRAGE_INLINE {
+    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+        const glm::mat4 m = seen.matrix;
+        const float bias = seen.bias;
         const float y = static_cast<float>(row) + 0.5f;
         for (int i = 0; i < block; ++i) {
             const float x = static_cast<float>(first + i) + 0.5f, depth = r.z[i];
-            const auto sum = [&](int k) UMBRAGE_INLINE { return m[0][k] * x + m[1][k] * y + m[2][k] * depth + m[3][k]; };
+            const auto sum = [&](int k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
             const float w = sum(3);
             const auto bits = std::bit_cast<std::int32_t>(w);
             const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
@@ -151,6 +155,15 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     if (size_of(receivers) != out.size) throw std::invalid_argument("umbrage::visibility: sizes differ");
     if (map.empty()) throw std::invalid_argument("umbrage::visibility: empty map");
     if (out.empty()) return;
+    if constexpr (std::is_same_v<Filter, filters::box> && !std::is_same_v<Encoding, depth32f>) {
+        // As floats, unless that is more work than the boxes.
+        const auto texels = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
+        if (texels(map.size) < 16.0 * texels(out.size)) {
+            image<float> depth(map.size);
+            decode(map, depth.view(), encoding, parallel);
+            return filter_image(image_view<const float>(depth), depth32f{}, receivers, filter, out, parallel);
+        }
+    }
     using blocks = block_filter<Filter, Encoding>;
     if constexpr (blocks::least > 0)
         if (map.size.x >= blocks::least && map.size.y >= blocks::least &&

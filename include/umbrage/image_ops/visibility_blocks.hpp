@@ -135,6 +135,12 @@ struct texel_bytes {
     UMBRAGE_INLINE T* below(std::int32_t offset) const { return reinterpret_cast<T*>(data + stride + offset); }
 };
 
+/// Texel inside the map, without the assertion of image_view.
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE inline T* texel_at(const image_view<T>& map, std::int32_t x, std::int32_t y) {
+    return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
+}
+
 /// Any filter, one receiver after the other.
 template <class Filter, class Encoding>
 struct one_by_one {
