@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+//
+// Shaders, put together from the library's snippets: the whole of a shadow mapping system is chosen here.
+//
+//     viewer::stages s = viewer::camera_stages(example::dx_sdk, umbrage::glsl::version::v330, false);
+//
+#pragma once
+
+#include <string>
+
+#include <umbrage/glsl.hpp>
+
+#include <systems.hpp>
+
+namespace viewer {
+
+/// Text of the two shaders of a program.
+struct stages {
+    std::string vertex, fragment;
+    friend bool operator==(const stages&, const stages&) = default;
+};
+
+/// From the light: depth, encoded, into the map.
+[[nodiscard]] stages depth_stages(const example::shadow_system& s, umbrage::glsl::version v);
+
+/// From the camera: fetch, decode, compare, filter, shade.
+/// @param mask   visibility alone
+[[nodiscard]] stages camera_stages(const example::shadow_system& s, umbrage::glsl::version v, bool mask);
+
+/// The map over a rectangle of the picture, `low` to `high` of it stretched to black and white.
+[[nodiscard]] stages overlay_stages(const example::shadow_system& s, umbrage::glsl::version v);
+
+/// The map's depth as three bytes, to be read back on any OpenGL.
+[[nodiscard]] stages read_back_stages(const example::shadow_system& s, umbrage::glsl::version v);
+
+/// Triangles of one colour, in pixels.
+[[nodiscard]] stages text_stages(umbrage::glsl::version v);
+
+}  // namespace viewer

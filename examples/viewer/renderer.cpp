@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "renderer.hpp"
+
+#include <cstddef>
+#include <vector>
+
+#include <umbrage/depth/rg_table.hpp>
+#include <umbrage/image.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+#include <png.hpp>
+
+#include "encoding_glsl.hpp"
+
+namespace viewer {
+namespace {
+
+/// Triangles share no vertices here: each has the face's normal, and ES 2 needs no large indices.
+struct vertex {
+    glm::vec3 position, normal, face_normal;
+    glm::vec4 colour;  ///< alpha: 1 on the floor
+};
+
+void attribute_at(GLuint place, GLint size, std::size_t stride, std::size_t offset) {
+    glEnableVertexAttribArray(place);
+    glVertexAttribPointer(place, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), reinterpret_cast<const void*>(offset));
+}
+
+/// Compiles when the text is another than last time.
+const program& updated(std::optional<program>& p, stages text) {
+    if (!p || p->text() != text) p.emplace(std::move(text));
+    return p->use();
+}
+
+/// The same picture for OpenGL, whose z/w runs from -1 to 1.
+glm::mat4 opengl(glm::mat4 m) {
+    for (int column = 0; column < 4; ++column) m[column][2] = 2 * m[column][2] - m[column][3];
+    return m;
+}
+
+/// What an empty texel holds: depth 1, encoded.
+glm::vec4 cleared(std::string_view encoding) {
+    return example::with_encoding(encoding, umbrage::upper_edge<float>, [](auto e, float) {
+        const auto texel = e.encode(1.0f);
+        glm::vec4 out(0);
+        if constexpr (std::is_same_v<decltype(texel), const float>)
+            out.x = texel;
+        else
+            for (int i = 0; i < texel.length(); ++i) out[i] = static_cast<float>(texel[i]) / 255.0f;
+        return out;
+    });
+}
+
+/// The system's bias, and what a decoder of others may answer below the depth it was given.
+float bias_of(const example::shadow_system& s) {
+    if (s.receiver != example::receiver_kind::plain) return s.bias;
+    return s.bias + example::with_encoding(s.encoding, umbrage::upper_edge<float>, [](auto, float below) { return below; });
+}
+
+void bind(int unit, GLuint texture) {
+    glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+    glBindTexture(GL_TEXTURE_2D, texture);
+}
+
+void clear(glm::vec4 c) {
+    glClearColor(c.x, c.y, c.z, c.w);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+}  // namespace
+
+renderer::renderer() : small_({64, 64}, false) {
+    static constexpr auto table = umbrage::make_rg_table<11, glm::u8vec4>();
+    table_ = make_table({static_cast<int>(table.size()), 1}, table.data());
+    constexpr float strip[] = {0, 0, 0, 1, 1, 0, 1, 1};
+    glBindBuffer(GL_ARRAY_BUFFER, corners_);
+    glBufferData(GL_ARRAY_BUFFER, sizeof strip, strip, GL_STATIC_DRAW);
+}
+
+void renderer::upload(const example::scene& scene) {
+    const example::mesh& m = scene.geometry;
+    std::vector<vertex> all;
+    all.reserve(3 * m.triangles.size());
+    for (std::size_t i = 0; i < m.triangles.size(); ++i) {
+        const glm::uvec3 t = m.triangles[i];
+        const glm::vec3 face = glm::normalize(glm::cross(m.positions[t.y] - m.positions[t.x], m.positions[t.z] - m.positions[t.x]));
+        for (int k = 0; k < 3; ++k)
+            all.push_back({m.positions[t[k]], m.normals[t[k]], face, {m.colours[t[k]], i < scene.floor_triangles ? 1.0f : 0.0f}});
+    }
+    vertices_ = static_cast<GLsizei>(all.size());
+    glBindBuffer(GL_ARRAY_BUFFER, mesh_);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(all.size() * sizeof(vertex)), all.data(), GL_STATIC_DRAW);
+}
+
+void renderer::draw_mesh() const {
+    glBindBuffer(GL_ARRAY_BUFFER, mesh_);
+    attribute_at(position, 3, sizeof(vertex), offsetof(vertex, position));
+    attribute_at(normal, 3, sizeof(vertex), offsetof(vertex, normal));
+    attribute_at(face_normal, 3, sizeof(vertex), offsetof(vertex, face_normal));
+    attribute_at(colour, 4, sizeof(vertex), offsetof(vertex, colour));
+    glDisableVertexAttribArray(corner);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDrawArrays(GL_TRIANGLES, 0, vertices_);
+}
+
+void renderer::draw_rectangle(const program& p, glm::vec4 place) const {
+    p.set("place", place);
+    glBindBuffer(GL_ARRAY_BUFFER, corners_);
+    for (GLuint i : {position, normal, face_normal, colour}) glDisableVertexAttribArray(i);
+    attribute_at(corner, 2, sizeof(glm::vec2), 0);
+    glDisable(GL_DEPTH_TEST);
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void renderer::draw(const session& s, GLuint framebuffer, glm::ivec2 size) {
+    if (scene_ != s.scenes) {
+        upload(s.scene);
+        scene_ = s.scenes;
+    }
+    const int edge = s.system.map_size;
+    const example::light light =
+        example::make_light(s.system, s.scene, s.system.azimuth, s.system.elevation, edge, umbrage::opengl_clip_space);
+    const bool floats = encoding_called(s.system.encoding).floats();
+    bind(1, table_);
+    bind(0, 0);
+    if (!map_ || map_->size.x != edge || map_->floats != floats) map_.emplace(glm::ivec2(edge), floats);
+
+    depth_pass(s, light);
+    bind(0, map_->texels);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    camera_pass(s, light, size);
+    if (s.map && !s.mask) overlay(s, framebuffer, size);
+    check_errors("a frame");
+}
+
+void renderer::depth_pass(const session& s, const example::light& l) {
+    bind(0, 0);  // the map is drawn to
+    glBindFramebuffer(GL_FRAMEBUFFER, map_->framebuffer);
+    glViewport(0, 0, map_->size.x, map_->size.y);
+    clear(cleared(s.system.encoding));
+    updated(depth_, depth_stages(s.system, dialect()))
+        .set("light_to_clip", l.world_to_clip())
+        .set("world_to_texels", umbrage::texture_matrix(l.space, map_->size))
+        .set("planes", glm::vec3(l.z_near, l.z_far, 1 / l.z_far))
+        .set("table", 1);
+    draw_mesh();
+}
+
+void renderer::camera_pass(const session& s, const example::light& l, glm::ivec2 size) {
+    const example::camera camera = example::make_camera(s.camera);
+    const glm::mat4 world_to_texels = umbrage::texture_matrix(l.space, map_->size);
+    glViewport(0, 0, size.x, size.y);
+    clear(s.mask ? glm::vec4(1) : glm::vec4(glm::vec3(example::to_srgb(example::sky)) / 255.0f, 1));
+    updated(camera_, camera_stages(s.system, dialect(), s.mask))
+        .set("world_to_clip", opengl(camera.world_to_clip))
+        .set("eye", camera.position)
+        .set("light_direction", l.direction)
+        .set("light_position", glm::vec4(l.position, l.spot ? 1 : 0))
+        .set("cos_outer", l.cos_outer)
+        .set("spread", l.spread)
+        .set("lift", s.system.lift)
+        .set("bias", bias_of(s.system))
+        .set("ambient", s.system.ambient)
+        .set("planes", glm::vec3(l.z_near, l.z_far, 1 / l.z_far))
+        .set("world_to_texels", world_to_texels)
+        .set("taps", umbrage::tap_matrices(world_to_texels).front(), 4)
+        .set("map", 0)
+        .set("map_size", glm::vec2(map_->size))
+        .set("table", 1);
+    draw_mesh();
+}
+
+umbrage::contrast_stretch renderer::stretch(const session& s) {
+    glBindFramebuffer(GL_FRAMEBUFFER, small_.framebuffer);
+    glViewport(0, 0, small_.size.x, small_.size.y);
+    const program& p = updated(read_back_, read_back_stages(s.system, dialect()));
+    p.set("map", 0).set("map_size", glm::vec2(map_->size));
+    draw_rectangle(p, {-1, 1, 2, 2});
+    umbrage::image<glm::u8vec4> bytes(small_.size);
+    glReadPixels(0, 0, small_.size.x, small_.size.y, GL_RGBA, GL_UNSIGNED_BYTE, bytes.texels().data());
+    umbrage::image<float> depth(small_.size);
+    for (std::size_t i = 0; i < depth.texels().size(); ++i)
+        depth.texels()[i] = umbrage::decode_rgb24(glm::u8vec3(bytes.texels()[i]), umbrage::upper_edge<float>);
+    return umbrage::stretch(depth);
+}
+
+void renderer::overlay(const session& s, GLuint framebuffer, glm::ivec2 size) {
+    const auto [low, high] = stretch(s);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, size.x, size.y);
+    const auto edge = static_cast<float>(size.y * 3 / 10);
+    const program& p = updated(overlay_, overlay_stages(s.system, dialect()));
+    p.set("map", 0).set("map_size", glm::vec2(map_->size)).set("low", low).set("high", high);
+    draw_rectangle(p, {-1, 1, 2 * edge / static_cast<float>(size.x), 2 * edge / static_cast<float>(size.y)});
+}
+
+}  // namespace viewer

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+//
+// A frame: the light's pass into the map, the camera's pass, the map in the corner.
+//
+//     viewer::renderer renderer;                       // a context is current
+//     renderer.draw(session, framebuffer, {960, 640});
+//
+#pragma once
+
+#include <optional>
+
+#include <umbrage/view/overlay.hpp>
+
+#include "gl.hpp"
+#include "session.hpp"
+
+namespace viewer {
+
+class renderer {
+public:
+    renderer();
+    void draw(const session& s, GLuint framebuffer, glm::ivec2 size);
+
+private:
+    void upload(const example::scene& scene);
+    void draw_mesh() const;
+    void draw_rectangle(const program& p, glm::vec4 place) const;
+    void depth_pass(const session& s, const example::light& l);
+    void camera_pass(const session& s, const example::light& l, glm::ivec2 size);
+    void overlay(const session& s, GLuint framebuffer, glm::ivec2 size);
+    [[nodiscard]] umbrage::contrast_stretch stretch(const session& s);
+
+    handle<buffer_kind> mesh_, corners_;
+    handle<texture_kind> table_;  ///< 11 bits of depth in two channels, 2048 x 1
+    GLsizei vertices_ = 0;
+    int scene_ = 0;  ///< the one in mesh_
+    std::optional<target> map_;
+    target small_;  ///< for reading the map back
+    std::optional<program> depth_, camera_, overlay_, read_back_;
+};
+
+}  // namespace viewer

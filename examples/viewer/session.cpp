@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "session.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <command_line.hpp>
+
+#include "encoding_glsl.hpp"
+
+namespace viewer {
+namespace {
+
+const example::shadow_system& system_called(std::string_view name) {
+    return *std::ranges::find(example::systems, name, &example::shadow_system::name);
+}
+
+example::filter_kind filter_called(std::string_view name) {
+    return std::ranges::find(filter_names, name, &decltype(filter_names)::value_type::second)->first;
+}
+
+float turned(float degrees, float by) { return std::remainder(degrees + by, 360.0f); }
+
+bool runs_on_es2(const example::shadow_system& s) { return on_es2(encoding_called(s.encoding)); }
+
+}  // namespace
+
+session::session(const options& o)
+    : es2(o.es2), mask(o.mask), text(o.text), map(o.map), mesh_file_(o.mesh), up_(o.up) {
+    camera.aspect = static_cast<float>(o.width) / static_cast<float>(o.height);
+    select(system_called(o.system));
+    if (o.azimuth) system.azimuth = *o.azimuth;
+    if (o.elevation) system.elevation = *o.elevation;
+    if (o.encoding) encode(*std::ranges::find(example::encoding_names, *o.encoding));
+    if (o.filter) system.filter = filter_called(*o.filter);
+    if (o.map_size) system.map_size = *o.map_size;
+    if (o.bias) system.bias = *o.bias;
+    if (o.lift) system.lift = *o.lift;
+}
+
+void session::select(const example::shadow_system& s) {
+    if (es2 && !runs_on_es2(s))
+        throw example::usage_error(std::string(s.name) + " needs a float map, which OpenGL ES 2 has not");
+    const bool other_scene = scenes == 0 || s.scene_scale != system.scene_scale;
+    system = s;
+    if (other_scene) {
+        scene = example::make_scene(system, mesh_file_, up_);
+        ++scenes;
+    }
+    camera = example::make_camera_setup(system, scene, camera.aspect);
+}
+
+void session::encode(std::string_view name) {
+    if (es2 && !on_es2(encoding_called(name)))
+        throw example::usage_error("OpenGL ES 2 cannot do the encoding " + std::string(name));
+    const example::shadow_system& original = system_called(system.name);
+    system.encoding = name;
+    system.receiver = name == original.encoding ? original.receiver : example::receiver_kind::plain;
+}
+
+void session::next_encoding() {
+    const auto& names = example::encoding_names;
+    auto at = std::ranges::find(names, system.encoding);
+    do {
+        if (++at == names.end()) at = names.begin();
+    } while (es2 && !on_es2(encoding_called(*at)));
+    encode(*at);
+}
+
+void session::press(int pressed) {
+    constexpr float step = 3;
+    switch (pressed) {
+        case '1': case '2': case '3': case '4': {
+            const example::shadow_system& s = example::systems[static_cast<std::size_t>(pressed - '1')];
+            if (!es2 || runs_on_es2(s)) select(s);
+            break;
+        }
+        case 'E': next_encoding(); break;
+        case 'F': system.filter = static_cast<example::filter_kind>((static_cast<int>(system.filter) + 1) % 4); break;
+        case '+': system.bias *= 1.25f; break;
+        case '-': system.bias *= 0.8f; break;
+        case 'M': system.map_size = std::min(system.map_size * 2, largest_map / 2); break;
+        case 'N': system.map_size = std::max(system.map_size / 2, smallest_map); break;
+        case 'T': map = !map; break;
+        case 'V': mask = !mask; break;
+        case 'H': text = !text; break;
+        case 'L': turning = !turning; break;
+        case 'R': select(system_called(system.name)); break;
+        case key::left: turn_light(-step, 0); break;
+        case key::right: turn_light(step, 0); break;
+        case key::up: turn_light(0, step); break;
+        case key::down: turn_light(0, -step); break;
+        default: break;
+    }
+}
+
+void session::turn_camera(float azimuth, float elevation) {
+    camera.azimuth = turned(camera.azimuth, azimuth);
+    camera.elevation = std::clamp(camera.elevation + elevation, 1.0f, 90.0f);
+}
+
+void session::turn_light(float azimuth, float elevation) {
+    system.azimuth = turned(system.azimuth, azimuth);
+    system.elevation = std::clamp(system.elevation + elevation, lowest_light, 90.0f);
+}
+
+void session::zoom(float steps) {
+    const float usual = example::make_camera_setup(system, scene, camera.aspect).distance;
+    camera.distance = std::clamp(camera.distance * std::pow(0.9f, steps), 0.4f * usual, 4 * usual);
+}
+
+void session::resize(glm::ivec2 size) {
+    if (size.x > 0 && size.y > 0) camera.aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
+}
+
+std::string session::describe() const {
+    const auto filter = filter_names[static_cast<std::size_t>(system.filter)].second;
+    char lines[400];
+    std::snprintf(lines, sizeof lines, "%.*s\nencoding %.*s, filter %.*s, bias %.6f, map %d x %d\nlight %.0f around, %.0f up\n",
+                  static_cast<int>(system.title.size()), system.title.data(), static_cast<int>(system.encoding.size()),
+                  system.encoding.data(), static_cast<int>(filter.size()), filter.data(), static_cast<double>(system.bias),
+                  system.map_size, system.map_size, static_cast<double>(system.azimuth),
+                  static_cast<double>(system.elevation));
+    return lines;
+}
+
+}  // namespace viewer

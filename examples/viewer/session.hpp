@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+//
+// What is being looked at, and what keys and mouse change of it. Knows nothing of OpenGL.
+//
+//     viewer::session session(options);
+//     session.press('F');  // the next filter
+//
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <camera.hpp>
+#include <encodings.hpp>
+#include <systems.hpp>
+
+#include "options.hpp"
+
+namespace viewer {
+
+inline constexpr float lowest_light = 5;
+inline constexpr int smallest_map = 16, largest_map = 8192;
+
+inline constexpr std::array<std::pair<example::filter_kind, std::string_view>, 4> filter_names{
+    {{example::filter_kind::hard, "hard"}, {example::filter_kind::four_tap, "four-tap"},
+     {example::filter_kind::pcf_2x2, "pcf"}, {example::filter_kind::box, "box"}}};
+
+/// Keys that stand for no letter.
+namespace key {
+inline constexpr int left = 256, right = 257, up = 258, down = 259;
+}
+
+inline constexpr std::string_view keys =
+    "left drag  camera     wheel  distance\n"
+    "right drag, arrows    light (L: goes round)\n"
+    "1 2 3 4  system       E  encoding\n"
+    "F  filter             + -  bias\n"
+    "M N  map size         T  map overlay\n"
+    "V  visibility alone   H  this text\n"
+    "R  reset              P  screenshot\n"
+    "Esc  quit\n";
+
+class session {
+public:
+    explicit session(const options& o);
+
+    example::shadow_system system;  ///< with every change made to it
+    example::scene scene;
+    example::camera_setup camera;
+    bool es2, mask, text, map, turning = false;
+    int scenes = 0;  ///< counts them: a renderer uploads each once
+
+    /// Goes over to a system as it is by itself.
+    /// @throws example::usage_error  it does not run on OpenGL ES 2
+    void select(const example::shadow_system& s);
+    /// @throws example::usage_error  it does not run on OpenGL ES 2
+    void encode(std::string_view name);
+
+    /// A letter, a digit, '+', '-' or one of viewer::key. Others are ignored.
+    void press(int pressed);
+    void turn_camera(float azimuth, float elevation);  ///< by degrees
+    void turn_light(float azimuth, float elevation);
+    void zoom(float steps);
+    void resize(glm::ivec2 size);
+
+    [[nodiscard]] std::string describe() const;  ///< a few lines for people
+
+private:
+    void next_encoding();
+
+    std::filesystem::path mesh_file_;
+    example::up_axis up_;
+};
+
+}  // namespace viewer
