@@ -29,6 +29,9 @@ struct job {
     }
 };
 
+/// The inputs from `first` on: entry, map, number and serial decide each of them.
+[[nodiscard]] job make_job(const entry& e, const texels* map, std::size_t first, std::size_t count, std::uint64_t serial);
+
 class backend {
 public:
     virtual ~backend() = default;
@@ -49,6 +52,9 @@ using backends = std::vector<std::unique_ptr<backend>>;
 
 /// Mesa's software drivers ("llvmpipe", "softpipe"), or every other device EGL knows ("hardware"). Empty: none here.
 [[nodiscard]] backends egl_backends(std::string_view driver);
+
+/// Vulkan in software ("lavapipe"), or every other device Vulkan knows ("hardware"). Empty: none here.
+[[nodiscard]] backends vulkan_backends(std::string_view driver);
 
 /// The snippets' text compiled as C++.
 [[nodiscard]] backends cpp_backends();

@@ -34,6 +34,10 @@ std::int64_t ulp_distance(float a, float b) {
 
 float flush(float v) { return std::fpclassify(v) == FP_SUBNORMAL ? std::copysign(0.0f, v) : v; }
 vec4 flush(vec4 v) { return {flush(v.x), flush(v.y), flush(v.z), flush(v.w)}; }
+texels flush(texels map) {
+    for (vec4& t : map.texels()) t = flush(t);
+    return map;
+}
 
 void compare(const job& j, const expectation& expected, const std::vector<vec4>& got, tally& t, std::ostream& log) {
     const entry& e = *j.what;

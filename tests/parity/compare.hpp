@@ -31,6 +31,7 @@ struct expectation {
 /// Denormals replaced by zero of their sign.
 [[nodiscard]] float flush(float v);
 [[nodiscard]] vec4 flush(vec4 v);
+[[nodiscard]] texels flush(texels map);
 
 /// Adds to the tally; describes the first few differences on `log`.
 void compare(const job& j, const expectation& expected, const std::vector<vec4>& got, tally& t, std::ostream& log);

@@ -2,7 +2,7 @@
 //
 // Every entry on one implementation, in all its dialects, against C++.
 //
-//     parity --backend llvmpipe|softpipe|hardware|c++ [--count N] [--other-count N] [--versions "100,300 es,450"]
+//     parity --backend llvmpipe|softpipe|lavapipe|hardware|c++ [--count N] [--other-count N] [--versions "100,300 es,450"]
 //            [--filter TEXT] [--out FOLDER]
 //
 // Ends with a table, written as parity-BACKEND.tsv too. Exit status: 0 agrees, 1 differs, 77 nothing here to run on.
@@ -53,32 +53,6 @@ options parse(int argc, char** argv) {
 
 constexpr std::size_t at_most = std::size_t(1) << 20;  // inputs of one draw
 
-/// Part `part` of the inputs: entry, map and number decide each of them.
-job make_job(const entry& e, const texels* map, std::size_t first, std::size_t count, std::uint64_t serial) {
-    job j;
-    j.what = &e;
-    j.map = map;
-    j.count = count;
-    j.serial = serial;
-    for (int k = 0; k < max_inputs; ++k)
-        if (e.uses(k)) j.x[static_cast<std::size_t>(k)].resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        sample s = j.at(i);
-        s.x = {};
-        random r((serial << 32) + i);
-        e.classes[i % e.classes.size()].fill((first + i) / e.classes.size(), r, s);
-        for (std::size_t k = 0; k < max_inputs; ++k)
-            if (!j.x[k].empty()) j.x[k][i] = s.x[k];
-    }
-    return j;
-}
-
-texels flushed(const texels& map) {
-    texels copy = map;
-    for (vec4& t : copy.texels()) t = flush(t);
-    return copy;
-}
-
 struct row {
     std::string primitive, exactness, implementation, dialect, obstacle;
     tally t;
@@ -105,7 +79,7 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
     const std::size_t maps = std::max<std::size_t>(e.maps.size(), 1);
     for (std::size_t m = 0; m < maps; ++m) {
         const texels* map = e.maps.empty() ? nullptr : &e.maps[m];
-        const texels flat = map ? flushed(*map) : texels();
+        const texels flat = map ? flush(*map) : texels();
         for (std::size_t first = 0; first < most / maps; first += at_most) {
             const job j = make_job(e, map, first, std::min(at_most, most / maps - first), serial++);
             expectation expected{{}, map ? &flat : nullptr};
@@ -163,12 +137,21 @@ void print(const std::vector<row>& rows) {
     }
 }
 
+backends find(const std::string& driver) {
+    if (driver == "c++") return cpp_backends();
+    if (driver == "lavapipe") return vulkan_backends(driver);
+    backends all = egl_backends(driver);
+    if (driver == "hardware")
+        for (auto& b : vulkan_backends(driver)) all.push_back(std::move(b));
+    return all;
+}
+
 int run_all(int argc, char** argv) {
     const options o = parse(argc, argv);
     const auto start = std::chrono::steady_clock::now();
-    const backends all = o.driver == "c++" ? cpp_backends() : egl_backends(o.driver);
+    const backends all = find(o.driver);
     if (all.empty()) {
-        std::cout << "SKIPPED: no " << o.driver << " through EGL here\n";
+        std::cout << "SKIPPED: no " << o.driver << " here\n";
         return 77;
     }
     std::vector<row> rows;
