@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: MIT
+//
+// Vulkan without a window; SPIR-V from the reference compiler.
+#define VULKAN_HPP_NO_STRUCT_CONSTRUCTORS
+#include <vulkan/vulkan_raii.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "backend.hpp"
+#include "shader.hpp"
+
+namespace parity {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int width = 1024;
+
+/// A folder that goes with its owner.
+struct scratch {
+    fs::path folder;
+
+    scratch() {
+        std::string name = (fs::temp_directory_path() / "umbrage-XXXXXX").string();
+        if (!mkdtemp(name.data())) throw std::runtime_error("no folder for SPIR-V");
+        folder = name;
+    }
+    ~scratch() {
+        std::error_code ignored;
+        fs::remove_all(folder, ignored);
+    }
+    scratch(const scratch&) = delete;
+    scratch& operator=(const scratch&) = delete;
+
+    [[nodiscard]] std::vector<std::uint32_t> spirv(const std::string& stage, const std::string& text) const {
+        const std::string file = (folder / ("shader." + stage)).string(), module = file + ".spv", log = file + ".log";
+        std::ofstream(file) << text;
+        if (std::system((UMBRAGE_GLSLANG " -V --quiet '" + file + "' -o '" + module + "' > '" + log + "' 2>&1").c_str()) != 0) {
+            std::ifstream words(log);
+            throw std::runtime_error(std::string(std::istreambuf_iterator<char>(words), {}) + '\n' + text);
+        }
+        std::vector<std::uint32_t> code(fs::file_size(module) / 4);
+        std::ifstream(module, std::ios::binary).read(reinterpret_cast<char*>(code.data()), static_cast<std::streamsize>(code.size() * 4));
+        return code;
+    }
+};
+
+/// Every image is in the layout `general` from its making on: speed is no aim here.
+struct picture {
+    ivec2 size{0, 0};
+    vk::raii::DeviceMemory memory = nullptr;
+    vk::raii::Image image = nullptr;
+    vk::raii::ImageView view = nullptr;
+};
+
+struct buffer {
+    std::size_t size = 0;
+    void* mapped = nullptr;
+    vk::raii::DeviceMemory memory = nullptr;
+    vk::raii::Buffer handle = nullptr;
+};
+
+struct render_target {
+    vk::Format format;
+    vk::raii::RenderPass pass = nullptr;
+    picture colour{};
+    vk::raii::Framebuffer frame = nullptr;
+};
+
+class vulkan final : public backend {
+public:
+    explicit vulkan(vk::raii::PhysicalDevice physical)
+        : physical_(std::move(physical)), device_(make_device()), queue_(device_, family(), 0),
+          pool_(device_, {.flags = vk::CommandPoolCreateFlagBits::eResetCommandBuffer, .queueFamilyIndex = family()}),
+          commands_(std::move(vk::raii::CommandBuffers(device_, {.commandPool = *pool_, .commandBufferCount = 1}).front())),
+          sampler_(device_, {.magFilter = vk::Filter::eNearest, .minFilter = vk::Filter::eNearest,
+                             .addressModeU = vk::SamplerAddressMode::eClampToEdge,
+                             .addressModeV = vk::SamplerAddressMode::eClampToEdge}) {
+        std::vector<vk::DescriptorSetLayoutBinding> bindings;
+        for (std::uint32_t i = 0; i < textures_.size(); ++i)
+            bindings.push_back({.binding = i, .descriptorType = vk::DescriptorType::eCombinedImageSampler, .descriptorCount = 1,
+                                .stageFlags = vk::ShaderStageFlagBits::eFragment});
+        set_layout_ = {device_, vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
+                                                                  .pBindings = bindings.data()}};
+        layout_ = {device_, vk::PipelineLayoutCreateInfo{.setLayoutCount = 1, .pSetLayouts = &*set_layout_}};
+        const vk::DescriptorPoolSize sizes{vk::DescriptorType::eCombinedImageSampler, static_cast<std::uint32_t>(textures_.size())};
+        set_pool_ = {device_, vk::DescriptorPoolCreateInfo{.flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
+                                                           .maxSets = 1, .poolSizeCount = 1, .pPoolSizes = &sizes}};
+        set_ = std::move(vk::raii::DescriptorSets(device_, {.descriptorPool = *set_pool_, .descriptorSetCount = 1,
+                                                            .pSetLayouts = &*set_layout_}).front());
+        for (std::size_t unit = 0; unit < textures_.size(); ++unit) upload(unit, {vec4(0.0f)}, {1, 1});  // all must be there
+        const float corners[] = {-1, -1, 3, -1, -1, 3};
+        reserve(corners_, sizeof corners);
+        std::memcpy(corners_.mapped, corners, sizeof corners);
+        for (render_target& t : targets_) {
+            const vk::AttachmentDescription colour{.format = t.format, .loadOp = vk::AttachmentLoadOp::eDontCare,
+                                                   .storeOp = vk::AttachmentStoreOp::eStore,
+                                                   .initialLayout = vk::ImageLayout::eGeneral,
+                                                   .finalLayout = vk::ImageLayout::eGeneral};
+            const vk::AttachmentReference first{0, vk::ImageLayout::eGeneral};
+            const vk::SubpassDescription subpass{.colorAttachmentCount = 1, .pColorAttachments = &first};
+            t.pass = {device_, vk::RenderPassCreateInfo{.attachmentCount = 1, .pAttachments = &colour, .subpassCount = 1,
+                                                        .pSubpasses = &subpass}};
+        }
+    }
+
+    [[nodiscard]] std::string name() const override { return physical_.getProperties().deviceName.data(); }
+    [[nodiscard]] std::vector<version> versions() const override { return {version::vulkan}; }
+    [[nodiscard]] std::string label(version) const override { return "Vulkan"; }
+    [[nodiscard]] std::string obstacle(const entry& e) const override {
+        const auto limit = physical_.getProperties().limits.maxImageDimension2D;
+        return e.table.size().x <= static_cast<int>(limit) ? "" : "its table is wider than " + std::to_string(limit) + " texels";
+    }
+
+    [[nodiscard]] std::vector<vec4> run(version, const job& j, std::size_t count) override {
+        const int height = static_cast<int>((j.count + width - 1) / width);
+        const bool bytes = j.what->output == target::rgba8;
+        render_target& t = targets_[bytes ? 1 : 0];
+        if (t.colour.size.y != height) {
+            t.frame = nullptr;
+            t.colour = make_picture(t.format, {width, height},
+                                    vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc);
+            t.frame = {device_, vk::FramebufferCreateInfo{.renderPass = *t.pass, .attachmentCount = 1, .pAttachments = &*t.colour.view,
+                                                          .width = width, .height = static_cast<std::uint32_t>(height), .layers = 1}};
+        }
+        if (serial_ != j.serial) send(j, height);
+        if (entry_ != j.what) {
+            pipeline_ = make_pipeline(*j.what, t.pass);
+            entry_ = j.what;
+        }
+
+        const std::size_t size = static_cast<std::size_t>(width * height) * (bytes ? 4 : sizeof(vec4));
+        reserve(staging_, size);
+        submit([&] {
+            const vk::Extent2D extent{width, static_cast<std::uint32_t>(height)};
+            commands_.beginRenderPass({.renderPass = *t.pass, .framebuffer = *t.frame, .renderArea = {{0, 0}, extent}},
+                                      vk::SubpassContents::eInline);
+            commands_.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline_);
+            commands_.setViewport(0, vk::Viewport{0, 0, static_cast<float>(width), static_cast<float>(height), 0, 1});
+            commands_.setScissor(0, vk::Rect2D{{0, 0}, extent});
+            commands_.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_, 0, *set_, nullptr);
+            commands_.bindVertexBuffers(0, *corners_.handle, vk::DeviceSize(0));
+            commands_.draw(3, 1, 0, 0);
+            commands_.endRenderPass();
+            barrier();
+            commands_.copyImageToBuffer(*t.colour.image, vk::ImageLayout::eGeneral, *staging_.handle, whole(t.colour.size));
+        });
+        std::vector<vec4> result(count);
+        if (bytes) {
+            const auto* read = static_cast<const glm::vec<4, std::uint8_t>*>(staging_.mapped);
+            std::copy(read, read + count, result.begin());
+        } else {
+            std::memcpy(result.data(), staging_.mapped, count * sizeof(vec4));
+        }
+        return result;
+    }
+
+private:
+    [[nodiscard]] std::uint32_t family() const {
+        const auto all = physical_.getQueueFamilyProperties();
+        for (std::uint32_t i = 0; i < all.size(); ++i)
+            if (all[i].queueFlags & vk::QueueFlagBits::eGraphics) return i;
+        throw std::runtime_error("this Vulkan device cannot draw");
+    }
+
+    [[nodiscard]] vk::raii::Device make_device() const {
+        const float priority = 1.0f;
+        const vk::DeviceQueueCreateInfo queue{.queueFamilyIndex = family(), .queueCount = 1, .pQueuePriorities = &priority};
+        return {physical_, vk::DeviceCreateInfo{.queueCreateInfoCount = 1, .pQueueCreateInfos = &queue}};
+    }
+
+    [[nodiscard]] vk::raii::DeviceMemory allocate(vk::MemoryRequirements need, vk::MemoryPropertyFlags flags) const {
+        const auto all = physical_.getMemoryProperties();
+        for (std::uint32_t i = 0; i < all.memoryTypeCount; ++i)
+            if ((need.memoryTypeBits >> i & 1) && (all.memoryTypes[i].propertyFlags & flags) == flags)
+                return {device_, vk::MemoryAllocateInfo{.allocationSize = need.size, .memoryTypeIndex = i}};
+        throw std::runtime_error("no Vulkan memory of the kind needed");
+    }
+
+    /// At least `size` bytes that both sides see.
+    void reserve(buffer& b, std::size_t size) const {
+        if (b.size >= size) return;
+        using usage = vk::BufferUsageFlagBits;
+        b.handle = {device_, vk::BufferCreateInfo{.size = size, .usage = usage::eTransferSrc | usage::eTransferDst | usage::eVertexBuffer}};
+        b.memory = allocate(b.handle.getMemoryRequirements(),
+                            vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent);
+        b.handle.bindMemory(*b.memory, 0);
+        b.mapped = b.memory.mapMemory(0, VK_WHOLE_SIZE);
+        b.size = size;
+    }
+
+    void barrier() {
+        using stage = vk::PipelineStageFlagBits;
+        using access = vk::AccessFlagBits;
+        commands_.pipelineBarrier(stage::eAllCommands, stage::eAllCommands | stage::eHost, {},
+                                  vk::MemoryBarrier{.srcAccessMask = access::eMemoryWrite,
+                                                    .dstAccessMask = access::eMemoryRead | access::eMemoryWrite},
+                                  nullptr, nullptr);
+    }
+
+    template <class Record>
+    void submit(Record record) {
+        commands_.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+        record();
+        barrier();
+        commands_.end();
+        queue_.submit(vk::SubmitInfo{.commandBufferCount = 1, .pCommandBuffers = &*commands_});
+        queue_.waitIdle();
+    }
+
+    static constexpr vk::ImageSubresourceRange colour_range{vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1};
+
+    static vk::BufferImageCopy whole(ivec2 size) {
+        return {.imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
+                .imageExtent = {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y), 1}};
+    }
+
+    [[nodiscard]] picture make_picture(vk::Format format, ivec2 size, vk::ImageUsageFlags usage) {
+        picture p;
+        p.size = size;
+        p.image = {device_, vk::ImageCreateInfo{.imageType = vk::ImageType::e2D, .format = format, .extent = whole(size).imageExtent,
+                                                .mipLevels = 1, .arrayLayers = 1, .usage = usage}};
+        p.memory = allocate(p.image.getMemoryRequirements(), vk::MemoryPropertyFlagBits::eDeviceLocal);
+        p.image.bindMemory(*p.memory, 0);
+        p.view = {device_, vk::ImageViewCreateInfo{.image = *p.image, .viewType = vk::ImageViewType::e2D, .format = format,
+                                                   .subresourceRange = colour_range}};
+        submit([&] {
+            using stage = vk::PipelineStageFlagBits;
+            commands_.pipelineBarrier(stage::eTopOfPipe, stage::eAllCommands, {}, nullptr, nullptr,
+                                      vk::ImageMemoryBarrier{.dstAccessMask = vk::AccessFlagBits::eMemoryWrite,
+                                                             .newLayout = vk::ImageLayout::eGeneral, .image = *p.image,
+                                                             .subresourceRange = colour_range});
+        });
+        return p;
+    }
+
+    void upload(std::size_t unit, const std::vector<vec4>& values, ivec2 size) {
+        picture& p = textures_[unit];
+        if (p.size != size) {
+            p = make_picture(vk::Format::eR32G32B32A32Sfloat, size,
+                             vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst);
+            const vk::DescriptorImageInfo sampled{*sampler_, *p.view, vk::ImageLayout::eGeneral};
+            device_.updateDescriptorSets(
+                vk::WriteDescriptorSet{.dstSet = *set_, .dstBinding = static_cast<std::uint32_t>(unit), .descriptorCount = 1,
+                                       .descriptorType = vk::DescriptorType::eCombinedImageSampler, .pImageInfo = &sampled},
+                nullptr);
+        }
+        reserve(staging_, static_cast<std::size_t>(size.x * size.y) * sizeof(vec4));
+        std::memcpy(staging_.mapped, values.data(), values.size() * sizeof(vec4));  // the last row need not be full
+        submit([&] { commands_.copyBufferToImage(*staging_.handle, *p.image, vk::ImageLayout::eGeneral, whole(size)); });
+    }
+
+    void send(const job& j, int height) {
+        const auto texels_of = [](const texels& t) { return std::vector<vec4>(t.texels().begin(), t.texels().end()); };
+        for (std::size_t k = 0; k < max_inputs; ++k)
+            if (!j.x[k].empty()) upload(k, j.x[k], {width, height});
+        if (j.map) upload(max_inputs, texels_of(*j.map), j.map->size());
+        if (!j.what->table.empty()) upload(max_inputs + 1, texels_of(j.what->table), j.what->table.size());
+        serial_ = j.serial;
+    }
+
+    [[nodiscard]] vk::raii::Pipeline make_pipeline(const entry& e, const vk::raii::RenderPass& pass) const {
+        const shader text = make_shader(e, version::vulkan);
+        const auto module = [&](const char* stage, const std::string& source) {
+            const auto code = folder_.spirv(stage, source);
+            return vk::raii::ShaderModule(device_, vk::ShaderModuleCreateInfo{.codeSize = code.size() * 4, .pCode = code.data()});
+        };
+        const auto vertex = module("vert", text.vertex), fragment = module("frag", text.fragment);
+        const std::array stages{
+            vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eVertex, .module = *vertex, .pName = "main"},
+            vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eFragment, .module = *fragment, .pName = "main"}};
+        const vk::VertexInputBindingDescription binding{0, sizeof(vec2), vk::VertexInputRate::eVertex};
+        const vk::VertexInputAttributeDescription attribute{0, 0, vk::Format::eR32G32Sfloat, 0};
+        const vk::PipelineVertexInputStateCreateInfo input{.vertexBindingDescriptionCount = 1, .pVertexBindingDescriptions = &binding,
+                                                           .vertexAttributeDescriptionCount = 1, .pVertexAttributeDescriptions = &attribute};
+        const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
+        const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
+        const vk::PipelineRasterizationStateCreateInfo raster{.lineWidth = 1.0f};
+        const vk::PipelineMultisampleStateCreateInfo samples{};
+        using write = vk::ColorComponentFlagBits;
+        const vk::PipelineColorBlendAttachmentState plain{.colorWriteMask = write::eR | write::eG | write::eB | write::eA};
+        const vk::PipelineColorBlendStateCreateInfo blend{.attachmentCount = 1, .pAttachments = &plain};
+        const std::array varying{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
+        const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount = varying.size(), .pDynamicStates = varying.data()};
+        return {device_, nullptr,
+                vk::GraphicsPipelineCreateInfo{.stageCount = stages.size(), .pStages = stages.data(), .pVertexInputState = &input,
+                                               .pInputAssemblyState = &assembly, .pViewportState = &viewport,
+                                               .pRasterizationState = &raster, .pMultisampleState = &samples,
+                                               .pColorBlendState = &blend, .pDynamicState = &dynamic, .layout = *layout_,
+                                               .renderPass = *pass}};
+    }
+
+    scratch folder_;
+    vk::raii::PhysicalDevice physical_;
+    vk::raii::Device device_;
+    vk::raii::Queue queue_;
+    vk::raii::CommandPool pool_;
+    vk::raii::CommandBuffer commands_;
+    vk::raii::Sampler sampler_;
+    vk::raii::DescriptorSetLayout set_layout_ = nullptr;
+    vk::raii::PipelineLayout layout_ = nullptr;
+    vk::raii::DescriptorPool set_pool_ = nullptr;
+    vk::raii::DescriptorSet set_ = nullptr;
+    buffer corners_, staging_;
+    std::array<picture, max_inputs + 2> textures_;
+    std::array<render_target, 2> targets_{{{vk::Format::eR32G32B32A32Sfloat}, {vk::Format::eR8G8B8A8Unorm}}};
+    vk::raii::Pipeline pipeline_ = nullptr;
+    const entry* entry_ = nullptr;
+    std::uint64_t serial_ = ~std::uint64_t(0);
+};
+
+}  // namespace
+
+backends vulkan_backends(std::string_view driver) {
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    backends all;
+    try {
+        static const vk::raii::Context context;  // devices need it and the instance to the end
+        static const vk::raii::Instance instance(context, vk::InstanceCreateInfo{});
+        for (vk::raii::PhysicalDevice& device : vk::raii::PhysicalDevices(instance)) {
+            const bool software = device.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
+            if (software == (driver != "hardware")) all.push_back(std::make_unique<vulkan>(std::move(device)));
+        }
+    } catch (const std::exception&) {  // no loader, no driver, no device: nothing to run on
+    }
+    return all;
+}
+
+}  // namespace parity
