@@ -162,16 +162,19 @@ inline void compare_with_rays(const stage& on, const light& l, const umbrage::im
         const float step = reach * l.texel_world(s.position, map_size);
         const glm::vec3 side = glm::normalize(glm::cross(way, s.face_normal + glm::vec3(0.1f, 0.2f, 0.3f)));
         const glm::vec3 across = glm::cross(way, side);
-        const glm::vec3 start = s.position + s.face_normal * step;  // no ray aside begins below the surface
+        const glm::vec3 start = s.position + s.face_normal * (1.5f * step);  // no ray aside begins below the surface
         const float distance = l.spot ? glm::length(l.position - s.position) : 1e3f;
-        int blocked = 0;
-        for (const glm::vec3 aside : {glm::vec3(0), side, -side, across, -across})
-            blocked += rays.blocked(start + step * aside + step * way, way, distance - 2 * step);
-        if (blocked != 0 && blocked != 5) return;  // near an edge
+        const auto blocked = [&](float i, float j) {
+            return rays.blocked(start + step * (way + i * side + j * across), way, distance - 2 * step);
+        };
+        const bool dark = rays.blocked(s.position + 0.001f * s.face_normal, way, distance);
+        for (float i = -1; i <= 1; i += 0.5f)
+            for (float j = -1; j <= 1; j += 0.5f)
+                if (blocked(i, j) != dark) return;  // near an edge
         ++certain;
-        shadow += blocked == 5;
-        leaks += blocked == 5 && visibility[pixel] > 0.5f;
-        acne += blocked == 0 && visibility[pixel] < 0.5f;
+        shadow += dark;
+        leaks += dark && visibility[pixel] > 0.5f;
+        acne += !dark && visibility[pixel] < 0.5f;
     });
     std::printf("rays: %d pixels away from edges, %d of them in shadow; lit there %d, dark elsewhere %d\n", certain, shadow,
                 leaks, acne);
