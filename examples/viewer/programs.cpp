@@ -119,13 +119,14 @@ void main() {
 
 /// depth_here(): the map's depth at a corner's place, nearest texel.
 std::string overlay_head(const shadow_system& s, version v, const snippets& more) {
-    const storage how = storage_of(s);
-    return fragment(v, joined({how.readers, {glsl::fetch_depth, glsl::saturate}, more}), fetch_macro(how), R"GLSL(
+    const encoding& e = encoding_called(s.encoding);  // whatever way the system itself reads it
+    return fragment(v, joined({e.readers(), {glsl::fetch_clamped, glsl::saturate}, more}), "", R"GLSL(
 uniform sampler2D map;
 uniform vec2 map_size;
 varying vec2 at;
-float depth_here() { return umbrage_fetch_depth(map, map_size, floor(vec2(at.x, 1.0 - at.y) * map_size)); }
-)GLSL");
+float depth_here() {
+    vec4 stored = umbrage_fetch_clamped(map, map_size, floor(vec2(at.x, 1.0 - at.y) * map_size));
+    return )GLSL" + e.read("stored") + ";\n}\n");
 }
 
 }  // namespace
