@@ -56,6 +56,9 @@ using backends = std::vector<std::unique_ptr<backend>>;
 /// Vulkan in software ("lavapipe"), or every other device Vulkan knows ("hardware"). Empty: none here.
 [[nodiscard]] backends vulkan_backends(std::string_view driver);
 
+/// WebGL 1 and 2 in a browser, on SwiftShader. Empty, and said why, where the browser or what drives it is missing.
+[[nodiscard]] backends webgl_backends();
+
 /// The snippets' text compiled as C++.
 [[nodiscard]] backends cpp_backends();
 

@@ -2,8 +2,8 @@
 //
 // Every entry on one implementation, in all its dialects, against C++.
 //
-//     parity --backend llvmpipe|softpipe|lavapipe|hardware|c++ [--count N] [--other-count N] [--versions "100,300 es,450"]
-//            [--filter TEXT] [--out FOLDER]
+//     parity --backend llvmpipe|softpipe|lavapipe|swiftshader|hardware|c++ [--count N] [--other-count N]
+//            [--versions "100,300 es,450"] [--filter TEXT] [--out FOLDER]
 //
 // Ends with a table, written as parity-BACKEND.tsv too. Exit status: 0 agrees, 1 differs, 77 nothing here to run on.
 #include <algorithm>
@@ -140,6 +140,7 @@ void print(const std::vector<row>& rows) {
 backends find(const std::string& driver) {
     if (driver == "c++") return cpp_backends();
     if (driver == "lavapipe") return vulkan_backends(driver);
+    if (driver == "swiftshader") return webgl_backends();
     backends all = egl_backends(driver);
     if (driver == "hardware")
         for (auto& b : vulkan_backends(driver)) all.push_back(std::move(b));

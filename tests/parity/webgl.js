@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+//
+// Draws for webgl.cpp in a headless browser:  node webgl.js CHROMIUM NODE_MODULES
+//
+// On standard input come jobs, on standard output go results, each a length in four bytes and that many bytes. This
+// program passes them on to the page without a look; what is in them is between webgl.cpp and draw() below.
+'use strict';
+const http = require('http');
+const path = require('path');
+const [browser_path, modules] = process.argv.slice(2);
+const { chromium } = require(path.join(modules, 'playwright-core'));
+
+// Runs in the page. A job: a number of parts, each with its length before it and padded to four bytes. The first is
+// JSON; the vertex shader, the fragment shader and the textures' floats follow. A result: 0 and pixels, or 1 and words.
+async function draw() {
+    const contexts = {};
+    let textures = [], serial = 0;
+
+    function open(version) {
+        const gl = document.createElement('canvas').getContext(version === 1 ? 'webgl' : 'webgl2', { antialias: false });
+        if (!gl) throw new Error('no WebGL ' + version);
+        const wanted = version === 1 ? ['OES_texture_float', 'WEBGL_color_buffer_float'] : ['EXT_color_buffer_float'];
+        for (const name of wanted) if (!gl.getExtension(name)) throw new Error('no ' + name);
+        gl.disable(gl.DITHER);
+        gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+        gl.bufferData(gl.ARRAY_BUFFER, new Float32Array([-1, -1, 3, -1, -1, 3]), gl.STATIC_DRAW);
+        gl.enableVertexAttribArray(0);
+        gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 0, 0);
+        return { gl, version, units: [], targets: {}, serial: 0, shader: '', program: null };
+    }
+
+    function texture(c, old, size, type, pixels) {
+        const gl = c.gl, id = old || gl.createTexture();
+        gl.bindTexture(gl.TEXTURE_2D, id);
+        for (const name of ['MIN_FILTER', 'MAG_FILTER']) gl.texParameteri(gl.TEXTURE_2D, gl['TEXTURE_' + name], gl.NEAREST);
+        for (const name of ['WRAP_S', 'WRAP_T']) gl.texParameteri(gl.TEXTURE_2D, gl['TEXTURE_' + name], gl.CLAMP_TO_EDGE);
+        const format = c.version === 1 ? gl.RGBA : type === gl.FLOAT ? gl.RGBA32F : gl.RGBA8;
+        gl.texImage2D(gl.TEXTURE_2D, 0, format, size[0], size[1], 0, gl.RGBA, type, pixels);
+        return id;
+    }
+
+    function link(gl, vertex, fragment) {
+        const program = gl.createProgram();
+        for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+            const stage = gl.createShader(kind);
+            gl.shaderSource(stage, text);
+            gl.compileShader(stage);
+            if (!gl.getShaderParameter(stage, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(stage) + text);
+            gl.attachShader(program, stage);
+        }
+        gl.bindAttribLocation(program, 0, 'corner');
+        gl.linkProgram(program);
+        if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) + fragment);
+        return program;
+    }
+
+    function run(parts) {
+        const text = part => new TextDecoder().decode(part);
+        const job = JSON.parse(text(parts[0]));
+        const c = contexts[job.version] ||= open(job.version), gl = c.gl;
+        if (job.hello) {
+            const names = gl.getExtension('WEBGL_debug_renderer_info');
+            return new TextEncoder().encode(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+        }
+        if (job.textures) {
+            textures = job.textures.map((t, i) => ({ ...t, pixels: new Float32Array(parts[3 + i].slice().buffer) }));
+            ++serial;
+        }
+        if (c.serial !== serial)
+            for (const t of textures) {
+                gl.activeTexture(gl.TEXTURE0 + t.unit);
+                c.units[t.unit] = texture(c, c.units[t.unit], t.size, gl.FLOAT, t.pixels);
+            }
+        c.serial = serial;
+        const fragment = text(parts[2]);
+        if (c.shader !== fragment) {
+            gl.deleteProgram(c.program);
+            c.program = link(gl, text(parts[1]), fragment);
+            c.shader = fragment;
+        }
+        gl.useProgram(c.program);
+        for (const t of textures) gl.uniform1i(gl.getUniformLocation(c.program, t.name), t.unit);
+        gl.uniform2f(gl.getUniformLocation(c.program, 'map_size'), ...job.map_size);
+
+        const type = job.bytes ? gl.UNSIGNED_BYTE : gl.FLOAT, [width, height] = job.size;
+        const target = c.targets[type] ||= { frame: gl.createFramebuffer() };
+        gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
+        if (target.height !== height) {
+            gl.activeTexture(gl.TEXTURE0 + job.spare_unit);
+            target.colour = texture(c, target.colour, job.size, type, null);
+            gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target.colour, 0);
+            if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) throw new Error('incomplete target');
+            gl.bindTexture(gl.TEXTURE_2D, null);
+            target.height = height;
+        }
+        gl.viewport(0, 0, width, height);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        const pixels = new (job.bytes ? Uint8Array : Float32Array)(width * job.rows * 4);
+        gl.readPixels(0, 0, width, job.rows, gl.RGBA, type, pixels);
+        const error = gl.getError();
+        if (error) throw new Error('WebGL error ' + error);
+        return new Uint8Array(pixels.buffer);
+    }
+
+    for (;;) {
+        const reply = await fetch('/job');
+        if (!reply.ok) return;
+        const data = await reply.arrayBuffer(), view = new DataView(data), parts = [];
+        for (let at = 0; at < data.byteLength;) {
+            const length = view.getUint32(at, true);
+            parts.push(new Uint8Array(data, at + 4, length));
+            at += 4 + length + (4 - length % 4) % 4;
+        }
+        let status = 0, result;
+        try {
+            result = run(parts);
+        } catch (error) {
+            status = 1;
+            result = new TextEncoder().encode(error.message);
+        }
+        await fetch('/result', { method: 'POST', body: new Blob([new Uint8Array([status]), result]) });
+    }
+}
+
+const jobs = [], readers = [];
+let ended = false;
+function hand_out() {
+    while (readers.length && (jobs.length || ended)) {
+        const job = jobs.shift(), reply = readers.shift();
+        reply.writeHead(job ? 200 : 410);
+        reply.end(job);
+    }
+}
+
+async function collect(stream, take) {  // frames of a stream
+    let chunks = [], held = 0;
+    for await (const chunk of stream) {
+        chunks.push(chunk);
+        held += chunk.length;
+        for (;;) {
+            if (held < 4) break;
+            if (chunks[0].length < 4) chunks = [Buffer.concat(chunks)];
+            const length = chunks[0].readUInt32LE(0);
+            if (held < 4 + length) break;
+            const all = Buffer.concat(chunks);
+            take(all.subarray(4, 4 + length));
+            chunks = [all.subarray(4 + length)];
+            held -= 4 + length;
+        }
+    }
+}
+
+const server = http.createServer((request, reply) => {
+    if (request.url === '/job') {
+        readers.push(reply);
+        hand_out();
+    } else if (request.url === '/result') {
+        const chunks = [];
+        request.on('data', chunk => chunks.push(chunk));
+        request.on('end', () => {
+            const result = Buffer.concat(chunks), length = Buffer.alloc(4);
+            length.writeUInt32LE(result.length);
+            process.stdout.write(length);
+            process.stdout.write(result, () => reply.end());
+        });
+    } else {
+        reply.setHeader('Content-Type', 'text/html');
+        reply.end('<!doctype html>');
+    }
+});
+
+server.listen(0, '127.0.0.1', async () => {
+    let browser;
+    try {
+        browser = await chromium.launch({
+            executablePath: browser_path,
+            args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-watchdog',
+                '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+        });
+        const page = await browser.newPage();
+        await page.goto('http://127.0.0.1:' + server.address().port + '/');
+        const drawing = page.evaluate(draw);
+        collect(process.stdin, job => { jobs.push(job); hand_out(); }).then(() => { ended = true; hand_out(); });
+        await drawing;
+    } catch (error) {
+        console.error('webgl.js: ' + error.message);
+        process.exitCode = 1;
+    }
+    if (browser) await browser.close();
+    server.closeAllConnections();
+    server.close();
+    process.stdin.destroy();
+});
