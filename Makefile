@@ -3,13 +3,16 @@
 #     make demo    makes pictures in build/demo
 #     make test    builds and runs every test
 #     make prove   every float and every code through every encoding: minutes
+#     make bench-packing   depth packing of three.js, Babylon.js and PlayCanvas beside ours
 #
 # Each installs the Debian packages that it lacks first. The work itself is CMake's: see CMakePresets.json.
 
 build_packages := cmake g++ libglm-dev ninja-build pkg-config
 demo_packages := $(build_packages) libassimp-dev libboost-dev libcli11-dev libstb-dev
+node_packages := $(if $(shell command -v npm),,nodejs npm) # npm from wherever it is
 test_packages := $(demo_packages) clang-14 doctest-dev glslang-tools libegl-dev libgl-dev libgl1-mesa-dri libgles-dev \
-    spirv-tools
+    libvulkan-dev mesa-vulkan-drivers spirv-tools \
+    chromium $(node_packages)
 
 # $(call install,packages): what is missing of them; elsewhere than on Debian, says what is needed and goes on.
 define install
@@ -31,10 +34,18 @@ else \
 fi
 endef
 
-.PHONY: test demo prove asan single-header readme compile-time clean
+# What drives the browser, for the tests in WebGL.
+define browser
+@test -d build/node_modules/playwright-core \
+    || npm install --prefix build --silent --no-audit --no-fund playwright-core@1.56.1 \
+    || echo "npm has no playwright-core for us: the tests in WebGL report themselves skipped."
+endef
+
+.PHONY: test demo prove asan bench-packing single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
+	$(browser)
 	cmake --workflow --preset dev
 	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang; \
 	else echo "No clang++-14 here: the pass with it is left out."; fi
@@ -45,11 +56,19 @@ demo:
 	cmake --workflow --preset examples
 	build/examples/examples/shadow_render/shadow_render --output build/demo
 
-# Exhaustive runs. The table goes to build/dev/tests/proof/prove/prove.tsv; GLSL's own (tests/parity) add a line here.
+# Exhaustive runs: C++ first, then GLSL everywhere. Tables: build/dev/tests/proof/prove/prove.tsv and
+# build/dev/tests/parity/prove/*.tsv.
 prove:
 	$(call install,$(test_packages))
+	$(browser)
 	cmake --preset dev
 	cmake --build --preset dev --target prove
+
+# The peers' shaders come from npm; the table goes to build/bench-packing/packing.tsv too.
+bench-packing:
+	$(call install,$(build_packages) $(node_packages) chromium libegl-dev libgl1-mesa-dri libgles-dev)
+	cmake -S tests/bench/packing -B build/bench-packing -G Ninja -DCMAKE_BUILD_TYPE=Release
+	cmake --build build/bench-packing --target table
 
 # The unit tests under the address and undefined behaviour sanitizers.
 asan:
