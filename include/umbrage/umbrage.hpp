@@ -30,6 +30,7 @@
 #include <umbrage/image_ops/isa.hpp>
 #include <umbrage/image_ops/parallel.hpp>
 #include <umbrage/image_ops/rasterize.hpp>
+#include <umbrage/image_ops/triangle_batch.hpp>
 #include <umbrage/image_ops/visibility.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/light_space.hpp>

@@ -12,8 +12,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <compare>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 
 #include <glm/mat4x4.hpp>
@@ -22,6 +24,7 @@
 #include <glm/vec4.hpp>
 
 #include <umbrage/clip_space.hpp>
+#include <umbrage/image_ops/isa.hpp>
 #include <umbrage/scalar.hpp>
 
 namespace umbrage {
@@ -40,6 +43,15 @@ struct snapped_vertex {
 
     friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
 };
+
+/// What stands for a vertex outside of planes: off the grid, with their bits.
+[[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
+    return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
+}
+/// A bit for each plane that a vertex is outside of.
+[[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
+    return v.x == std::numeric_limits<std::int32_t>::min() ? static_cast<unsigned>(v.y) : 0u;
+}
 
 /// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
 /// Products of two floats are exact in double, so contraction to FMA changes no bit here.
@@ -110,6 +122,60 @@ public:
         const double depth = h.z / h.w;
         if (clip_.direction == depth_direction::forward) return {grid(h.x), grid(h.y), depth > 0.0 ? depth : 0.0};
         return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
+    }
+
+    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes become `outside_vertex`.
+    /// @exactness  the bits of one by one
+    void snap(const glm::vec3 (&positions)[detail::block], snapped_vertex (&vertices)[detail::block]) const {
+        using bits = std::int64_t;
+        constexpr bits minus_zero = std::numeric_limits<bits>::min();
+        const bool forward = clip_.direction == depth_direction::forward;
+        const double z_share = clip_.range == depth_range::minus_one_to_one ? 0.5 : 1.0, w_share = 1.0 - z_share;
+        const double near_z = forward ? 1.0 : -1.0, near_w = forward ? 0.0 : 1.0;
+        const bits lowest = forward ? 0 : minus_zero;
+        const bits highest = forward ? std::numeric_limits<bits>::max() : std::bit_cast<bits>(1.0);
+        detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+            float x[detail::block], y[detail::block], z[detail::block];
+            double column[detail::block], row[detail::block], depth[detail::block];
+            bits outside[detail::block];
+            for (int i = 0; i < detail::block; ++i)
+                x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
+            const glm::dmat4 m = matrix_;
+            const glm::dvec2 half_size = half_size_;
+            for (int i = 0; i < detail::block; ++i) {
+                const auto clip_row = [&](int r) UMBRAGE_INLINE {
+                    return m[0][r] * double(x[i]) + m[1][r] * double(y[i]) + m[2][r] * double(z[i]) + m[3][r];
+                };
+                const double w = clip_row(3), band = guard_band * w;
+                const double hx = (clip_row(0) + w) * half_size.x, hy = (clip_row(1) + w) * half_size.y;
+                const double hz = z_share * clip_row(2) + w_share * w;
+                const auto bit = [](double distance, int plane) UMBRAGE_INLINE {
+                    const bits d = std::bit_cast<bits>(distance);
+                    return bits((d < 0) & (d != minus_zero)) << plane;
+                };
+                outside[i] = bit(w - smallest_w, 0) | bit(near_z * hz + near_w * w, 1) | bit(band + hx, 2) |
+                             bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5);
+                const bits inside = -bits(outside[i] == 0);
+                column[i] = std::bit_cast<double>(std::bit_cast<bits>(hx / w * subtexels + 0.5) & inside);
+                row[i] = std::bit_cast<double>(std::bit_cast<bits>(hy / w * subtexels + 0.5) & inside);
+                bits d = std::bit_cast<bits>(hz / w);
+                d = d < lowest ? lowest : d;
+                d = d > highest ? highest : d;
+                depth[i] = std::bit_cast<double>(d & inside);
+            }
+            std::int32_t columns[detail::block], rows[detail::block];
+            const auto floors = [](const double* from, std::int32_t* to) UMBRAGE_INLINE {
+                for (int i = 0; i < detail::block; ++i) {
+                    const auto whole = static_cast<std::int32_t>(from[i]);
+                    to[i] = whole - std::int32_t(from[i] < whole);
+                }
+            };
+            floors(column, columns);
+            floors(row, rows);
+            for (int i = 0; i < detail::block; ++i) vertices[i] = {columns[i], rows[i], depth[i]};
+            for (int i = 0; i < detail::block; ++i)
+                if (outside[i]) vertices[i] = outside_vertex(static_cast<unsigned>(outside[i]));
+        });
     }
 
 private:

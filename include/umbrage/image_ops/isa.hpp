@@ -18,8 +18,10 @@
 
 #if defined(__GNUC__) || defined(__clang__)
 #define UMBRAGE_INLINE __attribute__((always_inline))
+#define UMBRAGE_PREFETCH(address) __builtin_prefetch(address)
 #else
 #define UMBRAGE_INLINE
+#define UMBRAGE_PREFETCH(address) static_cast<void>(address)
 #endif
 
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))

@@ -25,6 +25,9 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -38,6 +41,9 @@
 #include <umbrage/clip_space.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/image_ops/clip.hpp>
+#include <umbrage/image_ops/isa.hpp>
+#include <umbrage/image_ops/parallel.hpp>
+#include <umbrage/image_ops/triangle_batch.hpp>
 #include <umbrage/scalar.hpp>
 
 namespace umbrage {
@@ -48,168 +54,224 @@ struct mesh_view {
     std::span<const glm::uvec3> triangles;
 };
 
-/// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up.
-enum class cull_mode { none, front, back };
+namespace detail {
 
-/// Depth over a triangle, exact on its grid: z + dx * x + dy * y for texels x, y counted from `first`.
-struct depth_plane {
-    glm::ivec2 first;        ///< a texel within the triangle's bounds
-    double z, dx, dy;        ///< multiples of one power of two, so that no sum of theirs within the bounds is rounded
-    double lowest, highest;  ///< of the vertices; samples never leave it
-
-    [[nodiscard]] double operator()(int x, int y) const {
-        const double depth = z + dx * (x - first.x) + dy * (y - first.y);
-        return depth > lowest ? (depth < highest ? depth : highest) : lowest;
+/// The vertices of a mesh on the grid of an image, and its triangles batch by batch.
+class projected_mesh {
+public:
+    /// @throws std::invalid_argument  an index is out of range; a side of the image is above guard_band
+    template <class ParallelFor>
+    projected_mesh(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+                   ParallelFor&& parallel)
+        : mesh_(mesh), project_(world_to_clip, clip, size) {
+        for (const auto& t : mesh.triangles)
+            if (t.x >= mesh.positions.size() || t.y >= mesh.positions.size() || t.z >= mesh.positions.size())
+                throw std::invalid_argument("umbrage::rasterize: a triangle's index is out of range");
+        if (size.x == 0 || size.y == 0 || !is_finite(world_to_clip)) mesh_.triangles = {};
+        if (mesh_.triangles.empty()) return;
+        const std::size_t count = mesh.positions.size();
+        vertices_ = std::make_unique_for_overwrite<snapped_vertex[]>((count + block - 1) / block * block);
+        constexpr std::size_t piece = 64 * block;
+        parallel(static_cast<int>((count + piece - 1) / piece), [&](int first, int last) {
+            for (std::size_t i = std::size_t(first) * piece; i < std::min(std::size_t(last) * piece, count); i += block)
+                project_block(i);
+        });
     }
+
+    /// Starts to fetch what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh.
+    void expect(std::span<const unsigned> list, std::size_t k) const {
+        constexpr std::size_t soon = 16, later = 32;
+        if (k + later < list.size()) UMBRAGE_PREFETCH(&mesh_.triangles[list[k + later]]);
+        if (k + soon < list.size())
+            for (int corner = 0; corner < 3; ++corner)
+                UMBRAGE_PREFETCH(&vertices_[mesh_.triangles[list[k + soon]][corner]]);
+    }
+
+    [[nodiscard]] unsigned triangle_count() const { return static_cast<unsigned>(mesh_.triangles.size()); }
+
+    /// Rows that a triangle may cover, from the bottom: first <= y < last, of which there may be none.
+    [[nodiscard]] std::pair<int, int> rows(unsigned triangle, int height) const {
+        const auto& t = mesh_.triangles[triangle];
+        const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
+        if (planes_outside(a) | planes_outside(b) | planes_outside(c)) return {0, height};
+        const auto [lowest, highest] = std::minmax({a.y, b.y, c.y});
+        return {std::max(lowest >> 8, 0), std::min((highest >> 8) + 1, height)};
+    }
+
+    /// @param triangles  (f): calls f(unsigned triangle) for each
+    /// @param draw       (const triangle_batch&), with the triangles in that order
+    template <class Triangles, class Draw>
+    void for_each_batch(const Triangles& triangles, const texel_bounds& bounds, cull_mode cull,
+                        const Draw& draw) const {
+        triangle_batch batch;
+        const auto flush = [&] {
+            batch.set_up();
+            draw(batch);
+            batch.count = 0;
+        };
+        triangles([&](unsigned i) {
+            const auto& t = mesh_.triangles[i];
+            const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
+            const unsigned crossed = planes_outside(a) | planes_outside(b) | planes_outside(c);
+            if (crossed == 0) {
+                batch.add(a, b, c, i, bounds, cull);
+                if (batch.full()) flush();
+            } else if (!(planes_outside(a) & planes_outside(b) & planes_outside(c)) && !(crossed & nowhere)) {
+                const auto h = [&](unsigned index) { return project_.homogeneous(mesh_.positions[index]); };
+                const auto polygon = clip_triangle(project_, h(t.x), h(t.y), h(t.z), crossed);
+                for (std::size_t k = 1; int(k) + 1 < polygon.count; ++k) {
+                    batch.add(polygon.vertices[0], polygon.vertices[k], polygon.vertices[k + 1], i, bounds, cull);
+                    if (batch.full()) flush();
+                }
+            }
+        });
+        if (batch.count) flush();
+    }
+
+private:
+    static constexpr unsigned nowhere = 1u << projection::planes;
+
+    void project_block(std::size_t first) {
+        glm::vec3 positions[block];
+        for (std::size_t i = 0; i < block; ++i)
+            positions[i] = mesh_.positions[std::min(first + i, mesh_.positions.size() - 1)];
+        snapped_vertex vertices[block];
+        project_.snap(positions, vertices);
+        for (std::size_t i = 0; i < block; ++i)
+            vertices_[first + i] = is_finite(positions[i]) ? vertices[i] : outside_vertex(nowhere);
+    }
+
+    mesh_view mesh_;
+    projection project_;
+    std::unique_ptr<snapped_vertex[]> vertices_;
 };
 
-/// The plane through three vertices, anchored at the first, which must be the smallest of them.
-///
-/// @param area   twice the signed area in squares of the vertex grid, not 0
-/// @exactness    B: the same bits with and without FMA. With n the bounds' larger side in 1/256 texel and m the sum of
-///               the depth's and the two slopes' magnitudes over the bounds, a sample is within 2^-48 n m of the plane
-///               through the snapped vertices
-[[nodiscard]] inline depth_plane make_depth_plane(const std::array<snapped_vertex, 3>& v, double area,
-                                                  glm::ivec2 first) {
-    const auto magnitude = [](double a) { return a < 0.0 ? -a : a; };
-    const auto largest = [](double a, double b) { return a < b ? b : a; };
-    const auto round_down = [](double a) {  // to a power of two
-        return std::bit_cast<double>(std::bit_cast<std::uint64_t>(a) & 0x7FF0000000000000u);
-    };
-    const auto on_grid = [](double a, double unit) {
-        return static_cast<double>(static_cast<std::int64_t>(a / unit)) * unit;
-    };
-    const double x1 = v[1].x - v[0].x, y1 = v[1].y - v[0].y, x2 = v[2].x - v[0].x, y2 = v[2].y - v[0].y;
-    const double width = largest(magnitude(x1), largest(magnitude(x2), magnitude(x1 - x2)));
-    const double height = largest(magnitude(y1), largest(magnitude(y2), magnitude(y1 - y2)));
-
-    // Depths with so few digits that the products with x1 .. y2 and their differences need no rounding.
-    constexpr double tiny = 0x1p-200;
-    double unit = largest(tiny, largest(magnitude(v[0].depth), largest(magnitude(v[1].depth), magnitude(v[2].depth))));
-    unit = round_down(unit) * round_down(largest(width, height)) * 0x1p-49;
-    const double z0 = on_grid(v[0].depth, unit), z1 = on_grid(v[1].depth, unit), z2 = on_grid(v[2].depth, unit);
-    const double slope_x = ((z1 - z0) * y2 + (z2 - z0) * -y1) / area;
-    const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) / area;
-
-    // Slopes with so few digits that the same holds for every sample.
-    const double reach = magnitude(z0) + magnitude(slope_x) * width + magnitude(slope_y) * height;
-    unit = round_down(largest(tiny, reach)) * 0x1p-51;
-    const double dx = on_grid(slope_x, unit), dy = on_grid(slope_y, unit);
-    constexpr int centre = subtexels / 2;
-    return {.first = first,
-            .z = on_grid(z0, unit) + dx * (first.x * subtexels + centre - v[0].x) +
-                 dy * (first.y * subtexels + centre - v[0].y),
-            .dx = dx * subtexels,
-            .dy = dy * subtexels,
-            .lowest = z0 < z1 ? (z0 < z2 ? z0 : z2) : (z1 < z2 ? z1 : z2),
-            .highest = largest(z0, largest(z1, z2))};
-}
-
-/// One triangle on the grid, row by row.
-///
-/// @param v     vertices within the guard band, the smallest first
-/// @param size  of the image in texels
-/// @param row   (int y, int x_first, int x_last, const depth_plane&): texels x_first <= x < x_last of row y are
-///              covered; y counts from the bottom
-/// @formula     covered: for each edge, E >= 0, or E > 0 where the edge is neither a top nor a left one
-/// @exactness   A: 64-bit integers
-template <class Row>
-void rasterize_snapped(std::array<snapped_vertex, 3> v, glm::ivec2 size, cull_mode cull, Row&& row) {
-    const auto area_of = [&] {
-        return std::int64_t(v[1].x - v[0].x) * (v[2].y - v[0].y) - std::int64_t(v[2].x - v[0].x) * (v[1].y - v[0].y);
-    };
-    const std::int64_t area = area_of();
-    if (area == 0 || cull == (area > 0 ? cull_mode::front : cull_mode::back)) return;
-    if (area < 0) std::swap(v[1], v[2]);
-
-    // texels whose centres are within the bounds
-    constexpr int centre = subtexels / 2;
-    const auto first_from = [](int low) { return low <= centre ? 0 : (low - centre + subtexels - 1) / subtexels; };
-    const auto last_to = [](int high, int count) {
-        return high < centre ? -1 : std::min((high - centre) / subtexels, count - 1);
-    };
-    const glm::ivec2 first{first_from(std::min({v[0].x, v[1].x, v[2].x})),
-                           first_from(std::min({v[0].y, v[1].y, v[2].y}))};
-    const glm::ivec2 last{last_to(std::max({v[0].x, v[1].x, v[2].x}), size.x),
-                          last_to(std::max({v[0].y, v[1].y, v[2].y}), size.y)};
-    if (first.x > last.x || first.y > last.y) return;
-
-    struct edge {
-        std::int64_t value, step_x, step_y;  // at the first texel of the row; per texel
-    };
-    std::array<edge, 3> edges;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto& a = v[i];
-        const auto& b = v[i < 2 ? i + 1 : 0];
-        const std::int64_t dx = b.x - a.x, dy = b.y - a.y;
-        const bool top_left = dy < 0 || (dy == 0 && dx < 0);
-        const int to_x = first.x * subtexels + centre - a.x, to_y = first.y * subtexels + centre - a.y;
-        edges[i] = {dx * to_y - dy * to_x - (top_left ? 0 : 1), -dy * subtexels, dx * subtexels};
+/// Which triangles may touch which band of rows, so that a band stays in the cache while it is drawn.
+class banded_triangles {
+public:
+    template <class ParallelFor>
+    banded_triangles(const projected_mesh& mesh, glm::ivec2 size, ParallelFor&& parallel)
+        : mesh_(mesh), rows_(std::max(band_texels / std::max(size.x, 1), 1)), bands_((size.y + rows_ - 1) / rows_) {
+        const unsigned triangles = mesh.triangle_count(), pieces = (triangles + piece - 1) / piece;
+        lists_.resize(std::size_t(pieces) * std::size_t(bands_));
+        parallel(static_cast<int>(pieces), [&](int first, int last) {
+            for (unsigned i = unsigned(first) * piece; i < std::min(unsigned(last) * piece, triangles); ++i) {
+                const auto [low, high] = mesh.rows(i, size.y);
+                for (int band = low / rows_; band * rows_ < high; ++band)
+                    lists_[std::size_t(i / piece) * std::size_t(bands_) + std::size_t(band)].push_back(i);
+            }
+        });
     }
 
-    const auto plane = make_depth_plane(v, static_cast<double>(area_of()), first);
-    for (int y = first.y; y <= last.y; ++y) {
-        std::int64_t low = 0, high = last.x - first.x;  // steps from first.x for which no edge is negative
-        for (auto& e : edges) {
-            if (e.step_x > 0 && e.value < 0) low = std::max(low, (-e.value + e.step_x - 1) / e.step_x);
-            if (e.step_x < 0) high = e.value < 0 ? -1 : std::min(high, e.value / -e.step_x);
-            if (e.step_x == 0 && e.value < 0) high = -1;
-            e.value += e.step_y;
-        }
-        if (low <= high) row(y, first.x + int(low), first.x + int(high) + 1, plane);
-    }
-}
+    [[nodiscard]] int bands() const { return bands_; }
+    [[nodiscard]] int rows() const { return rows_; }
 
-/// All triangles of a mesh, row by row; what rasterize and rasterize_depth share.
-///
-/// @param row   (int y, int x_first, int x_last, const depth_plane&, unsigned triangle), y counting from the bottom
-/// @throws std::invalid_argument  an index is out of range; a side of the image is above guard_band
-template <class Row>
-void rasterize_rows(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
-                    cull_mode cull, Row&& row) {
-    for (const auto& t : mesh.triangles)
-        if (t.x >= mesh.positions.size() || t.y >= mesh.positions.size() || t.z >= mesh.positions.size())
-            throw std::invalid_argument("umbrage::rasterize: a triangle's index is out of range");
-    const projection project(world_to_clip, clip, size);
-    if (size.x == 0 || size.y == 0 || mesh.triangles.empty() || !is_finite(world_to_clip)) return;
-
-    constexpr unsigned nowhere = 1u << projection::planes;
-    struct vertex {
-        snapped_vertex snapped;
-        unsigned outside;
-    };
-    std::vector<vertex> vertices;
-    vertices.reserve(mesh.positions.size());
-    for (const auto& p : mesh.positions) {
-        const auto h = is_finite(p) ? project.homogeneous(p) : glm::dvec4(0.0);
-        const unsigned outside = is_finite(p) ? project.outside(h) : nowhere;
-        vertices.push_back({outside ? snapped_vertex{0, 0, 0.0} : project.snap(h), outside});
+    /// In the mesh's order.
+    template <class Use>
+    void for_each(int band, const Use& use) const {
+        for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands_))
+            for (std::size_t k = 0; k < lists_[i].size(); ++k) {
+                mesh_.expect(lists_[i], k);
+                use(lists_[i][k]);
+            }
     }
 
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const auto& t = mesh.triangles[i];
-        const vertex &a = vertices[t.x], &b = vertices[t.y], &c = vertices[t.z];
-        const unsigned crossed = a.outside | b.outside | c.outside;
-        if ((a.outside & b.outside & c.outside) || (crossed & nowhere)) continue;
-        const auto emit = [&](const snapped_vertex& p, const snapped_vertex& q, const snapped_vertex& r) {
-            rasterize_snapped({p, q, r}, size, cull, [&](int y, int x_first, int x_last, const depth_plane& plane) {
-                row(y, x_first, x_last, plane, static_cast<unsigned>(i));
+private:
+    static constexpr int band_texels = 1 << 16;
+    static constexpr unsigned piece = 1 << 16;  // triangles that one thread sorts at a time
+
+    const projected_mesh& mesh_;
+    int rows_, bands_;
+    std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band
+};
+
+/// A triangle's depths into an image.
+template <bool Forward>
+class span_writer {
+public:
+    UMBRAGE_INLINE span_writer(image_view<float> depth, bool flipped)
+        : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
+          up_(flipped ? -depth.stride : depth.stride),
+          width_(depth.size.x) {}
+
+    UMBRAGE_INLINE void draw(const triangle_batch& batch, int i) const {
+        const auto plane = batch.plane(i);
+        // Depths of one sign, and none that is flushed: their bits are in their order.
+        if (plane.lowest >= 0x1p-126 && plane.highest <= 1.0) {
+            const block_writer write(plane);
+            batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
+                float* const texels = row(y);
+                double z = plane.unclamped(first, y);
+                for (; first < last && first + lanes <= width_; first += lanes, z += plane.dx * lanes)
+                    write(texels + first, z, last - first);
+                if (first >= last) return;
+                float copy[lanes]{};
+                for (int x = first; x < last; ++x) copy[x - first] = texels[x];
+                write(copy, z, last - first);
+                for (int x = first; x < last; ++x) texels[x] = copy[x - first];
             });
-        };
-        if (crossed) {
-            const auto at = [&](unsigned index) { return project.homogeneous(mesh.positions[index]); };
-            const auto polygon = clip_triangle(project, at(t.x), at(t.y), at(t.z), crossed);
-            for (std::size_t k = 1; int(k) + 1 < polygon.count; ++k)
-                emit(polygon.vertices[0], polygon.vertices[k], polygon.vertices[k + 1]);
-        } else if (a.snapped < b.snapped && a.snapped < c.snapped) {
-            emit(a.snapped, b.snapped, c.snapped);
-        } else if (b.snapped < c.snapped) {
-            emit(b.snapped, c.snapped, a.snapped);
         } else {
-            emit(c.snapped, a.snapped, b.snapped);
+            batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
+                float* const texels = row(y);
+                for (int x = first; x < last; ++x) {
+                    const double z = plane(x, y);
+                    if (!(z >= 0.0 && z <= 1.0)) continue;
+                    const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
+                    if (Forward ? stored <= texels[x] : stored >= texels[x]) texels[x] = stored;
+                }
+            });
         }
     }
+
+private:
+    static constexpr int lanes = 8;
+
+    struct block_writer {
+        double ramp[lanes];
+        std::int32_t lowest, highest;
+
+        UMBRAGE_INLINE explicit block_writer(const depth_plane& plane)
+            : lowest(std::bit_cast<std::int32_t>(static_cast<float>(plane.lowest))),
+              highest(std::bit_cast<std::int32_t>(static_cast<float>(plane.highest))) {
+            for (int i = 0; i < lanes; ++i) ramp[i] = plane.dx * i;
+        }
+
+        /// The first `count` of eight texels; what is there can be anything.
+        UMBRAGE_INLINE void operator()(float* texels, double z, int count) const {
+            constexpr std::int32_t infinity = 0x7F800000, sign = std::numeric_limits<std::int32_t>::min();
+            std::int32_t there[lanes], here[lanes];
+            float rounded[lanes];
+            for (int i = 0; i < lanes; ++i) rounded[i] = static_cast<float>(z + ramp[i]);
+            std::memcpy(here, rounded, sizeof here);
+            std::memcpy(there, texels, sizeof there);
+            for (int i = 0; i < lanes; ++i) {
+                const std::int32_t above = here[i] < lowest ? lowest : here[i];
+                const std::int32_t depth = above > highest ? highest : above;
+                const bool nearer = Forward ? depth <= there[i] : depth >= there[i];
+                const bool number = (Forward ? there[i] : there[i] ^ sign) <= infinity;  // or a NaN of the other sign
+                const std::int32_t mask = -std::int32_t(nearer & number & (i < count));
+                there[i] = (depth & mask) | (there[i] & ~mask);
+            }
+            std::memcpy(texels, there, sizeof there);
+        }
+    };
+
+    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const { return reinterpret_cast<float*>(bottom_ + y * up_); }
+
+    std::byte* bottom_;
+    std::ptrdiff_t up_;
+    int width_;
+};
+
+template <bool Forward>
+void draw_batch(image_view<float> depth, bool flipped, const triangle_batch& batch) {
+    on_best_isa([&](auto) UMBRAGE_INLINE {
+        const span_writer<Forward> writer(depth, flipped);
+        for (int i = 0; i < batch.count; ++i) writer.draw(batch, i);
+    });
 }
+
+}  // namespace detail
 
 /// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
 ///
@@ -219,21 +281,26 @@ void rasterize_rows(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& wor
 /// @param world_to_clip  projection * view
 /// @param clip           reversed: greater depths win
 /// @param cull           which faces to leave out
+/// @param parallel       cuts the work into pieces, see parallel.hpp: vertices, triangles, bands of rows
 /// @throws std::invalid_argument  an index is out of range; a side of the image is above 16384
 /// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
 ///              the far plane; never -0
-/// @exactness   coverage A from the snapped vertices on; depth B, see depth_plane
-inline void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip,
-                            clip_space clip, cull_mode cull = cull_mode::none) {
+/// @exactness   coverage A from the snapped vertices on; depth B, see triangle_batch::set_up
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {}) {
+    const detail::projected_mesh projected(depth.size, mesh, world_to_clip, clip, parallel);
     const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
-    rasterize_rows(depth.size, mesh, world_to_clip, clip, cull,
-                   [&](int y, int x_first, int x_last, const depth_plane& plane, unsigned) {
-        float* texels = depth.row(flipped ? depth.size.y - 1 - y : y);
-        for (int x = x_first; x < x_last; ++x) {
-            const double z = plane(x, y);
-            if (!(z >= 0.0 && z <= 1.0)) continue;
-            const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
-            if (forward ? stored <= texels[x] : stored >= texels[x]) texels[x] = stored;
+    const detail::banded_triangles banded(projected, depth.size, parallel);
+    parallel(banded.bands(), [&](int first, int last) {
+        for (int band = first; band < last; ++band) {
+            const texel_bounds bounds{{0, band * banded.rows()},
+                                      {depth.size.x, std::min((band + 1) * banded.rows(), depth.size.y)}};
+            const auto triangles = [&](const auto& use) { banded.for_each(band, use); };
+            projected.for_each_batch(triangles, bounds, cull, [&](const triangle_batch& batch) {
+                if (forward) detail::draw_batch<true>(depth, flipped, batch);
+                else detail::draw_batch<false>(depth, flipped, batch);
+            });
         }
     });
 }
@@ -248,11 +315,20 @@ template <class Sample>
 void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
                cull_mode cull = cull_mode::none) {
     const bool flipped = clip.origin == texture_origin::top;
-    rasterize_rows(size, mesh, world_to_clip, clip, cull,
-                   [&](int y, int x_first, int x_last, const depth_plane& plane, unsigned triangle) {
-        for (int x = x_first; x < x_last; ++x)
-            if (const double z = plane(x, y); z >= 0.0 && z <= 1.0)
-                sample(glm::ivec2(x, flipped ? size.y - 1 - y : y), z > 0.0 ? static_cast<float>(z) : 0.0f, triangle);
+    const detail::projected_mesh projected(size, mesh, world_to_clip, clip, serial{});
+    const auto triangles = [&](const auto& use) {
+        for (unsigned i = 0; i < projected.triangle_count(); ++i) use(i);
+    };
+    projected.for_each_batch(triangles, {{0, 0}, size}, cull, [&](const triangle_batch& batch) {
+        for (int i = 0; i < batch.count; ++i) {
+            const auto plane = batch.plane(i);
+            batch.for_each_row(i, [&](int y, int first, int last) {
+                for (int x = first; x < last; ++x)
+                    if (const double z = plane(x, y); z >= 0.0 && z <= 1.0)
+                        sample(glm::ivec2(x, flipped ? size.y - 1 - y : y), z > 0.0 ? static_cast<float>(z) : 0.0f,
+                               batch.id[i]);
+            });
+        }
     });
 }
 
