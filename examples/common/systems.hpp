@@ -61,7 +61,7 @@ struct shadow_system {
 
     light_kind light = light_kind::spot;
     float distance = 10;            ///< of a spot from what it looks at, world units
-    float outer_angle = 32;         ///< of a spot, degrees between axis and edge of the cone
+    float outer_angle = 36;         ///< of a spot, degrees between axis and edge of the cone; 36 holds the whole floor
     float azimuth = 60, elevation = 40;  ///< where the light is to begin with, degrees
     int map_size = 1024;
 

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <initializer_list>
 #include <memory>
 #include <string>
@@ -23,9 +24,9 @@ namespace {
 
 const std::filesystem::path folder = std::filesystem::path(PROGRAMS) / "check";
 
-bool runs(const std::string& program, const std::string& arguments) {
-    const std::string command = "'" PROGRAMS "/" + program + "' --output '" + (folder / program).string() + "' --size 150 ";
-    return std::system((command + arguments).c_str()) == 0;
+bool runs(const std::string& program, const std::string& arguments, int size = 150) {
+    const std::string command = "'" PROGRAMS "/" + program + "' --output '" + (folder / program).string() + "' --size ";
+    return std::system((command + std::to_string(size) + " " + arguments).c_str()) == 0;
 }
 
 umbrage::image<glm::u8vec3> picture(const std::string& program, const char* file) {
@@ -68,13 +69,13 @@ void draws(const std::string& program, const std::string& arguments = {}) {
 }
 
 /// Shadows attached and no acne, wherever the light is.
-void stands_all_lights(const std::string& program, const std::string& arguments = {}) {
+void stands_all_lights(const std::string& program) {
     for (int elevation : {20, 50, 90})
         for (int azimuth = 0; azimuth < 360; azimuth += 45) {
             CAPTURE(elevation);
             CAPTURE(azimuth);
             CHECK(runs(program, "--rays --azimuth " + std::to_string(azimuth) + " --elevation " +
-                                    std::to_string(elevation) + " " + arguments));
+                                    std::to_string(elevation), 96));
         }
 }
 
@@ -123,6 +124,20 @@ TEST_CASE("self_shadowing: darkened, and every bit of the look-up texture is use
         CHECK(share(map, [&](glm::u8vec3 texel) { return texel.g == high * 32; }) > 0);
     CHECK(share(map, [](glm::u8vec3 texel) { return texel.g % 32 != 0 || texel.b != 0; }) == 0);
     stands_all_lights("self_shadowing");
+    CHECK(!runs("self_shadowing", "--rays --lift 0 2> /dev/null"));  // acne, which rays do notice
+}
+
+TEST_CASE("originals: a mesh from a file") {
+    std::filesystem::create_directories(folder);
+    const std::filesystem::path mesh = folder / "pyramid.obj";
+    std::ofstream(mesh) << "v -1 0 1\nv 1 0 1\nv 0 0 -1\nv 0 2 0\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    for (const char* program : {"radeon_8500", "dx_sdk", "exercise", "self_shadowing"}) {
+        CAPTURE(program);
+        REQUIRE(runs(program, std::string("'").append(mesh.string()).append("'")));
+        const auto mask = picture(program, "visibility.png");
+        CHECK(share(mask, black) > 0.02);
+        CHECK(share(mask, white) > 0.6);
+    }
 }
 
 TEST_CASE("originals: what cannot be drawn is refused") {
