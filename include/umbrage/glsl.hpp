@@ -20,7 +20,7 @@ namespace umbrage::glsl {
 /// How exactly a snippet and its C++ twin agree.
 ///   a  bit for bit on every implementation: every intermediate is representable, so nothing can round
 ///   b  bit for bit where + - * round to nearest in written order; a few ulp elsewhere
-///   c  within snippet::ulp units in the last place: division, square root, trigonometry
+///   c  within snippet::ulp units in the last place on every implementation tried: division, square root
 enum class tier { a, b, c };
 
 /// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
@@ -55,7 +55,7 @@ struct snippet {
     std::string_view name;                 ///< of the C++ twin; the GLSL function is umbrage_<name>
     std::string_view summary;              ///< one line
     tier exactness = tier::a;
-    int ulp = 0;                           ///< tier c: greatest distance from the C++ twin
+    int ulp = 0;                           ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
     version lowest = version::v100;        ///< v100: every dialect; v300_es: 300 es and 330 upwards
     std::array<const snippet*, 4> needs{};
     std::string_view source;

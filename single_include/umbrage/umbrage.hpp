@@ -48,6 +48,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <span>
 #include <stdexcept>
@@ -107,7 +108,7 @@ namespace umbrage::glsl {
 /// How exactly a snippet and its C++ twin agree.
 ///   a  bit for bit on every implementation: every intermediate is representable, so nothing can round
 ///   b  bit for bit where + - * round to nearest in written order; a few ulp elsewhere
-///   c  within snippet::ulp units in the last place: division, square root, trigonometry
+///   c  within snippet::ulp units in the last place on every implementation tried: division, square root
 enum class tier { a, b, c };
 
 /// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
@@ -142,7 +143,7 @@ struct snippet {
     std::string_view name;                 ///< of the C++ twin; the GLSL function is umbrage_<name>
     std::string_view summary;              ///< one line
     tier exactness = tier::a;
-    int ulp = 0;                           ///< tier c: greatest distance from the C++ twin
+    int ulp = 0;                           ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
     version lowest = version::v100;        ///< v100: every dialect; v300_es: 300 es and 330 upwards
     std::array<const snippet*, 4> needs{};
     std::string_view source;
@@ -912,7 +913,7 @@ template <real T>
 
 /// @param z, w    clip coordinates
 /// @return        z / w; 1, the cleared depth, for w <= 0 (not in front of the light) and NaN in w
-/// @exactness     C: one division
+/// @exactness     C: one division, of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr T project_depth(T z, T w) {
     return w > T(0) && !is_nan(w) ? z / w : T(1);
@@ -922,7 +923,7 @@ template <real T>
 /// @param inv_range   1 / range of the light
 /// @return            0 at the light, 1 at its range; not clamped
 /// @formula           |to_point| * inv_range
-/// @exactness         C: a square root
+/// @exactness         C: a square root, of which GLSL allows a few ulp; 0 seen
 template <real T>
 [[nodiscard]] T distance_depth(glm::vec<3, T> to_point, T inv_range) {
     return std::sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
@@ -950,7 +951,8 @@ template <real T>
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z_near .. z_far; not clamped
 /// @formula               n / (1 - depth (1 - n / f))
-/// @exactness             C: two divisions; the distance at depth near 1 hangs on the last bits of depth
+/// @exactness             C: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen;
+///                        the distance at depth near 1 hangs on the last bits of depth
 template <real T>
 [[nodiscard]] constexpr T view_z_from_depth(T depth, T z_near, T z_far) {
     return z_near / (T(1) - depth * (T(1) - z_near / z_far));
@@ -962,7 +964,7 @@ template <real T>
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z/w in [0, 1], 0 at the near plane; not clamped
 /// @formula               (1 - n / z) / (1 - n / f)
-/// @exactness             C: three divisions
+/// @exactness             C: three divisions, of each of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr T depth_from_view_z(T z_view, T z_near, T z_far) {
     return (T(1) - z_near / z_view) / (T(1) - z_near / z_far);
@@ -979,7 +981,7 @@ UMBRAGE_HIGHP float umbrage_linear_depth(UMBRAGE_HIGHP float z_view, UMBRAGE_HIG
 )GLSL"};
 
 inline constexpr snippet project_depth{
-    .name = "project_depth", .summary = "z / w, 1 behind the light", .exactness = tier::c, .ulp = 3,
+    .name = "project_depth", .summary = "z / w, 1 behind the light", .exactness = tier::c, .ulp = 1,
     .source = R"GLSL(
 // umbrage_project_depth: z / w; 1.0 for w <= 0.0
 UMBRAGE_HIGHP float umbrage_project_depth(UMBRAGE_HIGHP float z, UMBRAGE_HIGHP float w) {
@@ -988,7 +990,7 @@ UMBRAGE_HIGHP float umbrage_project_depth(UMBRAGE_HIGHP float z, UMBRAGE_HIGHP f
 )GLSL"};
 
 inline constexpr snippet distance_depth{
-    .name = "distance_depth", .summary = "distance to the light over its range", .exactness = tier::c, .ulp = 3,
+    .name = "distance_depth", .summary = "distance to the light over its range", .exactness = tier::c, .ulp = 1,
     .source = R"GLSL(
 // umbrage_distance_depth: length of to_point, from the light, times 1 / range
 UMBRAGE_HIGHP float umbrage_distance_depth(UMBRAGE_HIGHP vec3 to_point, UMBRAGE_HIGHP float inv_range) {
@@ -1014,7 +1016,7 @@ UMBRAGE_HIGHP float umbrage_depth_from_ndc(UMBRAGE_HIGHP float ndc) {
 )GLSL"};
 
 inline constexpr snippet view_z_from_depth{
-    .name = "view_z_from_depth", .summary = "perspective depth to view-space z", .exactness = tier::c, .ulp = 6,
+    .name = "view_z_from_depth", .summary = "perspective depth to view-space z", .exactness = tier::c, .ulp = 1,
     .source = R"GLSL(
 // umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
 UMBRAGE_HIGHP float umbrage_view_z_from_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
@@ -1024,7 +1026,7 @@ UMBRAGE_HIGHP float umbrage_view_z_from_depth(UMBRAGE_HIGHP float depth, UMBRAGE
 )GLSL"};
 
 inline constexpr snippet depth_from_view_z{
-    .name = "depth_from_view_z", .summary = "view-space z to perspective depth", .exactness = tier::c, .ulp = 6,
+    .name = "depth_from_view_z", .summary = "view-space z to perspective depth", .exactness = tier::c, .ulp = 1,
     .source = R"GLSL(
 // umbrage_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 0.0 at z_near
 UMBRAGE_HIGHP float umbrage_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
@@ -1234,8 +1236,8 @@ inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
 }  // namespace umbrage
 
 // ---- umbrage/depth/rg_table.hpp
-// encode_rg through a look-up table, as hardware without enough arithmetic did it: a texture of 2^Bits x 1 texels,
-// fetched with the depth as coordinate, nearest filter, clamped.
+// encode_rg through a look-up table, as hardware without enough arithmetic did it: a texture fetched with the depth as
+// coordinate. Up to 11 bits it is one row of 2^Bits texels; from 12 bits on, rows of 2048, the widest texture of 2002.
 //
 //     constexpr auto table = umbrage::make_rg_table<11, glm::u8vec4>();  // 2048 x 1 RGBA8, B = A = 0
 //     glm::u8vec2 texel = umbrage::encode_rg_table<11>([&](int x) { return table[x]; }, depth);
@@ -1243,7 +1245,8 @@ inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
 
 namespace umbrage {
 
-/// The table's texels. Compile-time up to 12 bits with every compiler's default limits.
+/// The table's texels, in the order of rg_table_size's rows. Compile-time up to 12 bits with every compiler's default
+/// limits.
 /// @tparam Texel   glm::u8vec2 (RG8) or glm::u8vec4 (RGBA8; blue and alpha are 0)
 /// @cite           the article on self-shadowing with pixel shader 1.x gives texel 256 as (255, 32, 0, 0);
 ///                 by its own formula, and here, it is (0, 32, 0, 0)
@@ -1257,6 +1260,10 @@ template <int Bits, class Texel = glm::u8vec2>
     }
     return table;
 }
+
+/// Width and height of the table as a texture.
+template <int Bits>
+inline constexpr glm::ivec2 rg_table_size = Bits <= 11 ? glm::ivec2(1 << Bits, 1) : glm::ivec2(2048, 1 << (Bits - 11));
 
 /// Depth to channels by one nearest fetch from the table: the texel encode_rg<Bits> computes.
 ///
@@ -1276,17 +1283,23 @@ inline constexpr auto encode_rg_table_name = detail::fill<24>("encode_rg$b_table
 template <int Bits>
 inline constexpr auto encode_rg_table_text = detail::fill<1024>(R"GLSL(
 // umbrage_encode_rg$b_table: depth to the two channels of a $b-bit code through a look-up table, whole numbers 0..255
-//   table   $n x 1 texels, nearest filter;   depth   clamped to [0, 1], NaN counts as 1
+//   table   $w x $h texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as 1
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
-    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2($n.0, 1.0), vec2(x, 0.0)));
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / $w.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * $w.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2($w.0, $h.0), texel));
     return vec2(k.x, k.y);
 }
 )GLSL",
-                                                                       {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}});
+                                                                {{'b', Bits},
+                                                                 {'n', 1 << Bits},
+                                                                 {'l', (1 << Bits) - 1},
+                                                                 {'w', unsigned(rg_table_size<Bits>.x)},
+                                                                 {'h', unsigned(rg_table_size<Bits>.y)}});
 template <int Bits>
 inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view(),
-                                         .summary = "depth to two channels through a 2^bits x 1 texture",
+                                         .summary = "depth to two channels through a look-up texture",
                                          .exactness = tier::a,
                                          .needs = {&saturate, &from_unorm, &fetch_clamped},
                                          .source = encode_rg_table_text<Bits>.view()};
@@ -1705,7 +1718,8 @@ inline constexpr snippet inside_texel_space{
     .source = R"GLSL(
 // umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    return abs(coord.x) < 32768.0 && abs(coord.y) < 32768.0;
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 )GLSL"};
 
@@ -1797,9 +1811,9 @@ UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
     if (!umbrage_inside_texel_space(coord)) return float(width * width);
     UMBRAGE_HIGHP vec2 first = floor(coord) - float(r);
     UMBRAGE_HIGHP float count = 0.0;
-    for (int j = 0; j < 17; ++j) {
+    for (int j = 0; j < 17; j++) {
         if (j >= width) break;
-        for (int i = 0; i < 17; ++i) {
+        for (int i = 0; i < 17; i++) {
             if (i >= width) break;
             count += UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, first + vec2(float(i), float(j))));
         }
@@ -1812,15 +1826,16 @@ inline constexpr snippet box_scale{
     .name = "box_scale", .summary = "1 / (2r+1)^2", .exactness = tier::a, .source = R"GLSL(
 // umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
 UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
-    if (radius < 1) return 1.0;
-    if (radius < 2) return 0.111111112;
-    if (radius < 3) return 0.0399999991;
-    if (radius < 4) return 0.0204081628;
-    if (radius < 5) return 0.0123456791;
-    if (radius < 6) return 0.00826446246;
-    if (radius < 7) return 0.00591715984;
-    if (radius < 8) return 0.00444444455;
-    return 0.00346020772;
+    UMBRAGE_HIGHP float scale = 0.00346020772;  // not returned as a literal: that would have the host's precision
+    if (radius < 8) scale = 0.00444444455;
+    if (radius < 7) scale = 0.00591715984;
+    if (radius < 6) scale = 0.00826446246;
+    if (radius < 5) scale = 0.0123456791;
+    if (radius < 4) scale = 0.0204081628;
+    if (radius < 3) scale = 0.0399999991;
+    if (radius < 2) scale = 0.111111112;
+    if (radius < 1) scale = 1.0;
+    return scale;
 }
 )GLSL"};
 
@@ -2233,13 +2248,14 @@ template <real T>
 }
 
 /// A world position through a texture matrix; the vertex shader's part.
-/// @formula       m * (world, 1), sums from left to right
+/// @formula       m[3] + m[0] x + m[1] y + m[2] z, sums from left to right: an order that GLSL compilers without
+///                `precise` were seen to keep, where they move m[3] forward from the end
 /// @exactness     B
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
     glm::vec<4, T> c(0);
     for (int row = 0; row < 4; ++row)
-        c[row] = m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z + m[3][row];
+        c[row] = m[3][row] + m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z;
     return c;
 }
 
@@ -2256,7 +2272,7 @@ template <real T>
 /// The division: what filters take.
 /// @return        (x, y) in texels, z depth; for w <= 0 (not in front of the light) or NaN in w (65536, 65536, 0),
 ///                which every filter takes as lit
-/// @exactness     C: divisions
+/// @exactness     C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> project_coordinate(glm::vec<4, T> coordinate) {
     if (is_nan(coordinate.w) || !(coordinate.w > T(0))) return {T(65536), T(65536), T(0)};
@@ -2270,7 +2286,7 @@ inline constexpr snippet shadow_coordinate{
     .source = R"GLSL(
 // umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
 UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[0] * world.x + m[1] * world.y + m[2] * world.z + m[3];
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
     return c;
 }
 )GLSL"};
@@ -2286,7 +2302,7 @@ UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE
 )GLSL"};
 
 inline constexpr snippet project_coordinate{
-    .name = "project_coordinate", .summary = "the division by w, lit behind the light", .exactness = tier::c, .ulp = 3,
+    .name = "project_coordinate", .summary = "the division by w, lit behind the light", .exactness = tier::c, .ulp = 1,
     .source = R"GLSL(
 // umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
 UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
@@ -2454,164 +2470,6 @@ inline constexpr std::array registry{
 #define UMBRAGE_VERSION_MINOR 1
 #define UMBRAGE_VERSION_PATCH 0
 
-// ---- umbrage/image_ops/clip.hpp
-// From world positions to vertices on the 1/256 texel grid: projection, clipping, snapping.
-//
-//     umbrage::projection project(world_to_clip, clip, {1024, 1024});
-//     umbrage::clipped_polygon polygon = umbrage::clip_triangle(project, a, b, c);
-//
-// Texels are counted from the bottom in here (NDC y = -1), whatever the clip space says: the texture origin only
-// mirrors rows when texels are written, so that both origins give the same picture.
-//
-
-namespace umbrage {
-
-/// Steps of the vertex grid in a texel.
-inline constexpr int subtexels = 256;
-
-/// Largest side of an image in texels, and how far from texel 0 a vertex may lie before it is clipped:
-/// differences of vertices then stay below 2^23 steps, edge functions below 2^47.
-inline constexpr int guard_band = 1 << 14;
-
-/// A vertex on the grid. The order makes results independent of the order in which a mesh lists vertices.
-struct snapped_vertex {
-    std::int32_t x, y;  ///< in 1/256 texel, within +-guard_band
-    double depth;       ///< z/w moved to [0, 1]; outside only beyond the far plane
-
-    friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
-};
-
-/// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
-/// Products of two floats are exact in double, so contraction to FMA changes no bit here.
-class projection {
-public:
-    static constexpr int planes = 6;  ///< w > 0, the near plane, four sides of the guard band
-
-    /// @param world_to_clip  projection * view; its elements must be finite
-    /// @throws std::invalid_argument  a side of `size` is negative or above guard_band
-    projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size)
-        : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
-        if (size.x < 0 || size.y < 0) throw std::invalid_argument("umbrage::projection: negative size");
-        if (size.x > guard_band || size.y > guard_band)
-            throw std::invalid_argument("umbrage::projection: image side above 16384 texels");
-    }
-
-    [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {
-        const double x = row(0, p), y = row(1, p), z = row(2, p), w = row(3, p);
-        return {(x + w) * half_size_.x, (y + w) * half_size_.y,
-                clip_.range == depth_range::minus_one_to_one ? (z + w) * 0.5 : z, w};
-    }
-
-    /// How far inside a plane a point is; outside when negative.
-    [[nodiscard]] double distance(int plane, const glm::dvec4& h) const {
-        switch (plane) {
-            case 0: return h.w - smallest_w;
-            case 1: return clip_.direction == depth_direction::forward ? h.z : h.w - h.z;
-            case 2: return guard_band * h.w + h.x;
-            case 3: return guard_band * h.w - h.x;
-            case 4: return guard_band * h.w + h.y;
-            default: return guard_band * h.w - h.y;
-        }
-    }
-
-    /// One bit for each plane that the point is outside of.
-    [[nodiscard]] unsigned outside(const glm::dvec4& h) const {
-        unsigned bits = 0;
-        for (int plane = 0; plane < planes; ++plane) bits |= (distance(plane, h) < 0.0 ? 1u : 0u) << plane;
-        return bits;
-    }
-
-    /// Where the way from a point inside a plane to one outside meets it. The callers always go this way, so that
-    /// triangles on both sides of an edge cut it at the same point.
-    [[nodiscard]] glm::dvec4 cut(int plane, const glm::dvec4& in, const glm::dvec4& out) const {
-        const double d = distance(plane, in);
-        glm::dvec4 h = in + (out - in) * (d / (d - distance(plane, out)));
-        if (!(h.w > smallest_w)) h.w = smallest_w;  // rounding
-        switch (plane) {                            // what lies on the plane by definition does so to the bit
-            case 0: h.w = smallest_w; break;
-            case 1: h.z = clip_.direction == depth_direction::forward ? 0.0 : h.w; break;
-            case 2: h.x = -guard_band * h.w; break;
-            case 3: h.x = guard_band * h.w; break;
-            case 4: h.y = -guard_band * h.w; break;
-            default: h.y = guard_band * h.w; break;
-        }
-        return h;
-    }
-
-    /// To the grid, halves upwards. The point must be inside all planes; clamps only catch the rounding of cut().
-    [[nodiscard]] snapped_vertex snap(const glm::dvec4& h) const {
-        constexpr double limit = double(guard_band) * subtexels;
-        const auto grid = [&](double v) {
-            const double steps = v / h.w * subtexels + 0.5;
-            const double inside = steps > -limit ? (steps < limit ? steps : limit) : -limit;
-            const auto whole = static_cast<std::int32_t>(inside);
-            return whole - (inside < whole ? 1 : 0);
-        };
-        const double depth = h.z / h.w;
-        if (clip_.direction == depth_direction::forward) return {grid(h.x), grid(h.y), depth > 0.0 ? depth : 0.0};
-        return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
-    }
-
-private:
-    static constexpr double smallest_w = 0x1p-126;
-
-    [[nodiscard]] double row(int r, glm::vec3 p) const {
-        return matrix_[0][r] * double(p.x) + matrix_[1][r] * double(p.y) + matrix_[2][r] * double(p.z) + matrix_[3][r];
-    }
-
-    glm::dmat4 matrix_;
-    clip_space clip_;
-    glm::dvec2 half_size_;
-};
-
-/// True when no element is NaN or infinite.
-[[nodiscard]] inline bool is_finite(glm::vec3 p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
-[[nodiscard]] inline bool is_finite(const glm::mat4& m) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!is_finite(m[column][row])) return false;
-    return true;
-}
-
-/// A convex polygon on the grid, its smallest vertex first: a fan around that vertex is the same whichever vertex
-/// of the triangle came first, and whichever way round they went.
-struct clipped_polygon {
-    std::array<snapped_vertex, 3 + projection::planes> vertices;
-    int count = 0;  ///< 0 or 3..9
-};
-
-/// The part of a triangle inside all planes.
-/// @param a,b,c   homogeneous texels
-/// @param planes  a bit for each plane to clip against; those that all three points are inside of may be left out
-[[nodiscard]] inline clipped_polygon clip_triangle(const projection& project, const glm::dvec4& a, const glm::dvec4& b,
-                                                   const glm::dvec4& c, unsigned planes = ~0u) {
-    std::array<glm::dvec4, 3 + projection::planes> points{a, b, c};
-    int count = 3;
-    for (int plane = 0; plane < projection::planes; ++plane) {
-        if (!(planes >> plane & 1u)) continue;
-        const auto before = points;
-        const int count_before = count;
-        count = 0;
-        for (int i = 0; i < count_before; ++i) {
-            const auto& p = before[std::size_t(i)];
-            const auto& q = before[std::size_t(i + 1 < count_before ? i + 1 : 0)];
-            const bool p_inside = !(project.distance(plane, p) < 0.0), q_inside = !(project.distance(plane, q) < 0.0);
-            if (p_inside) points[std::size_t(count++)] = p;
-            if (p_inside != q_inside && count < int(points.size()))
-                points[std::size_t(count++)] = p_inside ? project.cut(plane, p, q) : project.cut(plane, q, p);
-        }
-    }
-    clipped_polygon polygon;
-    if (count < 3) return polygon;
-    polygon.count = count;
-    for (int i = 0; i < count; ++i) polygon.vertices[std::size_t(i)] = project.snap(points[std::size_t(i)]);
-    const auto last = polygon.vertices.begin() + count;
-    std::rotate(polygon.vertices.begin(), std::min_element(polygon.vertices.begin(), last), last);
-    return polygon;
-}
-
-}  // namespace umbrage
-
 // ---- umbrage/image_ops/isa.hpp
 // One loop, compiled for each instruction set, the machine's best chosen when the program runs. No flags, no intrinsics.
 //
@@ -2626,8 +2484,10 @@ struct clipped_polygon {
 
 #if defined(__GNUC__) || defined(__clang__)
 #define UMBRAGE_INLINE __attribute__((always_inline))
+#define UMBRAGE_PREFETCH(address) __builtin_prefetch(address)
 #else
 #define UMBRAGE_INLINE
+#define UMBRAGE_PREFETCH(address) static_cast<void>(address)
 #endif
 
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
@@ -2709,6 +2569,227 @@ inline constexpr int block = 64;  ///< elements of a loop whose count the compil
 }
 
 }  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/clip.hpp
+// From world positions to vertices on the 1/256 texel grid: projection, clipping, snapping.
+//
+//     umbrage::projection project(world_to_clip, clip, {1024, 1024});
+//     umbrage::clipped_polygon polygon = umbrage::clip_triangle(project, a, b, c);
+//
+// Texels are counted from the bottom in here (NDC y = -1), whatever the clip space says: the texture origin only
+// mirrors rows when texels are written, so that both origins give the same picture.
+//
+
+namespace umbrage {
+
+/// Steps of the vertex grid in a texel.
+inline constexpr int subtexels = 256;
+
+/// Largest side of an image in texels, and how far from texel 0 a vertex may lie before it is clipped:
+/// differences of vertices then stay below 2^23 steps, edge functions below 2^47.
+inline constexpr int guard_band = 1 << 14;
+
+/// A vertex on the grid. The order makes results independent of the order in which a mesh lists vertices.
+struct snapped_vertex {
+    std::int32_t x, y;  ///< in 1/256 texel, within +-guard_band
+    double depth;       ///< z/w moved to [0, 1]; outside only beyond the far plane
+
+    friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
+};
+
+/// What stands for a vertex outside of planes: off the grid, with their bits.
+[[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
+    return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
+}
+/// A bit for each plane that a vertex is outside of.
+[[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
+    return v.x == std::numeric_limits<std::int32_t>::min() ? static_cast<unsigned>(v.y) : 0u;
+}
+
+/// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
+/// Products of two floats are exact in double, so contraction to FMA changes no bit here.
+class projection {
+public:
+    static constexpr int planes = 6;  ///< w > 0, the near plane, four sides of the guard band
+
+    /// @param world_to_clip  projection * view; its elements must be finite
+    /// @throws std::invalid_argument  a side of `size` is negative or above guard_band
+    projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size)
+        : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
+        if (size.x < 0 || size.y < 0) throw std::invalid_argument("umbrage::projection: negative size");
+        if (size.x > guard_band || size.y > guard_band)
+            throw std::invalid_argument("umbrage::projection: image side above 16384 texels");
+    }
+
+    [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {
+        const double x = row(0, p), y = row(1, p), z = row(2, p), w = row(3, p);
+        return {(x + w) * half_size_.x, (y + w) * half_size_.y,
+                clip_.range == depth_range::minus_one_to_one ? (z + w) * 0.5 : z, w};
+    }
+
+    /// How far inside a plane a point is; outside when negative.
+    [[nodiscard]] double distance(int plane, const glm::dvec4& h) const {
+        switch (plane) {
+            case 0: return h.w - smallest_w;
+            case 1: return clip_.direction == depth_direction::forward ? h.z : h.w - h.z;
+            case 2: return guard_band * h.w + h.x;
+            case 3: return guard_band * h.w - h.x;
+            case 4: return guard_band * h.w + h.y;
+            default: return guard_band * h.w - h.y;
+        }
+    }
+
+    /// One bit for each plane that the point is outside of.
+    [[nodiscard]] unsigned outside(const glm::dvec4& h) const {
+        unsigned bits = 0;
+        for (int plane = 0; plane < planes; ++plane) bits |= (distance(plane, h) < 0.0 ? 1u : 0u) << plane;
+        return bits;
+    }
+
+    /// Where the way from a point inside a plane to one outside meets it. The callers always go this way, so that
+    /// triangles on both sides of an edge cut it at the same point.
+    [[nodiscard]] glm::dvec4 cut(int plane, const glm::dvec4& in, const glm::dvec4& out) const {
+        const double d = distance(plane, in);
+        glm::dvec4 h = in + (out - in) * (d / (d - distance(plane, out)));
+        if (!(h.w > smallest_w)) h.w = smallest_w;  // rounding
+        switch (plane) {                            // what lies on the plane by definition does so to the bit
+            case 0: h.w = smallest_w; break;
+            case 1: h.z = clip_.direction == depth_direction::forward ? 0.0 : h.w; break;
+            case 2: h.x = -guard_band * h.w; break;
+            case 3: h.x = guard_band * h.w; break;
+            case 4: h.y = -guard_band * h.w; break;
+            default: h.y = guard_band * h.w; break;
+        }
+        return h;
+    }
+
+    /// To the grid, halves upwards. The point must be inside all planes; clamps only catch the rounding of cut().
+    [[nodiscard]] snapped_vertex snap(const glm::dvec4& h) const {
+        constexpr double limit = double(guard_band) * subtexels;
+        const auto grid = [&](double v) {
+            const double steps = v / h.w * subtexels + 0.5;
+            const double inside = steps > -limit ? (steps < limit ? steps : limit) : -limit;
+            const auto whole = static_cast<std::int32_t>(inside);
+            return whole - (inside < whole ? 1 : 0);
+        };
+        const double depth = h.z / h.w;
+        if (clip_.direction == depth_direction::forward) return {grid(h.x), grid(h.y), depth > 0.0 ? depth : 0.0};
+        return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
+    }
+
+    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes become `outside_vertex`.
+    /// @exactness  the bits of one by one
+    void snap(const glm::vec3 (&positions)[detail::block], snapped_vertex (&vertices)[detail::block]) const {
+        using bits = std::int64_t;
+        constexpr bits minus_zero = std::numeric_limits<bits>::min();
+        const bool forward = clip_.direction == depth_direction::forward;
+        const double z_share = clip_.range == depth_range::minus_one_to_one ? 0.5 : 1.0, w_share = 1.0 - z_share;
+        const double near_z = forward ? 1.0 : -1.0, near_w = forward ? 0.0 : 1.0;
+        const bits lowest = forward ? 0 : minus_zero;
+        const bits highest = forward ? std::numeric_limits<bits>::max() : std::bit_cast<bits>(1.0);
+        detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+            float x[detail::block], y[detail::block], z[detail::block];
+            double column[detail::block], row[detail::block], depth[detail::block];
+            bits outside[detail::block];
+            for (int i = 0; i < detail::block; ++i)
+                x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
+            const glm::dmat4 m = matrix_;
+            const glm::dvec2 half_size = half_size_;
+            for (int i = 0; i < detail::block; ++i) {
+                const auto clip_row = [&](int r) UMBRAGE_INLINE {
+                    return m[0][r] * double(x[i]) + m[1][r] * double(y[i]) + m[2][r] * double(z[i]) + m[3][r];
+                };
+                const double w = clip_row(3), band = guard_band * w;
+                const double hx = (clip_row(0) + w) * half_size.x, hy = (clip_row(1) + w) * half_size.y;
+                const double hz = z_share * clip_row(2) + w_share * w;
+                const auto bit = [](double distance, int plane) UMBRAGE_INLINE {
+                    const bits d = std::bit_cast<bits>(distance);
+                    return bits((d < 0) & (d != minus_zero)) << plane;
+                };
+                outside[i] = bit(w - smallest_w, 0) | bit(near_z * hz + near_w * w, 1) | bit(band + hx, 2) |
+                             bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5);
+                const bits inside = -bits(outside[i] == 0);
+                column[i] = std::bit_cast<double>(std::bit_cast<bits>(hx / w * subtexels + 0.5) & inside);
+                row[i] = std::bit_cast<double>(std::bit_cast<bits>(hy / w * subtexels + 0.5) & inside);
+                bits d = std::bit_cast<bits>(hz / w);
+                d = d < lowest ? lowest : d;
+                d = d > highest ? highest : d;
+                depth[i] = std::bit_cast<double>(d & inside);
+            }
+            std::int32_t columns[detail::block], rows[detail::block];
+            const auto floors = [](const double* from, std::int32_t* to) UMBRAGE_INLINE {
+                for (int i = 0; i < detail::block; ++i) {
+                    const auto whole = static_cast<std::int32_t>(from[i]);
+                    to[i] = whole - std::int32_t(from[i] < whole);
+                }
+            };
+            floors(column, columns);
+            floors(row, rows);
+            for (int i = 0; i < detail::block; ++i) vertices[i] = {columns[i], rows[i], depth[i]};
+            for (int i = 0; i < detail::block; ++i)
+                if (outside[i]) vertices[i] = outside_vertex(static_cast<unsigned>(outside[i]));
+        });
+    }
+
+private:
+    static constexpr double smallest_w = 0x1p-126;
+
+    [[nodiscard]] double row(int r, glm::vec3 p) const {
+        return matrix_[0][r] * double(p.x) + matrix_[1][r] * double(p.y) + matrix_[2][r] * double(p.z) + matrix_[3][r];
+    }
+
+    glm::dmat4 matrix_;
+    clip_space clip_;
+    glm::dvec2 half_size_;
+};
+
+/// True when no element is NaN or infinite.
+[[nodiscard]] inline bool is_finite(glm::vec3 p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
+[[nodiscard]] inline bool is_finite(const glm::mat4& m) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!is_finite(m[column][row])) return false;
+    return true;
+}
+
+/// A convex polygon on the grid, its smallest vertex first: a fan around that vertex is the same whichever vertex
+/// of the triangle came first, and whichever way round they went.
+struct clipped_polygon {
+    std::array<snapped_vertex, 3 + projection::planes> vertices;
+    int count = 0;  ///< 0 or 3..9
+};
+
+/// The part of a triangle inside all planes.
+/// @param a,b,c   homogeneous texels
+/// @param planes  a bit for each plane to clip against; those that all three points are inside of may be left out
+[[nodiscard]] inline clipped_polygon clip_triangle(const projection& project, const glm::dvec4& a, const glm::dvec4& b,
+                                                   const glm::dvec4& c, unsigned planes = ~0u) {
+    std::array<glm::dvec4, 3 + projection::planes> points{a, b, c};
+    int count = 3;
+    for (int plane = 0; plane < projection::planes; ++plane) {
+        if (!(planes >> plane & 1u)) continue;
+        const auto before = points;
+        const int count_before = count;
+        count = 0;
+        for (int i = 0; i < count_before; ++i) {
+            const auto& p = before[std::size_t(i)];
+            const auto& q = before[std::size_t(i + 1 < count_before ? i + 1 : 0)];
+            const bool p_inside = !(project.distance(plane, p) < 0.0), q_inside = !(project.distance(plane, q) < 0.0);
+            if (p_inside) points[std::size_t(count++)] = p;
+            if (p_inside != q_inside && count < int(points.size()))
+                points[std::size_t(count++)] = p_inside ? project.cut(plane, p, q) : project.cut(plane, q, p);
+        }
+    }
+    clipped_polygon polygon;
+    if (count < 3) return polygon;
+    polygon.count = count;
+    for (int i = 0; i < count; ++i) polygon.vertices[std::size_t(i)] = project.snap(points[std::size_t(i)]);
+    const auto last = polygon.vertices.begin() + count;
+    std::rotate(polygon.vertices.begin(), std::min_element(polygon.vertices.begin(), last), last);
+    return polygon;
+}
+
 }  // namespace umbrage
 
 // ---- umbrage/image_ops/parallel.hpp
@@ -2893,6 +2974,266 @@ void decode(image_view<const typename Encoding::texel> texels, image_view<float>
 
 }  // namespace umbrage
 
+// ---- umbrage/image_ops/triangle_batch.hpp
+// Triangles on the vertex grid, 64 at a time: edges and depth planes set up in loops that vectorise, then spans row by
+// row without a division.
+//
+//     umbrage::triangle_batch batch;
+//     if (batch.add(p, q, r, id, bounds, cull)) ...
+//     batch.set_up();
+//     for (int i = 0; i < batch.count; ++i)
+//         batch.for_each_row(i, bounds, [&](int y, int first, int last) { ... });
+//
+// A sample is inside an edge from a to b where E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0, or > 0 where the
+// edge is neither a top nor a left one. In a row the last such sample is a quotient of integers; from row to row the
+// quotient and its remainder grow by constants, so that it stays exact.
+
+namespace umbrage {
+
+/// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up.
+enum class cull_mode { none, front, back };
+
+/// Depth over a triangle, exact on its grid: z + dx * x + dy * y for texels x, y counted from `first`.
+struct depth_plane {
+    glm::ivec2 first;        ///< a texel within the triangle's bounds
+    double z, dx, dy;        ///< multiples of one power of two, so that no sum of theirs within the bounds is rounded
+    double lowest, highest;  ///< of the vertices; samples never leave it
+
+    [[nodiscard]] UMBRAGE_INLINE double unclamped(int x, int y) const {
+        return z + dx * (x - first.x) + dy * (y - first.y);
+    }
+    [[nodiscard]] UMBRAGE_INLINE double operator()(int x, int y) const {
+        const double depth = unclamped(x, y);
+        return depth > lowest ? (depth < highest ? depth : highest) : lowest;
+    }
+};
+
+/// Texels first <= t < last; y counts from the bottom.
+struct texel_bounds {
+    glm::ivec2 first, last;
+};
+
+namespace detail {
+
+/// A whole number to an integer, anything else to one of its neighbours; |v| < 2^51. AVX2 has no conversion.
+[[nodiscard]] UMBRAGE_INLINE inline std::int64_t to_integer(double v) {
+    constexpr double magic = 0x1.8p52;
+    return std::bit_cast<std::int64_t>(v + magic) - std::bit_cast<std::int64_t>(magic);
+}
+
+/// Towards zero; |v| < 2^63.
+template <isa Set>
+[[nodiscard]] UMBRAGE_INLINE inline double truncate(double v) {
+#if UMBRAGE_HAS_DISPATCH
+    if constexpr (Set == isa::avx2) return __builtin_trunc(v);
+#endif
+    return static_cast<double>(static_cast<std::int64_t>(v));
+}
+
+}  // namespace detail
+
+/// Up to 64 triangles, each coordinate an array of its own.
+class triangle_batch {
+public:
+    int count = 0;
+    unsigned id[detail::block];
+
+    triangle_batch() {  // every lane is set up, used or not
+        for (int i = 0; i < detail::block; ++i) {
+            id[i] = 0;
+            first_[0][i] = first_[1][i] = last_[0][i] = last_[1][i] = 0;
+            for (auto& depth : z_) depth[i] = 0.0;
+            for (int k = 0; k < 3; ++k) x_[k][i] = k == 1, y_[k][i] = k == 2;
+        }
+    }
+
+    [[nodiscard]] bool full() const { return count == detail::block; }
+
+    /// Takes a triangle unless it faces away, has no area or no sample in its bounds can be within `bounds`.
+    /// There must be room.
+    UMBRAGE_INLINE void add(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c,
+                            unsigned triangle, const texel_bounds& bounds, cull_mode cull) {
+        // Centres above the lowest corner, the highest included: a bottom edge and a corner cover none that they meet.
+        const auto up = [](std::int32_t v) { return (v + subtexels - 1 - centre) >> 8; };
+        const auto down = [](std::int32_t v) { return (v - centre) >> 8; };
+        const int first_x = std::max(up(std::min({a.x, b.x, c.x})), bounds.first.x);
+        const int last_x = std::min(down(std::max({a.x, b.x, c.x})), bounds.last.x - 1);
+        const int first_y = std::max(up(std::min({a.y, b.y, c.y}) + 1), bounds.first.y);
+        const int last_y = std::min(down(std::max({a.y, b.y, c.y})), bounds.last.y - 1);
+        if (first_x > last_x || first_y > last_y) return;
+
+        const std::int64_t area =
+            std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
+        if (area == 0 || cull == (area > 0 ? cull_mode::front : cull_mode::back)) return;
+
+        // Counter-clockwise, the smallest vertex first, whatever the order in the mesh was.
+        const snapped_vertex* const around[] = {&a, area > 0 ? &b : &c, area > 0 ? &c : &b, &a, area > 0 ? &b : &c};
+        const auto key = [](const snapped_vertex& v) { return std::int64_t(v.x) * (std::int64_t(1) << 32) + v.y; };
+        const std::int64_t keys[] = {key(*around[0]), key(*around[1]), key(*around[2])};
+        const int second_or_third = keys[1] < keys[2] ? 1 : 2;
+        const int smallest = keys[0] < keys[second_or_third] ? 0 : second_or_third;
+        for (int k = 0; k < 3; ++k) {
+            const snapped_vertex& v = *around[smallest + k];
+            x_[k][count] = v.x, y_[k][count] = v.y, z_[k][count] = v.depth;
+        }
+        first_[0][count] = first_x, first_[1][count] = first_y;
+        last_[0][count] = last_x, last_[1][count] = last_y;
+        id[count++] = triangle;
+    }
+
+    /// Edges and planes of all triangles.
+    ///
+    /// @exactness  edges A: integers. Planes B: the same bits with and without FMA. With n the bounds' larger side in
+    ///             1/256 texel and m the sum of the depth's and the two slopes' magnitudes over the bounds, a sample is
+    ///             within 2^-48 n m of the plane through the snapped vertices
+    void set_up() {
+        detail::on_best_isa([this](auto set) UMBRAGE_INLINE {
+            for (int k = 0; k < 3; ++k) set_up_edges(k);
+            set_up_planes<decltype(set)::value>();
+        });
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE depth_plane plane(int i) const {
+        const double a = z_[0][i], b = z_[1][i], c = z_[2][i];
+        const auto smaller = [](double p, double q) { return p < q ? p : q; };
+        const auto larger = [](double p, double q) { return p < q ? q : p; };
+        return {{first_[0][i], first_[1][i]}, depth_[i], dx_[i], dy_[i], smaller(smaller(a, b), c),
+                larger(larger(a, b), c)};
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE texel_bounds bounds(int i) const {
+        return {{first_[0][i], first_[1][i]}, {last_[0][i] + 1, last_[1][i] + 1}};
+    }
+
+    /// @param row   (int y, int first, int last): texels first <= x < last of row y are covered; there is at least one
+    template <class Row>
+    UMBRAGE_INLINE void for_each_row(int i, const Row& row) const {
+        // One edge bounds the rows on its side alone, the others on theirs.
+        const bool left[] = {is_left(0, i), is_left(1, i), is_left(2, i)};
+        const bool lone_is_left = left[0] + left[1] + left[2] == 1;
+        const int lone = left[0] == lone_is_left ? 0 : left[1] == lone_is_left ? 1 : 2;
+        auto p = edge_at(lone, i), q = edge_at(lone == 2 ? 0 : lone + 1, i), r = edge_at(lone == 0 ? 2 : lone - 1, i);
+        const int x = first_[0][i], last_y = last_[1][i];
+        const std::int64_t width = last_[0][i] - x;
+        for (int y = first_[1][i]; y <= last_y; ++y) {
+            const std::int64_t single = p.quotient, pair = q.quotient < r.quotient ? q.quotient : r.quotient;
+            const std::int64_t before = lone_is_left ? single : pair, behind = lone_is_left ? pair : single;
+            const std::int64_t low = before < 0 ? -before : 0, high = behind < width ? behind : width;
+            if (low <= high) row(y, x + int(low), x + int(high) + 1);
+            p.step(), q.step(), r.step();
+        }
+    }
+
+private:
+    static constexpr int centre = subtexels / 2;
+
+    /// E divided by the magnitude of its step from texel to texel: how many texels further E still is not negative.
+    struct edge {
+        std::int64_t quotient, remainder, quotient_step, remainder_step, divisor;
+
+        UMBRAGE_INLINE void step() {
+            quotient += quotient_step;
+            remainder += remainder_step;
+            const bool carry = remainder >= divisor;
+            quotient += carry;
+            remainder -= carry ? divisor : 0;
+        }
+    };
+    struct edges {
+        std::int64_t quotient[detail::block], remainder[detail::block], quotient_step[detail::block],
+            remainder_step[detail::block], divisor[detail::block];
+    };
+
+    [[nodiscard]] UMBRAGE_INLINE edge edge_at(int k, int i) const {
+        const edges& e = edges_[k];
+        return {e.quotient[i], e.remainder[i], e.quotient_step[i], e.remainder_step[i], e.divisor[i]};
+    }
+    [[nodiscard]] UMBRAGE_INLINE bool is_left(int k, int i) const { return y_[k == 2 ? 0 : k + 1][i] < y_[k][i]; }
+
+    UMBRAGE_INLINE void set_up_edges(int k) {
+        edges& e = edges_[k];
+        const auto &ax = x_[k], &ay = y_[k], &bx = x_[k == 2 ? 0 : k + 1], &by = y_[k == 2 ? 0 : k + 1];
+        for (int i = 0; i < detail::block; ++i) {
+            const std::int32_t up = by[i] - ay[i], level = up == 0, right = (bx[i] - ax[i]) & (level - 1);
+            const std::int32_t from_a_x = first_[0][i] * subtexels + centre - ax[i];
+            const std::int32_t from_a_y = first_[1][i] * subtexels + centre - ay[i];
+            const double value = double(right) * from_a_y + double(-up) * from_a_x - double(up > 0);
+            const double divisor = double((up < 0 ? -up : up) + level) * subtexels, step = double(right) * subtexels;
+            const std::int64_t d = detail::to_integer(divisor);
+            const auto divide = [&](double dividend, std::int64_t& quotient, std::int64_t& remainder) UMBRAGE_INLINE {
+                const std::int64_t q = detail::to_integer(dividend / divisor);  // or one off
+                const std::int64_t rest = detail::to_integer(dividend) - q * d;
+                const std::int64_t below = -std::int64_t(rest < 0), above = -std::int64_t(rest >= d);
+                quotient = q + below - above;
+                remainder = rest + (d & below) - (d & above);
+            };
+            std::int64_t quotient;
+            divide(value, quotient, e.remainder[i]);
+            divide(step, e.quotient_step[i], e.remainder_step[i]);
+            e.quotient[i] = quotient | std::int64_t(level) << 40;  // a level edge bounds no row from the side
+            e.divisor[i] = d;
+        }
+    }
+
+    template <isa Set>
+    UMBRAGE_INLINE void set_up_planes() {
+        using bits = std::int64_t;
+        constexpr bits exponent = 0x7FF0000000000000, magnitude = 0x7FFFFFFFFFFFFFFF, short_digits = ~bits(0x3FFFFFF);
+        constexpr bits tiny = std::bit_cast<bits>(0x1p-200);
+        const auto masked = [](double v, bits mask) UMBRAGE_INLINE {
+            return std::bit_cast<double>(std::bit_cast<bits>(v) & mask);
+        };
+        const auto power_of_two = [](double a, double b, double c) UMBRAGE_INLINE {  // the largest's, rounded down
+            const bits p = std::bit_cast<bits>(a) & exponent, q = std::bit_cast<bits>(b) & exponent;
+            const bits r = std::bit_cast<bits>(c) & exponent;
+            const bits largest = p < q ? q : p, other = r < tiny ? tiny : r;
+            return std::bit_cast<double>(largest < other ? other : largest);
+        };
+        for (int i = 0; i < detail::block; ++i) {
+            const double x1 = x_[1][i] - x_[0][i], y1 = y_[1][i] - y_[0][i];
+            const double x2 = x_[2][i] - x_[0][i], y2 = y_[2][i] - y_[0][i];
+            const std::int32_t left = std::min(std::min(x_[0][i], x_[1][i]), x_[2][i]);
+            const std::int32_t right = std::max(std::max(x_[0][i], x_[1][i]), x_[2][i]);
+            const std::int32_t bottom = std::min(std::min(y_[0][i], y_[1][i]), y_[2][i]);
+            const std::int32_t top = std::max(std::max(y_[0][i], y_[1][i]), y_[2][i]);
+            const double width = right - left, height = top - bottom;
+            const double per_area = 1.0 / (x1 * y2 + x2 * -y1);
+
+            // Depths with so few digits that the products with x1 .. y2 and their differences need no rounding.
+            const double side = std::max(right - left, top - bottom);
+            double unit = power_of_two(z_[0][i], z_[1][i], z_[2][i]) * masked(side, exponent) * 0x1p-49;
+            double units = 1.0 / unit;
+            const double z0 = detail::truncate<Set>(z_[0][i] * units) * unit;
+            const double z1 = detail::truncate<Set>(z_[1][i] * units) * unit;
+            const double z2 = detail::truncate<Set>(z_[2][i] * units) * unit;
+            const double slope_x = ((z1 - z0) * y2 + (z2 - z0) * -y1) * per_area;
+            const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) * per_area;
+
+            // Slopes with so few digits that the same holds for every sample; here for the products.
+            const double reach = masked(z0, magnitude) + masked(slope_x, magnitude & short_digits) * width +
+                                 masked(slope_y, magnitude & short_digits) * height;
+            unit = power_of_two(reach, 0.0, 0.0) * 0x1p-51;
+            units = 1.0 / unit;
+            const double dx = detail::truncate<Set>(slope_x * units) * unit;
+            const double dy = detail::truncate<Set>(slope_y * units) * unit;
+            depth_[i] = detail::truncate<Set>(z0 * units) * unit +
+                        dx * (first_[0][i] * subtexels + centre - x_[0][i]) +
+                        dy * (first_[1][i] * subtexels + centre - y_[0][i]);
+            dx_[i] = dx * subtexels;
+            dy_[i] = dy * subtexels;
+            z_[0][i] = z0, z_[1][i] = z1, z_[2][i] = z2;
+        }
+    }
+
+    std::int32_t x_[3][detail::block], y_[3][detail::block];  // counter-clockwise from the smallest
+    double z_[3][detail::block];
+    std::int32_t first_[2][detail::block], last_[2][detail::block];  // texels whose centres are within the bounds
+    edges edges_[3];
+    double depth_[detail::block], dx_[detail::block], dy_[detail::block];
+};
+
+}  // namespace umbrage
+
 // ---- umbrage/image_ops/rasterize.hpp
 // The depth pass on the CPU: triangles into a depth image, each sample on a shared edge covered exactly once.
 //
@@ -2920,168 +3261,224 @@ struct mesh_view {
     std::span<const glm::uvec3> triangles;
 };
 
-/// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up.
-enum class cull_mode { none, front, back };
+namespace detail {
 
-/// Depth over a triangle, exact on its grid: z + dx * x + dy * y for texels x, y counted from `first`.
-struct depth_plane {
-    glm::ivec2 first;        ///< a texel within the triangle's bounds
-    double z, dx, dy;        ///< multiples of one power of two, so that no sum of theirs within the bounds is rounded
-    double lowest, highest;  ///< of the vertices; samples never leave it
-
-    [[nodiscard]] double operator()(int x, int y) const {
-        const double depth = z + dx * (x - first.x) + dy * (y - first.y);
-        return depth > lowest ? (depth < highest ? depth : highest) : lowest;
+/// The vertices of a mesh on the grid of an image, and its triangles batch by batch.
+class projected_mesh {
+public:
+    /// @throws std::invalid_argument  an index is out of range; a side of the image is above guard_band
+    template <class ParallelFor>
+    projected_mesh(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+                   ParallelFor&& parallel)
+        : mesh_(mesh), project_(world_to_clip, clip, size) {
+        for (const auto& t : mesh.triangles)
+            if (t.x >= mesh.positions.size() || t.y >= mesh.positions.size() || t.z >= mesh.positions.size())
+                throw std::invalid_argument("umbrage::rasterize: a triangle's index is out of range");
+        if (size.x == 0 || size.y == 0 || !is_finite(world_to_clip)) mesh_.triangles = {};
+        if (mesh_.triangles.empty()) return;
+        const std::size_t count = mesh.positions.size();
+        vertices_ = std::make_unique_for_overwrite<snapped_vertex[]>((count + block - 1) / block * block);
+        constexpr std::size_t piece = 64 * block;
+        parallel(static_cast<int>((count + piece - 1) / piece), [&](int first, int last) {
+            for (std::size_t i = std::size_t(first) * piece; i < std::min(std::size_t(last) * piece, count); i += block)
+                project_block(i);
+        });
     }
+
+    /// Starts to fetch what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh.
+    void expect(std::span<const unsigned> list, std::size_t k) const {
+        constexpr std::size_t soon = 16, later = 32;
+        if (k + later < list.size()) UMBRAGE_PREFETCH(&mesh_.triangles[list[k + later]]);
+        if (k + soon < list.size())
+            for (int corner = 0; corner < 3; ++corner)
+                UMBRAGE_PREFETCH(&vertices_[mesh_.triangles[list[k + soon]][corner]]);
+    }
+
+    [[nodiscard]] unsigned triangle_count() const { return static_cast<unsigned>(mesh_.triangles.size()); }
+
+    /// Rows that a triangle may cover, from the bottom: first <= y < last, of which there may be none.
+    [[nodiscard]] std::pair<int, int> rows(unsigned triangle, int height) const {
+        const auto& t = mesh_.triangles[triangle];
+        const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
+        if (planes_outside(a) | planes_outside(b) | planes_outside(c)) return {0, height};
+        const auto [lowest, highest] = std::minmax({a.y, b.y, c.y});
+        return {std::max(lowest >> 8, 0), std::min((highest >> 8) + 1, height)};
+    }
+
+    /// @param triangles  (f): calls f(unsigned triangle) for each
+    /// @param draw       (const triangle_batch&), with the triangles in that order
+    template <class Triangles, class Draw>
+    void for_each_batch(const Triangles& triangles, const texel_bounds& bounds, cull_mode cull,
+                        const Draw& draw) const {
+        triangle_batch batch;
+        const auto flush = [&] {
+            batch.set_up();
+            draw(batch);
+            batch.count = 0;
+        };
+        triangles([&](unsigned i) {
+            const auto& t = mesh_.triangles[i];
+            const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
+            const unsigned crossed = planes_outside(a) | planes_outside(b) | planes_outside(c);
+            if (crossed == 0) {
+                batch.add(a, b, c, i, bounds, cull);
+                if (batch.full()) flush();
+            } else if (!(planes_outside(a) & planes_outside(b) & planes_outside(c)) && !(crossed & nowhere)) {
+                const auto h = [&](unsigned index) { return project_.homogeneous(mesh_.positions[index]); };
+                const auto polygon = clip_triangle(project_, h(t.x), h(t.y), h(t.z), crossed);
+                for (std::size_t k = 1; int(k) + 1 < polygon.count; ++k) {
+                    batch.add(polygon.vertices[0], polygon.vertices[k], polygon.vertices[k + 1], i, bounds, cull);
+                    if (batch.full()) flush();
+                }
+            }
+        });
+        if (batch.count) flush();
+    }
+
+private:
+    static constexpr unsigned nowhere = 1u << projection::planes;
+
+    void project_block(std::size_t first) {
+        glm::vec3 positions[block];
+        for (std::size_t i = 0; i < block; ++i)
+            positions[i] = mesh_.positions[std::min(first + i, mesh_.positions.size() - 1)];
+        snapped_vertex vertices[block];
+        project_.snap(positions, vertices);
+        for (std::size_t i = 0; i < block; ++i)
+            vertices_[first + i] = is_finite(positions[i]) ? vertices[i] : outside_vertex(nowhere);
+    }
+
+    mesh_view mesh_;
+    projection project_;
+    std::unique_ptr<snapped_vertex[]> vertices_;
 };
 
-/// The plane through three vertices, anchored at the first, which must be the smallest of them.
-///
-/// @param area   twice the signed area in squares of the vertex grid, not 0
-/// @exactness    B: the same bits with and without FMA. With n the bounds' larger side in 1/256 texel and m the sum of
-///               the depth's and the two slopes' magnitudes over the bounds, a sample is within 2^-48 n m of the plane
-///               through the snapped vertices
-[[nodiscard]] inline depth_plane make_depth_plane(const std::array<snapped_vertex, 3>& v, double area,
-                                                  glm::ivec2 first) {
-    const auto magnitude = [](double a) { return a < 0.0 ? -a : a; };
-    const auto largest = [](double a, double b) { return a < b ? b : a; };
-    const auto round_down = [](double a) {  // to a power of two
-        return std::bit_cast<double>(std::bit_cast<std::uint64_t>(a) & 0x7FF0000000000000u);
-    };
-    const auto on_grid = [](double a, double unit) {
-        return static_cast<double>(static_cast<std::int64_t>(a / unit)) * unit;
-    };
-    const double x1 = v[1].x - v[0].x, y1 = v[1].y - v[0].y, x2 = v[2].x - v[0].x, y2 = v[2].y - v[0].y;
-    const double width = largest(magnitude(x1), largest(magnitude(x2), magnitude(x1 - x2)));
-    const double height = largest(magnitude(y1), largest(magnitude(y2), magnitude(y1 - y2)));
-
-    // Depths with so few digits that the products with x1 .. y2 and their differences need no rounding.
-    constexpr double tiny = 0x1p-200;
-    double unit = largest(tiny, largest(magnitude(v[0].depth), largest(magnitude(v[1].depth), magnitude(v[2].depth))));
-    unit = round_down(unit) * round_down(largest(width, height)) * 0x1p-49;
-    const double z0 = on_grid(v[0].depth, unit), z1 = on_grid(v[1].depth, unit), z2 = on_grid(v[2].depth, unit);
-    const double slope_x = ((z1 - z0) * y2 + (z2 - z0) * -y1) / area;
-    const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) / area;
-
-    // Slopes with so few digits that the same holds for every sample.
-    const double reach = magnitude(z0) + magnitude(slope_x) * width + magnitude(slope_y) * height;
-    unit = round_down(largest(tiny, reach)) * 0x1p-51;
-    const double dx = on_grid(slope_x, unit), dy = on_grid(slope_y, unit);
-    constexpr int centre = subtexels / 2;
-    return {.first = first,
-            .z = on_grid(z0, unit) + dx * (first.x * subtexels + centre - v[0].x) +
-                 dy * (first.y * subtexels + centre - v[0].y),
-            .dx = dx * subtexels,
-            .dy = dy * subtexels,
-            .lowest = z0 < z1 ? (z0 < z2 ? z0 : z2) : (z1 < z2 ? z1 : z2),
-            .highest = largest(z0, largest(z1, z2))};
-}
-
-/// One triangle on the grid, row by row.
-///
-/// @param v     vertices within the guard band, the smallest first
-/// @param size  of the image in texels
-/// @param row   (int y, int x_first, int x_last, const depth_plane&): texels x_first <= x < x_last of row y are
-///              covered; y counts from the bottom
-/// @formula     covered: for each edge, E >= 0, or E > 0 where the edge is neither a top nor a left one
-/// @exactness   A: 64-bit integers
-template <class Row>
-void rasterize_snapped(std::array<snapped_vertex, 3> v, glm::ivec2 size, cull_mode cull, Row&& row) {
-    const auto area_of = [&] {
-        return std::int64_t(v[1].x - v[0].x) * (v[2].y - v[0].y) - std::int64_t(v[2].x - v[0].x) * (v[1].y - v[0].y);
-    };
-    const std::int64_t area = area_of();
-    if (area == 0 || cull == (area > 0 ? cull_mode::front : cull_mode::back)) return;
-    if (area < 0) std::swap(v[1], v[2]);
-
-    // texels whose centres are within the bounds
-    constexpr int centre = subtexels / 2;
-    const auto first_from = [](int low) { return low <= centre ? 0 : (low - centre + subtexels - 1) / subtexels; };
-    const auto last_to = [](int high, int count) {
-        return high < centre ? -1 : std::min((high - centre) / subtexels, count - 1);
-    };
-    const glm::ivec2 first{first_from(std::min({v[0].x, v[1].x, v[2].x})),
-                           first_from(std::min({v[0].y, v[1].y, v[2].y}))};
-    const glm::ivec2 last{last_to(std::max({v[0].x, v[1].x, v[2].x}), size.x),
-                          last_to(std::max({v[0].y, v[1].y, v[2].y}), size.y)};
-    if (first.x > last.x || first.y > last.y) return;
-
-    struct edge {
-        std::int64_t value, step_x, step_y;  // at the first texel of the row; per texel
-    };
-    std::array<edge, 3> edges;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto& a = v[i];
-        const auto& b = v[i < 2 ? i + 1 : 0];
-        const std::int64_t dx = b.x - a.x, dy = b.y - a.y;
-        const bool top_left = dy < 0 || (dy == 0 && dx < 0);
-        const int to_x = first.x * subtexels + centre - a.x, to_y = first.y * subtexels + centre - a.y;
-        edges[i] = {dx * to_y - dy * to_x - (top_left ? 0 : 1), -dy * subtexels, dx * subtexels};
+/// Which triangles may touch which band of rows, so that a band stays in the cache while it is drawn.
+class banded_triangles {
+public:
+    template <class ParallelFor>
+    banded_triangles(const projected_mesh& mesh, glm::ivec2 size, ParallelFor&& parallel)
+        : mesh_(mesh), rows_(std::max(band_texels / std::max(size.x, 1), 1)), bands_((size.y + rows_ - 1) / rows_) {
+        const unsigned triangles = mesh.triangle_count(), pieces = (triangles + piece - 1) / piece;
+        lists_.resize(std::size_t(pieces) * std::size_t(bands_));
+        parallel(static_cast<int>(pieces), [&](int first, int last) {
+            for (unsigned i = unsigned(first) * piece; i < std::min(unsigned(last) * piece, triangles); ++i) {
+                const auto [low, high] = mesh.rows(i, size.y);
+                for (int band = low / rows_; band * rows_ < high; ++band)
+                    lists_[std::size_t(i / piece) * std::size_t(bands_) + std::size_t(band)].push_back(i);
+            }
+        });
     }
 
-    const auto plane = make_depth_plane(v, static_cast<double>(area_of()), first);
-    for (int y = first.y; y <= last.y; ++y) {
-        std::int64_t low = 0, high = last.x - first.x;  // steps from first.x for which no edge is negative
-        for (auto& e : edges) {
-            if (e.step_x > 0 && e.value < 0) low = std::max(low, (-e.value + e.step_x - 1) / e.step_x);
-            if (e.step_x < 0) high = e.value < 0 ? -1 : std::min(high, e.value / -e.step_x);
-            if (e.step_x == 0 && e.value < 0) high = -1;
-            e.value += e.step_y;
-        }
-        if (low <= high) row(y, first.x + int(low), first.x + int(high) + 1, plane);
-    }
-}
+    [[nodiscard]] int bands() const { return bands_; }
+    [[nodiscard]] int rows() const { return rows_; }
 
-/// All triangles of a mesh, row by row; what rasterize and rasterize_depth share.
-///
-/// @param row   (int y, int x_first, int x_last, const depth_plane&, unsigned triangle), y counting from the bottom
-/// @throws std::invalid_argument  an index is out of range; a side of the image is above guard_band
-template <class Row>
-void rasterize_rows(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
-                    cull_mode cull, Row&& row) {
-    for (const auto& t : mesh.triangles)
-        if (t.x >= mesh.positions.size() || t.y >= mesh.positions.size() || t.z >= mesh.positions.size())
-            throw std::invalid_argument("umbrage::rasterize: a triangle's index is out of range");
-    const projection project(world_to_clip, clip, size);
-    if (size.x == 0 || size.y == 0 || mesh.triangles.empty() || !is_finite(world_to_clip)) return;
-
-    constexpr unsigned nowhere = 1u << projection::planes;
-    struct vertex {
-        snapped_vertex snapped;
-        unsigned outside;
-    };
-    std::vector<vertex> vertices;
-    vertices.reserve(mesh.positions.size());
-    for (const auto& p : mesh.positions) {
-        const auto h = is_finite(p) ? project.homogeneous(p) : glm::dvec4(0.0);
-        const unsigned outside = is_finite(p) ? project.outside(h) : nowhere;
-        vertices.push_back({outside ? snapped_vertex{0, 0, 0.0} : project.snap(h), outside});
+    /// In the mesh's order.
+    template <class Use>
+    void for_each(int band, const Use& use) const {
+        for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands_))
+            for (std::size_t k = 0; k < lists_[i].size(); ++k) {
+                mesh_.expect(lists_[i], k);
+                use(lists_[i][k]);
+            }
     }
 
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const auto& t = mesh.triangles[i];
-        const vertex &a = vertices[t.x], &b = vertices[t.y], &c = vertices[t.z];
-        const unsigned crossed = a.outside | b.outside | c.outside;
-        if ((a.outside & b.outside & c.outside) || (crossed & nowhere)) continue;
-        const auto emit = [&](const snapped_vertex& p, const snapped_vertex& q, const snapped_vertex& r) {
-            rasterize_snapped({p, q, r}, size, cull, [&](int y, int x_first, int x_last, const depth_plane& plane) {
-                row(y, x_first, x_last, plane, static_cast<unsigned>(i));
+private:
+    static constexpr int band_texels = 1 << 16;
+    static constexpr unsigned piece = 1 << 16;  // triangles that one thread sorts at a time
+
+    const projected_mesh& mesh_;
+    int rows_, bands_;
+    std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band
+};
+
+/// A triangle's depths into an image.
+template <bool Forward>
+class span_writer {
+public:
+    UMBRAGE_INLINE span_writer(image_view<float> depth, bool flipped)
+        : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
+          up_(flipped ? -depth.stride : depth.stride),
+          width_(depth.size.x) {}
+
+    UMBRAGE_INLINE void draw(const triangle_batch& batch, int i) const {
+        const auto plane = batch.plane(i);
+        // Depths of one sign, and none that is flushed: their bits are in their order.
+        if (plane.lowest >= 0x1p-126 && plane.highest <= 1.0) {
+            const block_writer write(plane);
+            batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
+                float* const texels = row(y);
+                double z = plane.unclamped(first, y);
+                for (; first < last && first + lanes <= width_; first += lanes, z += plane.dx * lanes)
+                    write(texels + first, z, last - first);
+                if (first >= last) return;
+                float copy[lanes]{};
+                for (int x = first; x < last; ++x) copy[x - first] = texels[x];
+                write(copy, z, last - first);
+                for (int x = first; x < last; ++x) texels[x] = copy[x - first];
             });
-        };
-        if (crossed) {
-            const auto at = [&](unsigned index) { return project.homogeneous(mesh.positions[index]); };
-            const auto polygon = clip_triangle(project, at(t.x), at(t.y), at(t.z), crossed);
-            for (std::size_t k = 1; int(k) + 1 < polygon.count; ++k)
-                emit(polygon.vertices[0], polygon.vertices[k], polygon.vertices[k + 1]);
-        } else if (a.snapped < b.snapped && a.snapped < c.snapped) {
-            emit(a.snapped, b.snapped, c.snapped);
-        } else if (b.snapped < c.snapped) {
-            emit(b.snapped, c.snapped, a.snapped);
         } else {
-            emit(c.snapped, a.snapped, b.snapped);
+            batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
+                float* const texels = row(y);
+                for (int x = first; x < last; ++x) {
+                    const double z = plane(x, y);
+                    if (!(z >= 0.0 && z <= 1.0)) continue;
+                    const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
+                    if (Forward ? stored <= texels[x] : stored >= texels[x]) texels[x] = stored;
+                }
+            });
         }
     }
+
+private:
+    static constexpr int lanes = 8;
+
+    struct block_writer {
+        double ramp[lanes];
+        std::int32_t lowest, highest;
+
+        UMBRAGE_INLINE explicit block_writer(const depth_plane& plane)
+            : lowest(std::bit_cast<std::int32_t>(static_cast<float>(plane.lowest))),
+              highest(std::bit_cast<std::int32_t>(static_cast<float>(plane.highest))) {
+            for (int i = 0; i < lanes; ++i) ramp[i] = plane.dx * i;
+        }
+
+        /// The first `count` of eight texels; what is there can be anything.
+        UMBRAGE_INLINE void operator()(float* texels, double z, int count) const {
+            constexpr std::int32_t infinity = 0x7F800000, sign = std::numeric_limits<std::int32_t>::min();
+            std::int32_t there[lanes], here[lanes];
+            float rounded[lanes];
+            for (int i = 0; i < lanes; ++i) rounded[i] = static_cast<float>(z + ramp[i]);
+            std::memcpy(here, rounded, sizeof here);
+            std::memcpy(there, texels, sizeof there);
+            for (int i = 0; i < lanes; ++i) {
+                const std::int32_t above = here[i] < lowest ? lowest : here[i];
+                const std::int32_t depth = above > highest ? highest : above;
+                const bool nearer = Forward ? depth <= there[i] : depth >= there[i];
+                const bool number = (Forward ? there[i] : there[i] ^ sign) <= infinity;  // or a NaN of the other sign
+                const std::int32_t mask = -std::int32_t(nearer & number & (i < count));
+                there[i] = (depth & mask) | (there[i] & ~mask);
+            }
+            std::memcpy(texels, there, sizeof there);
+        }
+    };
+
+    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const { return reinterpret_cast<float*>(bottom_ + y * up_); }
+
+    std::byte* bottom_;
+    std::ptrdiff_t up_;
+    int width_;
+};
+
+template <bool Forward>
+void draw_batch(image_view<float> depth, bool flipped, const triangle_batch& batch) {
+    on_best_isa([&](auto) UMBRAGE_INLINE {
+        const span_writer<Forward> writer(depth, flipped);
+        for (int i = 0; i < batch.count; ++i) writer.draw(batch, i);
+    });
 }
+
+}  // namespace detail
 
 /// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
 ///
@@ -3091,21 +3488,26 @@ void rasterize_rows(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& wor
 /// @param world_to_clip  projection * view
 /// @param clip           reversed: greater depths win
 /// @param cull           which faces to leave out
+/// @param parallel       cuts the work into pieces, see parallel.hpp: vertices, triangles, bands of rows
 /// @throws std::invalid_argument  an index is out of range; a side of the image is above 16384
 /// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
 ///              the far plane; never -0
-/// @exactness   coverage A from the snapped vertices on; depth B, see depth_plane
-inline void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip,
-                            clip_space clip, cull_mode cull = cull_mode::none) {
+/// @exactness   coverage A from the snapped vertices on; depth B, see triangle_batch::set_up
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {}) {
+    const detail::projected_mesh projected(depth.size, mesh, world_to_clip, clip, parallel);
     const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
-    rasterize_rows(depth.size, mesh, world_to_clip, clip, cull,
-                   [&](int y, int x_first, int x_last, const depth_plane& plane, unsigned) {
-        float* texels = depth.row(flipped ? depth.size.y - 1 - y : y);
-        for (int x = x_first; x < x_last; ++x) {
-            const double z = plane(x, y);
-            if (!(z >= 0.0 && z <= 1.0)) continue;
-            const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
-            if (forward ? stored <= texels[x] : stored >= texels[x]) texels[x] = stored;
+    const detail::banded_triangles banded(projected, depth.size, parallel);
+    parallel(banded.bands(), [&](int first, int last) {
+        for (int band = first; band < last; ++band) {
+            const texel_bounds bounds{{0, band * banded.rows()},
+                                      {depth.size.x, std::min((band + 1) * banded.rows(), depth.size.y)}};
+            const auto triangles = [&](const auto& use) { banded.for_each(band, use); };
+            projected.for_each_batch(triangles, bounds, cull, [&](const triangle_batch& batch) {
+                if (forward) detail::draw_batch<true>(depth, flipped, batch);
+                else detail::draw_batch<false>(depth, flipped, batch);
+            });
         }
     });
 }
@@ -3120,11 +3522,20 @@ template <class Sample>
 void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
                cull_mode cull = cull_mode::none) {
     const bool flipped = clip.origin == texture_origin::top;
-    rasterize_rows(size, mesh, world_to_clip, clip, cull,
-                   [&](int y, int x_first, int x_last, const depth_plane& plane, unsigned triangle) {
-        for (int x = x_first; x < x_last; ++x)
-            if (const double z = plane(x, y); z >= 0.0 && z <= 1.0)
-                sample(glm::ivec2(x, flipped ? size.y - 1 - y : y), z > 0.0 ? static_cast<float>(z) : 0.0f, triangle);
+    const detail::projected_mesh projected(size, mesh, world_to_clip, clip, serial{});
+    const auto triangles = [&](const auto& use) {
+        for (unsigned i = 0; i < projected.triangle_count(); ++i) use(i);
+    };
+    projected.for_each_batch(triangles, {{0, 0}, size}, cull, [&](const triangle_batch& batch) {
+        for (int i = 0; i < batch.count; ++i) {
+            const auto plane = batch.plane(i);
+            batch.for_each_row(i, [&](int y, int first, int last) {
+                for (int x = first; x < last; ++x)
+                    if (const double z = plane(x, y); z >= 0.0 && z <= 1.0)
+                        sample(glm::ivec2(x, flipped ? size.y - 1 - y : y), z > 0.0 ? static_cast<float>(z) : 0.0f,
+                               batch.id[i]);
+            });
+        }
     });
 }
 
@@ -3340,6 +3751,12 @@ struct texel_bytes {
     UMBRAGE_INLINE T* below(std::int32_t offset) const { return reinterpret_cast<T*>(data + stride + offset); }
 };
 
+/// Texel inside the map, without the assertion of image_view.
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE inline T* texel_at(const image_view<T>& map, std::int32_t x, std::int32_t y) {
+    return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
+}
+
 /// Any filter, one receiver after the other.
 template <class Filter, class Encoding>
 struct one_by_one {
@@ -3453,6 +3870,145 @@ struct block_filter<filters::pcf_2x2, Encoding> {
 
 }  // namespace umbrage::detail
 
+// ---- umbrage/image_ops/box_blocks.hpp
+// The box filter over maps of floats: whole rows of the box are loaded at once, never one texel after the other.
+//
+//     std::int32_t lit = umbrage::detail::box_rows<8, 0>(map.stride, 5).count(row, 0, receiver);
+//
+
+namespace umbrage::detail {
+
+#if defined(__GNUC__) || defined(__clang__)
+#define UMBRAGE_HAS_VECTORS 1
+
+/// Floats and numbers as wide as a register. The compiler's own vectors: they need no header and know no machine.
+template <int Lanes>
+struct vectors;
+template <>
+struct vectors<4> {
+    typedef float floats __attribute__((vector_size(16)));
+    typedef float unaligned __attribute__((vector_size(16), aligned(4), may_alias));
+    typedef std::int32_t ints __attribute__((vector_size(16)));
+};
+template <>
+struct vectors<8> {
+    typedef float floats __attribute__((vector_size(32)));
+    typedef float unaligned __attribute__((vector_size(32), aligned(4), may_alias));
+    typedef std::int32_t ints __attribute__((vector_size(32)));
+};
+
+/// Lit texels of boxes that lie inside a map at least as wide as a register.
+/// @tparam Lanes   of a register;   Whole  registers that a row of the box fills
+template <int Lanes, int Whole>
+struct box_rows {
+    using floats = typename vectors<Lanes>::floats;
+    using unaligned = typename vectors<Lanes>::unaligned;
+    using ints = typename vectors<Lanes>::ints;
+    std::ptrdiff_t stride;
+    int width;
+    std::int32_t window[3 * Lanes]{};  ///< lanes that the rest of a row has in a register, slid to where they are
+
+    UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(box_width) {
+        for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
+    }
+
+    /// @param row     first texel of the box
+    /// @param moved   by how much the last register of a row is moved back, so that it ends inside the map
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
+        ints lit{}, rest{};
+        for (int j = 0; j < width; ++j, row += stride) {
+            const float* texels = reinterpret_cast<const float*>(row);
+            for (int i = 0; i < Whole; ++i) add(texels + i * Lanes, receiver, lit);
+            add(texels + Whole * Lanes - moved, receiver, rest);
+        }
+        ints wanted;
+        std::memcpy(&wanted, window + Lanes - moved, sizeof wanted);
+        lit += rest & wanted;
+        std::int32_t sum = 0;
+        for (int i = 0; i < Lanes; ++i) sum += lit[i];
+        return sum;
+    }
+
+    static UMBRAGE_INLINE void add(const float* texels, float receiver, ints& lit) {
+        const floats stored = *reinterpret_cast<const unaligned*>(texels);
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+        lit -= (receiver <= stored) & (((ints)stored & 0x7FFFFFFF) <= 0x7F800000);
+#else
+        lit -= receiver <= stored;
+#endif
+    }
+};
+#else
+#define UMBRAGE_HAS_VECTORS 0
+#endif
+
+/// Only maps of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
+template <>
+struct block_filter<filters::box, depth32f> {
+    static constexpr int least = 1;
+    image_view<const float> map;
+    const depth32f& encoding;
+    const filters::box& filter;
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa set) const {
+#if UMBRAGE_HAS_VECTORS
+        constexpr int lanes = Isa::value == isa::base ? 4 : 8;
+        const int whole = (2 * clamp_int(filter.radius, max_box_radius) + 1) / lanes;
+        if (map.size.x >= lanes * (whole + 1)) {
+            if (whole == 0) return rows<lanes, 0>(r, count, visibility);
+            if (whole == 1) return rows<lanes, 1>(r, count, visibility);
+            if (whole == 2) return rows<lanes, 2>(r, count, visibility);
+            if (lanes == 4 && whole == 3) return rows<4, 3>(r, count, visibility);
+            if (lanes == 4) return rows<4, 4>(r, count, visibility);
+        }
+#endif
+        one_by_one<filters::box, depth32f>{map, encoding, filter}(r, count, visibility, set);
+    }
+
+#if UMBRAGE_HAS_VECTORS
+    template <int Lanes, int Whole>
+    UMBRAGE_INLINE void rows(const receiver_block& r, int count, float* visibility) const {
+        const int radius = clamp_int(filter.radius, max_box_radius), width = 2 * radius + 1;
+        const box_rows<Lanes, Whole> box(map.stride, width);
+        const texel_bytes memory(map);
+        const int last_x = map.size.x - width, last_y = map.size.y - width, last_load = map.size.x - Lanes * (Whole + 1);
+        std::int32_t xs[block], ys[block], offsets[block], moved[block], inside[block], in_space[block], lit[block]{};
+        for (int i = 0; i < block; ++i) {
+            in_space[i] = texel_space_mask(r.x[i], r.y[i]);
+            const std::int32_t x = floor_int(masked(r.x[i], in_space[i])) - radius;
+            const std::int32_t y = floor_int(masked(r.y[i], in_space[i])) - radius;
+            inside[i] = std::int32_t(x >= 0) & std::int32_t(x <= last_x) & std::int32_t(y >= 0) & std::int32_t(y <= last_y);
+            offsets[i] = memory.offset(x, y);
+            moved[i] = x > last_load ? x - last_load : 0;
+            xs[i] = x;
+            ys[i] = y;
+        }
+        for (int i = 0; i < count; ++i) {
+            if (is_nan(r.z[i]) || !in_space[i]) continue;
+            lit[i] = inside[i] ? box.count(memory.data + offsets[i], moved[i], r.z[i])
+                               : count_at_border<Lanes, Whole>({xs[i], ys[i]}, width, r.z[i]);
+        }
+        const float scale = box_scale<float>(radius);
+        for (int i = 0; i < block; ++i)
+            visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~in_space[i], 1.0f, static_cast<float>(lit[i]) * scale);
+    }
+
+    /// The same from a copy of the box, the map's border texels repeated.
+    template <int Lanes, int Whole>
+    std::int32_t count_at_border(glm::ivec2 first, int width, float receiver) const {
+        float texels[2 * max_box_radius + 1][(Whole + 1) * Lanes]{};
+        for (int j = 0; j < width; ++j) {
+            const float* row = texel_at(map, 0, clamp_int(first.y + j, map.size.y - 1));
+            for (int i = 0; i < width; ++i) texels[j][i] = row[clamp_int(first.x + i, map.size.x - 1)];
+        }
+        return box_rows<Lanes, Whole>(sizeof texels[0], width).count(reinterpret_cast<const std::byte*>(texels), 0, receiver);
+    }
+#endif
+};
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/image_ops/visibility.hpp
 // A whole image of receivers against a shadow map, with any filter and any encoding.
 //
@@ -3543,11 +4099,13 @@ UMBRAGE_INLINE inline void load(const receiver_planes& receivers, int x, int y, 
 /// receiver_at for a block.
 inline void load(const depth_receivers& seen, int first, int row, int count, receiver_block& r) {
     copy_floats(r.z, seen.depth.row(row) + first, count);
-    on_best_isa_without_fma([&, m = seen.matrix, bias = seen.bias](auto) UMBRAGE_INLINE {
+    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+        const glm::mat4 m = seen.matrix;
+        const float bias = seen.bias;
         const float y = static_cast<float>(row) + 0.5f;
         for (int i = 0; i < block; ++i) {
             const float x = static_cast<float>(first + i) + 0.5f, depth = r.z[i];
-            const auto sum = [&](int k) UMBRAGE_INLINE { return m[0][k] * x + m[1][k] * y + m[2][k] * depth + m[3][k]; };
+            const auto sum = [&](int k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
             const float w = sum(3);
             const auto bits = std::bit_cast<std::int32_t>(w);
             const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
@@ -3590,6 +4148,15 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     if (size_of(receivers) != out.size) throw std::invalid_argument("umbrage::visibility: sizes differ");
     if (map.empty()) throw std::invalid_argument("umbrage::visibility: empty map");
     if (out.empty()) return;
+    if constexpr (std::is_same_v<Filter, filters::box> && !std::is_same_v<Encoding, depth32f>) {
+        // As floats, unless that is more work than the boxes.
+        const auto texels = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
+        if (texels(map.size) < 16.0 * texels(out.size)) {
+            image<float> depth(map.size);
+            decode(map, depth.view(), encoding, parallel);
+            return filter_image(image_view<const float>(depth), depth32f{}, receivers, filter, out, parallel);
+        }
+    }
     using blocks = block_filter<Filter, Encoding>;
     if constexpr (blocks::least > 0)
         if (map.size.x >= blocks::least && map.size.y >= blocks::least &&
