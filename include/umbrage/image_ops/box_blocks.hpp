@@ -89,6 +89,7 @@ struct block_filter<filters::box, depth32f> {
     const depth32f& encoding;
     const filters::box& filter;
 
+    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa set) const {
 #if UMBRAGE_HAS_VECTORS

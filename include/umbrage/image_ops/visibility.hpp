@@ -134,17 +134,26 @@ inline void load(const depth_receivers& seen, int first, int row, int count, rec
 /// Every receiver through a filter in either form.
 template <class Receivers, class Filter, class ParallelFor>
 void filter_rows(const Receivers& receivers, const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+    const int per_row = (out.size.x + block - 1) / block;
     parallel(out.size.y, [&](int first, int last) {
         on_best_isa([&](auto set) UMBRAGE_INLINE {
-            receiver_block r;
+            receiver_block receivers_of[2];  // of this block and the next, whose texels are on their way meanwhile
             float visibility[block];
-            for (int y = first; y < last; ++y)
-                for (int x = 0; x < out.size.x; x += block) {
-                    const int count = out.size.x - x < block ? out.size.x - x : block;
-                    load(receivers, x, y, count, r);
-                    filter(r, count, visibility, set);
-                    copy_floats(out.row(y) + x, visibility, count);
+            const auto start = [&](int row, int n) UMBRAGE_INLINE {
+                const int x = n * block, count = out.size.x - x < block ? out.size.x - x : block;
+                load(receivers, x, row, count, receivers_of[n & 1]);
+                filter.prefetch(receivers_of[n & 1]);
+                return count;
+            };
+            for (int y = first; y < last; ++y) {
+                int count = start(y, 0);
+                for (int n = 0; n < per_row; ++n) {
+                    const int next = n + 1 < per_row ? start(y, n + 1) : 0;
+                    filter(receivers_of[n & 1], count, visibility, set);
+                    copy_floats(out.row(y) + n * block, visibility, count);
+                    count = next;
                 }
+            }
         });
     });
 }

@@ -141,6 +141,25 @@ template <class T>
     return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
 }
 
+/// Asks for the texels around some of a block's receivers. Where a block starts on another row of the map than the one
+/// before, the machine cannot guess them, and would wait for memory at every block.
+template <class T>
+UMBRAGE_INLINE inline void prefetch_texels([[maybe_unused]] const image_view<T>& map, [[maybe_unused]] const receiver_block& r) {
+#if defined(__GNUC__) || defined(__clang__)
+    std::int32_t x[block / 16], y[block / 16];
+    for (int i = 0; i < block / 16; ++i) {
+        const float u = r.x[i * 16], v = r.y[i * 16];
+        const std::int32_t inside = texel_space_mask(u, v);
+        x[i] = clamp_int(floor_int(masked(u, inside)), map.size.x - 1);
+        y[i] = clamp_int(floor_int(masked(v, inside)), map.size.y - 1);
+    }
+    for (int i = 0; i < block / 16; ++i) {
+        __builtin_prefetch(texel_at(map, x[i], y[i]));
+        __builtin_prefetch(texel_at(map, x[i], y[i] < map.size.y - 1 ? y[i] + 1 : y[i]));
+    }
+#endif
+}
+
 /// Any filter, one receiver after the other.
 template <class Filter, class Encoding>
 struct one_by_one {
@@ -148,6 +167,7 @@ struct one_by_one {
     const Encoding& encoding;
     const Filter& filter;
 
+    UMBRAGE_INLINE void prefetch(const receiver_block&) const {}
     template <class Isa>
     UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa) const {
         const auto fetch = decoded(map, encoding);
@@ -186,6 +206,7 @@ struct block_filter<filters::hard, Encoding> {
     const Encoding& encoding;
     const filters::hard& filter;
 
+    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
         std::int32_t lit[block]{};
@@ -201,6 +222,7 @@ struct block_filter<filters::four_tap, Encoding> {
     const Encoding& encoding;
     const filters::four_tap& filter;
 
+    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
         std::int32_t lit[block]{};
@@ -218,6 +240,7 @@ struct block_filter<filters::pcf_2x2, Encoding> {
     const Encoding& encoding;
     const filters::pcf_2x2& filter;
 
+    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
         const texel_bytes memory(map);
