@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The packing shaders of the npm packages under PREFIX, as they are, into FOLDER/<package>.glsl, and their versions
-// into FOLDER/<package>.version.
+// The packing and shadow shaders of the npm packages under PREFIX, as they are, into FOLDER/*.glsl, and the packages'
+// versions into FOLDER/*.version.
 //
 //     node peers.mjs PREFIX FOLDER
 import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
@@ -12,18 +12,28 @@ const [prefix, folder] = process.argv.slice(2);
 const modules = resolve(prefix, 'node_modules');
 const load = path => import(pathToFileURL(resolve(modules, path)));
 
-const playcanvas_chunks = 'playcanvas/build/playcanvas/src/scene/shader-lib/glsl/chunks/';
+const {ShaderChunk} = await load('three/build/three.module.js');
+const babylon = async name => (await load(`@babylonjs/core/Shaders/ShadersInclude/${name}.js`))[name].shader;
+const playcanvas = async path =>
+    (await load(`playcanvas/build/playcanvas/src/scene/shader-lib/glsl/chunks/${path}.js`)).default;
+
+const packages = {three: 'three', babylon: '@babylonjs/core', playcanvas: 'playcanvas'};
 const texts = {
-    three: ['three', (await load('three/build/three.module.js')).ShaderChunk.packing],
-    babylon: ['@babylonjs/core',
-              (await load('@babylonjs/core/Shaders/ShadersInclude/packingFunctions.js')).packingFunctions.shader],
-    playcanvas: ['playcanvas', (await load(playcanvas_chunks + 'common/frag/float-as-uint.js')).default],
+    three: ShaderChunk.packing,
+    three_shadow: ShaderChunk.shadowmap_pars_fragment,
+    babylon: await babylon('packingFunctions'),
+    babylon_shadow: await babylon('shadowsFragmentFunctions'),
+    playcanvas: await playcanvas('common/frag/float-as-uint'),
+    playcanvas_shadow: (await Promise.all(['PCF1', 'PCF3', 'PCF5'].map(
+        name => playcanvas(`lit/frag/lighting/shadow${name}`)))).join('\n'),
 };
 
 mkdirSync(folder, {recursive: true});
-for (const [name, [pkg, text]] of Object.entries(texts)) {
-    if (!text) throw new Error(`${pkg}: no packing shader where it used to be`);
+for (const [name, text] of Object.entries(texts)) {
+    if (!text) throw new Error(`${name}: no shader where it used to be`);
     writeFileSync(resolve(folder, `${name}.glsl`), text + '\n');
-    const {version} = JSON.parse(readFileSync(resolve(modules, pkg, 'package.json')));
+}
+for (const [name, path] of Object.entries(packages)) {
+    const {version} = JSON.parse(readFileSync(resolve(modules, path, 'package.json')));
     writeFileSync(resolve(folder, `${name}.version`), version);
 }

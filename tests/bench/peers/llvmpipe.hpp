@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// Mesa's llvmpipe on one thread of this machine, running the GLSL twins. Its context stays current on this thread.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <glm/gtc/type_precision.hpp>
+
+#include <umbrage/image.hpp>
+
+namespace peers::llvmpipe {
+
+class pass {
+public:
+    virtual ~pass() = default;
+    /// 2x2 PCF of every receiver, finished on return.
+    virtual void draw(bool packed) = 0;
+    virtual void read(std::vector<float>& visibility) = 0;
+};
+
+/// @return   null where there is no llvmpipe
+[[nodiscard]] std::shared_ptr<pass> start(const umbrage::image<float>& map, const umbrage::image<glm::u8vec2>& packed,
+                                          const umbrage::image<glm::vec3>& receivers);
+
+}  // namespace peers::llvmpipe

@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: MIT
+#include "vulkan.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+#include <vulkan/vulkan.h>
+
+namespace bench {
+namespace {
+
+void check(VkResult result, const char* what) {
+    if (result != VK_SUCCESS) throw std::runtime_error(std::string(what) + ": VkResult " + std::to_string(result));
+}
+
+/// One handle from a vkCreate... or vkAllocate... function.
+template <class Handle, class Function, class Info>
+Handle make(VkDevice device, Function create, const Info& info) {
+    Handle handle{};
+    if constexpr (std::is_invocable_v<Function, VkDevice, const Info*, const VkAllocationCallbacks*, Handle*>)
+        check(create(device, &info, nullptr, &handle), typeid(Info).name());
+    else
+        check(create(device, &info, &handle), typeid(Info).name());
+    return handle;
+}
+
+constexpr VkFormat target_format = VK_FORMAT_R8G8B8A8_UNORM;
+
+class vulkan_device final : public device {
+public:
+    vulkan_device(VkPhysicalDevice physical, bool statistics) : physical_(physical) {
+        vkGetPhysicalDeviceProperties(physical_, &properties_);
+        std::uint32_t count = 0;
+        vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, nullptr);
+        std::vector<VkQueueFamilyProperties> families(count);
+        vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, families.data());
+        for (std::uint32_t i = count; i-- > 0;)
+            if (families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) family_ = i;
+
+        VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR executable{
+            .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PIPELINE_EXECUTABLE_PROPERTIES_FEATURES_KHR,
+            .pipelineExecutableInfo = VK_TRUE};
+        VkPhysicalDeviceVulkan13Features features{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
+                                                  .pNext = statistics ? &executable : nullptr,
+                                                  .dynamicRendering = VK_TRUE};
+        const float priority = 1.0f;
+        const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
+                                            .queueFamilyIndex = family_, .queueCount = 1, .pQueuePriorities = &priority};
+        const char* extension = VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME;
+        const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, .pNext = &features,
+                                      .queueCreateInfoCount = 1, .pQueueCreateInfos = &queue,
+                                      .enabledExtensionCount = statistics ? 1u : 0u, .ppEnabledExtensionNames = &extension};
+        check(vkCreateDevice(physical_, &info, nullptr, &device_), "vkCreateDevice");
+
+        std::vector<VkDescriptorSetLayoutBinding> bindings;
+        for (std::uint32_t i = 0; i < 3; ++i)
+            bindings.push_back({i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
+        set_layout_ = make<VkDescriptorSetLayout>(device_, vkCreateDescriptorSetLayout, VkDescriptorSetLayoutCreateInfo{
+            .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+            .bindingCount = 3, .pBindings = bindings.data()});
+        const VkPushConstantRange constants{VK_SHADER_STAGE_FRAGMENT_BIT, 0, 8};
+        layout_ = make<VkPipelineLayout>(device_, vkCreatePipelineLayout, VkPipelineLayoutCreateInfo{
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = 1, .pSetLayouts = &set_layout_,
+            .pushConstantRangeCount = 1, .pPushConstantRanges = &constants});
+    }
+
+    [[nodiscard]] std::string name() const override { return properties_.deviceName; }
+
+    [[nodiscard]] std::vector<statistic> statistics(const spirv& vertex, const spirv& fragment) override {
+        const VkPipeline pipeline = make_pipeline(vertex, fragment, VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR);
+        const auto executables = reinterpret_cast<PFN_vkGetPipelineExecutablePropertiesKHR>(
+            vkGetDeviceProcAddr(device_, "vkGetPipelineExecutablePropertiesKHR"));
+        const auto statistics_of = reinterpret_cast<PFN_vkGetPipelineExecutableStatisticsKHR>(
+            vkGetDeviceProcAddr(device_, "vkGetPipelineExecutableStatisticsKHR"));
+        const VkPipelineInfoKHR info{.sType = VK_STRUCTURE_TYPE_PIPELINE_INFO_KHR, .pipeline = pipeline};
+        std::uint32_t count = 0;
+        check(executables(device_, &info, &count, nullptr), "executables");
+        std::vector<VkPipelineExecutablePropertiesKHR> all(
+            count, {.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_PROPERTIES_KHR});
+        check(executables(device_, &info, &count, all.data()), "executables");
+        std::vector<statistic> result;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (!(all[i].stages & VK_SHADER_STAGE_FRAGMENT_BIT)) continue;
+            const VkPipelineExecutableInfoKHR one{.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR,
+                                                  .pipeline = pipeline, .executableIndex = i};
+            std::uint32_t lines = 0;
+            check(statistics_of(device_, &one, &lines, nullptr), "statistics");
+            std::vector<VkPipelineExecutableStatisticKHR> found(
+                lines, {.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_STATISTIC_KHR});
+            check(statistics_of(device_, &one, &lines, found.data()), "statistics");
+            for (const auto& s : found) result.push_back({s.name, s.value.u64});
+        }
+        vkDestroyPipeline(device_, pipeline, nullptr);
+        return result;
+    }
+
+    [[nodiscard]] double milliseconds(const spirv& vertex, const spirv& fragment, std::uint32_t width,
+                                      std::uint32_t height) override {
+        if (!commands_) prepare(width, height);
+        const VkPipeline pipeline = make_pipeline(vertex, fragment, 0);
+        double least = 1e30;
+        for (int repeat = 0; repeat < 5; ++repeat) {
+            submit([&] {
+                vkCmdResetQueryPool(commands_, queries_, 0, 2);
+                const VkRenderingAttachmentInfo colour{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
+                                                       .imageView = target_, .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
+                                                       .loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
+                                                       .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
+                const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
+                                                .renderArea = {{0, 0}, {width, height}}, .layerCount = 1,
+                                                .colorAttachmentCount = 1, .pColorAttachments = &colour};
+                const VkViewport viewport{0, 0, float(width), float(height), 0, 1};
+                const float size[] = {map_size, map_size};
+                vkCmdWriteTimestamp(commands_, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, queries_, 0);
+                vkCmdBeginRendering(commands_, &rendering);
+                vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+                vkCmdBindDescriptorSets(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &set_, 0, nullptr);
+                vkCmdPushConstants(commands_, layout_, VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof size, size);
+                vkCmdSetViewport(commands_, 0, 1, &viewport);
+                vkCmdSetScissor(commands_, 0, 1, &rendering.renderArea);
+                vkCmdDraw(commands_, 3, 1, 0, 0);
+                vkCmdEndRendering(commands_);
+                vkCmdWriteTimestamp(commands_, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries_, 1);
+            });
+            std::uint64_t ticks[2];
+            check(vkGetQueryPoolResults(device_, queries_, 0, 2, sizeof ticks, ticks, sizeof ticks[0],
+                                        VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT), "timestamps");
+            least = std::min(least, double(ticks[1] - ticks[0]) * double(properties_.limits.timestampPeriod) * 1e-6);
+        }
+        vkDestroyPipeline(device_, pipeline, nullptr);
+        return least;
+    }
+
+private:
+    [[nodiscard]] VkPipeline make_pipeline(const spirv& vertex, const spirv& fragment, VkPipelineCreateFlags flags) const {
+        VkPipelineShaderStageCreateInfo stages[2];
+        const std::pair<VkShaderStageFlagBits, const spirv*> texts[] = {{VK_SHADER_STAGE_VERTEX_BIT, &vertex},
+                                                                       {VK_SHADER_STAGE_FRAGMENT_BIT, &fragment}};
+        for (int i = 0; i < 2; ++i) {
+            const auto& [stage, code] = texts[i];
+            const VkShaderModuleCreateInfo module{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                                  .codeSize = code->size() * 4, .pCode = code->data()};
+            stages[i] = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO, .stage = stage,
+                         .module = make<VkShaderModule>(device_, vkCreateShaderModule, module), .pName = "main"};
+        }
+        const VkPipelineRenderingCreateInfo rendering{.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+                                                      .colorAttachmentCount = 1,
+                                                      .pColorAttachmentFormats = &target_format};
+        const VkPipelineVertexInputStateCreateInfo input{
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+        const VkPipelineInputAssemblyStateCreateInfo assembly{
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
+            .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
+        const VkPipelineViewportStateCreateInfo viewport{
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO, .viewportCount = 1, .scissorCount = 1};
+        const VkPipelineRasterizationStateCreateInfo raster{
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO, .lineWidth = 1.0f};
+        const VkPipelineMultisampleStateCreateInfo samples{
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
+            .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
+        const VkPipelineColorBlendAttachmentState all_channels{.colorWriteMask = 15};
+        const VkPipelineColorBlendStateCreateInfo blend{.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
+                                                        .attachmentCount = 1, .pAttachments = &all_channels};
+        const VkDynamicState states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+        const VkPipelineDynamicStateCreateInfo dynamic{.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
+                                                       .dynamicStateCount = 2, .pDynamicStates = states};
+        const VkGraphicsPipelineCreateInfo info{
+            .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, .pNext = &rendering, .flags = flags, .stageCount = 2,
+            .pStages = stages, .pVertexInputState = &input, .pInputAssemblyState = &assembly, .pViewportState = &viewport,
+            .pRasterizationState = &raster, .pMultisampleState = &samples, .pColorBlendState = &blend,
+            .pDynamicState = &dynamic, .layout = layout_};
+        VkPipeline pipeline{};
+        check(vkCreateGraphicsPipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), "vkCreateGraphicsPipelines");
+        for (const auto& stage : stages) vkDestroyShaderModule(device_, stage.module, nullptr);
+        return pipeline;
+    }
+
+    /// Records, runs and waits.
+    template <class Record>
+    void submit(Record&& record) {
+        const VkCommandBufferBeginInfo begin{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+        check(vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer");
+        record();
+        check(vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
+        const VkSubmitInfo info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &commands_};
+        check(vkQueueSubmit(queue_, 1, &info, VK_NULL_HANDLE), "vkQueueSubmit");
+        check(vkQueueWaitIdle(queue_), "vkQueueWaitIdle");
+    }
+
+    [[nodiscard]] VkDeviceMemory memory_for(const VkMemoryRequirements& need, VkMemoryPropertyFlags flags) const {
+        VkPhysicalDeviceMemoryProperties memory;
+        vkGetPhysicalDeviceMemoryProperties(physical_, &memory);
+        for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i)
+            if (need.memoryTypeBits >> i & 1 && (memory.memoryTypes[i].propertyFlags & flags) == flags)
+                return make<VkDeviceMemory>(device_, vkAllocateMemory, VkMemoryAllocateInfo{
+                    .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = need.size, .memoryTypeIndex = i});
+        throw std::runtime_error("no memory of the kind needed");
+    }
+
+    /// An image in the general layout; with texels, filled with them. Views and images are never destroyed.
+    VkImageView image(VkFormat format, std::uint32_t width, std::uint32_t height, VkImageUsageFlags usage, bool noise) {
+        const VkImage handle = make<VkImage>(device_, vkCreateImage, VkImageCreateInfo{
+            .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO, .imageType = VK_IMAGE_TYPE_2D, .format = format,
+            .extent = {width, height, 1}, .mipLevels = 1, .arrayLayers = 1, .samples = VK_SAMPLE_COUNT_1_BIT,
+            .tiling = VK_IMAGE_TILING_OPTIMAL, .usage = usage | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+        VkMemoryRequirements need;
+        vkGetImageMemoryRequirements(device_, handle, &need);
+        check(vkBindImageMemory(device_, handle, memory_for(need, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT), 0), "vkBindImageMemory");
+        const bool depth = format == VK_FORMAT_D32_SFLOAT;
+        const VkImageAspectFlags aspect = depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+
+        const VkBuffer staging = make<VkBuffer>(device_, vkCreateBuffer, VkBufferCreateInfo{
+            .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = VkDeviceSize(4) * width * height,
+            .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+        vkGetBufferMemoryRequirements(device_, staging, &need);
+        const VkDeviceMemory memory =
+            memory_for(need, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+        check(vkBindBufferMemory(device_, staging, memory, 0), "vkBindBufferMemory");
+        void* bytes = nullptr;
+        check(vkMapMemory(device_, memory, 0, VK_WHOLE_SIZE, 0, &bytes), "vkMapMemory");
+        std::uint32_t random = 1;
+        for (std::uint32_t i = 0; noise && i < width * height; ++i) {
+            random = random * 1664525u + 1013904223u;
+            const float value = float(random >> 8) / float(1 << 24);
+            std::memcpy(static_cast<char*>(bytes) + 4 * i, depth ? static_cast<const void*>(&value) : &random, 4);
+        }
+        submit([&] {
+            const VkImageMemoryBarrier ready{
+                .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER, .dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT,
+                .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED, .newLayout = VK_IMAGE_LAYOUT_GENERAL,
+                .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED, .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                .image = handle, .subresourceRange = {aspect, 0, 1, 0, 1}};
+            vkCmdPipelineBarrier(commands_, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
+                                 nullptr, 0, nullptr, 1, &ready);
+            const VkBufferImageCopy whole{.imageSubresource = {aspect, 0, 0, 1}, .imageExtent = {width, height, 1}};
+            if (noise) vkCmdCopyBufferToImage(commands_, staging, handle, VK_IMAGE_LAYOUT_GENERAL, 1, &whole);
+        });
+        vkDestroyBuffer(device_, staging, nullptr);
+        vkFreeMemory(device_, memory, nullptr);
+        return make<VkImageView>(device_, vkCreateImageView, VkImageViewCreateInfo{
+            .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO, .image = handle, .viewType = VK_IMAGE_VIEW_TYPE_2D,
+            .format = format, .subresourceRange = {aspect, 0, 1, 0, 1}});
+    }
+
+    [[nodiscard]] VkSampler sampler(bool compares) const {
+        const VkFilter filter = compares ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
+        const VkSamplerAddressMode edge = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+        return make<VkSampler>(device_, vkCreateSampler, VkSamplerCreateInfo{
+            .sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO, .magFilter = filter, .minFilter = filter, .addressModeU = edge,
+            .addressModeV = edge, .addressModeW = edge, .compareEnable = compares,
+            .compareOp = VK_COMPARE_OP_LESS_OR_EQUAL});
+    }
+
+    /// What drawing needs beside a pipeline.
+    void prepare(std::uint32_t width, std::uint32_t height) {
+        vkGetDeviceQueue(device_, family_, 0, &queue_);
+        const auto pool = make<VkCommandPool>(device_, vkCreateCommandPool, VkCommandPoolCreateInfo{
+            .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+            .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT, .queueFamilyIndex = family_});
+        commands_ = make<VkCommandBuffer>(device_, vkAllocateCommandBuffers, VkCommandBufferAllocateInfo{
+            .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, .commandPool = pool,
+            .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY, .commandBufferCount = 1});
+        queries_ = make<VkQueryPool>(device_, vkCreateQueryPool, VkQueryPoolCreateInfo{
+            .sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO, .queryType = VK_QUERY_TYPE_TIMESTAMP, .queryCount = 2});
+        target_ = image(target_format, width, height, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, false);
+
+        const VkDescriptorPoolSize three{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 3};
+        const auto sets = make<VkDescriptorPool>(device_, vkCreateDescriptorPool, VkDescriptorPoolCreateInfo{
+            .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, .maxSets = 1, .poolSizeCount = 1, .pPoolSizes = &three});
+        set_ = make<VkDescriptorSet>(device_, vkAllocateDescriptorSets, VkDescriptorSetAllocateInfo{
+            .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO, .descriptorPool = sets, .descriptorSetCount = 1,
+            .pSetLayouts = &set_layout_});
+        const VkFormat colour = VK_FORMAT_R8G8B8A8_UNORM;
+        const VkImageView views[] = {image(colour, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true),
+                                     image(colour, map_size, 32, VK_IMAGE_USAGE_SAMPLED_BIT, true),
+                                     image(VK_FORMAT_D32_SFLOAT, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true)};
+        for (std::uint32_t i = 0; i < 3; ++i) {
+            const VkDescriptorImageInfo texture{sampler(i == 2), views[i], VK_IMAGE_LAYOUT_GENERAL};
+            const VkWriteDescriptorSet write{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET, .dstSet = set_, .dstBinding = i,
+                                             .descriptorCount = 1,
+                                             .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+                                             .pImageInfo = &texture};
+            vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
+        }
+    }
+
+    VkPhysicalDevice physical_;
+    VkPhysicalDeviceProperties properties_{};
+    std::uint32_t family_ = 0;
+    VkDevice device_{};
+    VkDescriptorSetLayout set_layout_{};
+    VkPipelineLayout layout_{};
+    VkQueue queue_{};
+    VkCommandBuffer commands_{};
+    VkQueryPool queries_{};
+    VkImageView target_{};
+    VkDescriptorSet set_{};
+};
+
+std::vector<VkPhysicalDevice> physical_devices() {
+    const VkApplicationInfo application{.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .apiVersion = VK_API_VERSION_1_3};
+    const VkInstanceCreateInfo info{.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO, .pApplicationInfo = &application};
+    VkInstance instance{};
+    std::uint32_t count = 0;
+    if (vkCreateInstance(&info, nullptr, &instance) != VK_SUCCESS) return {};
+    if (vkEnumeratePhysicalDevices(instance, &count, nullptr) != VK_SUCCESS) return {};
+    std::vector<VkPhysicalDevice> all(count);
+    check(vkEnumeratePhysicalDevices(instance, &count, all.data()), "vkEnumeratePhysicalDevices");
+    return all;
+}
+
+VkPhysicalDeviceProperties properties_of(VkPhysicalDevice physical) {
+    VkPhysicalDeviceProperties properties;
+    vkGetPhysicalDeviceProperties(physical, &properties);
+    return properties;
+}
+
+}  // namespace
+
+device* rdna2() {
+    setenv("RADV_FORCE_FAMILY", "navi21", 1);
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    device* found = nullptr;
+    for (VkPhysicalDevice physical : physical_devices())
+        if (!found && std::strstr(properties_of(physical).deviceName, "NAVI21")) found = new vulkan_device(physical, true);
+    unsetenv("RADV_FORCE_FAMILY");
+    return found;
+}
+
+std::vector<device*> gpus(bool software) {
+    std::vector<device*> all;
+    for (VkPhysicalDevice physical : physical_devices()) {
+        const VkPhysicalDeviceProperties p = properties_of(physical);
+        if (p.apiVersion < VK_API_VERSION_1_3 || (p.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU && !software)) continue;
+        all.push_back(new vulkan_device(physical, false));
+    }
+    return all;
+}
+
+}  // namespace bench

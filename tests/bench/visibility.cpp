@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include <umbrage/image_ops/visibility.hpp>
+
+#include "bench.hpp"
+#include "data.hpp"
+#include "peers/glm.hpp"
+#ifdef UMBRAGE_BENCH_LLVMPIPE
+#include "peers/llvmpipe.hpp"
+#endif
+
+namespace {
+
+using umbrage::image;
+using umbrage::filters::box;
+using umbrage::filters::pcf_2x2;
+
+struct state {
+    image<float> map = bench::make_map(), ours{bench::screen}, other{bench::screen};
+    image<glm::u8vec2> packed{bench::map_size};
+    image<glm::vec3> coherent = bench::make_receivers(bench::order::coherent), random = bench::make_receivers(bench::order::random);
+    peers::glm_code::float_map glm_map{{map.texels().begin(), map.texels().end()}, bench::map_size};
+    std::vector<glm::vec3> glm_receivers{coherent.texels().begin(), coherent.texels().end()};
+    std::vector<float> theirs = std::vector<float>(glm_receivers.size());
+
+    /// Weights are in steps of 1/256 here and in floats there.
+    [[nodiscard]] bool close(double mean) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < theirs.size(); ++i) sum += std::abs(double(ours.texels()[i]) - double(theirs[i]));
+        return sum / bench::pixels < mean;
+    }
+};
+
+const auto two_threads = [](int count, auto&& piece) {
+    std::thread other([&] { piece(count / 2, count); });
+    piece(0, count / 2);
+    other.join();
+};
+
+const bench::registration rows([] {
+    const auto s = std::make_shared<state>();
+    umbrage::encode(s->map, s->packed, umbrage::rg<11>{.edge = umbrage::lower_edge<float>});
+    const umbrage::rg<11> rg{.edge = umbrage::lower_edge<float>};
+    const umbrage::depth32f f32;
+    const auto on_floats = [=](const image<glm::vec3>& receivers, auto filter) {
+        return [=, &receivers] { umbrage::visibility(s->map, f32, receivers, filter, s->ours); };
+    };
+    const auto on_packed = [=](const image<glm::vec3>& receivers, auto filter) {
+        return [=, &receivers] { umbrage::visibility(s->packed, rg, receivers, filter, s->ours); };
+    };
+    const auto glm_2x2 = [s] { peers::glm_code::pcf_2x2(s->glm_map, s->glm_receivers, s->theirs); };
+    const auto glm_5x5 = [s] { peers::glm_code::pcf_5x5(s->glm_map, s->glm_receivers, s->theirs); };
+    const auto close = [s] { return s->close(1e-3); };
+
+    bench::add({.work = "PCF 2x2, float map, coherent 1920 x 1080", .peer = "GLM code", .at_least = 10, .items = bench::pixels,
+                .ours = on_floats(s->coherent, pcf_2x2{}), .theirs = glm_2x2, .agree = close});
+    bench::add({.work = "PCF 2x2, 11-bit map, coherent 1920 x 1080", .peer = "GLM code, float map", .at_least = 13,
+                .items = bench::pixels, .ours = on_packed(s->coherent, pcf_2x2{}), .theirs = glm_2x2, .agree = close});
+    bench::add({.work = "PCF 5x5, float map, coherent 1920 x 1080", .peer = "GLM code", .at_least = 18, .items = bench::pixels,
+                .ours = on_floats(s->coherent, box{2}), .theirs = glm_5x5, .agree = [s] { return s->close(1e-7); }});
+    bench::add({.work = "PCF 2x2, 11-bit map, random 1920 x 1080", .peer = "ours, float map", .at_least = 1.5,
+                .items = bench::pixels, .ours = on_packed(s->random, pcf_2x2{}),
+                .theirs = [=] { umbrage::visibility(s->map, f32, s->random, pcf_2x2{}, s->other); },
+                .agree = [s] { return std::ranges::equal(s->ours.texels(), s->other.texels()); }});
+    bench::add({.work = "PCF 5x5, float map, two threads", .peer = "ours, one thread", .at_least = 1.75, .items = bench::pixels,
+                .ours = [=] { umbrage::visibility(s->map, f32, s->coherent, box{2}, s->ours, two_threads); },
+                .theirs = [=] { umbrage::visibility(s->map, f32, s->coherent, box{2}, s->other); },
+                .agree = [s] { return std::ranges::equal(s->ours.texels(), s->other.texels()); },
+                .measured = bench::clock::wall});
+#ifdef UMBRAGE_BENCH_LLVMPIPE
+    if (const auto pipe = peers::llvmpipe::start(s->map, s->packed, s->coherent)) {
+        const auto same = [s, pipe] {
+            pipe->read(s->theirs);
+            return std::ranges::equal(s->ours.texels(), s->theirs);
+        };
+        bench::add({.work = "PCF 2x2, float map, coherent 1920 x 1080", .peer = "llvmpipe, one thread", .at_least = 8,
+                    .items = bench::pixels, .ours = on_floats(s->coherent, pcf_2x2{}), .theirs = [pipe] { pipe->draw(false); },
+                    .agree = same});
+        bench::add({.work = "PCF 2x2, 11-bit map, coherent 1920 x 1080", .peer = "llvmpipe, one thread", .at_least = 8,
+                    .items = bench::pixels, .ours = on_packed(s->coherent, pcf_2x2{}), .theirs = [pipe] { pipe->draw(true); },
+                    .agree = same});
+    }
+#endif
+});
+
+}  // namespace
