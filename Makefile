@@ -14,6 +14,8 @@ test_packages := $(demo_packages) clang-14 doctest-dev glslang-tools libegl-dev 
     libvulkan-dev mesa-vulkan-drivers spirv-tools \
     chromium $(node_packages)
 
+bench_packages := $(test_packages) libbenchmark-dev libopencv-dev
+
 # $(call install,packages): what is missing of them; elsewhere than on Debian, says what is needed and goes on.
 define install
 @if ! command -v apt-get > /dev/null; then \
@@ -41,7 +43,7 @@ define browser
     || echo "npm has no playwright-core for us: the tests in WebGL report themselves skipped."
 endef
 
-.PHONY: test demo prove asan bench-packing single-header readme compile-time clean
+.PHONY: test demo bench prove asan bench-packing single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -74,6 +76,13 @@ bench-packing:
 asan:
 	$(call install,$(test_packages))
 	cmake --workflow --preset asan
+
+# Ours against what else there is: a table, and build/bench.json.
+bench:
+	$(call install,$(bench_packages))
+	cmake -G Ninja -S . -B build/bench -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_BENCHMARKS=ON -D UMBRAGE_BUILD_EXAMPLES=OFF
+	cmake --build build/bench --target bench
+	build/bench/tests/bench/bench build/bench.json
 
 # Makes single_include/umbrage/umbrage.hpp anew.
 single-header:
