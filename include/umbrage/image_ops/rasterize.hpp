@@ -14,7 +14,7 @@
 //
 // Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left
 // rule (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a
-// grid on which every sample is then computed exactly. So no order of triangles or vertices, no tiling, no instruction
+// grid on which every sample is then computed exactly. So no order of triangles or vertices, no threads, no instruction
 // set and no contraction to FMA changes a bit; of clipped triangles the last may move a cut by 1/256 texel.
 //
 #pragma once
@@ -95,7 +95,8 @@ public:
         const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
         if (planes_outside(a) | planes_outside(b) | planes_outside(c)) return {0, height};
         const auto [lowest, highest] = std::minmax({a.y, b.y, c.y});
-        return {std::max(lowest >> 8, 0), std::min((highest >> 8) + 1, height)};
+        const auto rows = triangle_batch::rows(lowest, highest);
+        return {std::max(rows.first, 0), std::min(rows.second, height)};
     }
 
     /// @param triangles  (f): calls f(unsigned triangle) for each
@@ -135,10 +136,14 @@ private:
         glm::vec3 positions[block];
         for (std::size_t i = 0; i < block; ++i)
             positions[i] = mesh_.positions[std::min(first + i, mesh_.positions.size() - 1)];
+        bool finite[block];
+        for (std::size_t i = 0; i < block; ++i) {
+            finite[i] = is_finite(positions[i]);
+            if (!finite[i]) positions[i] = glm::vec3(0.0f);
+        }
         snapped_vertex vertices[block];
         project_.snap(positions, vertices);
-        for (std::size_t i = 0; i < block; ++i)
-            vertices_[first + i] = is_finite(positions[i]) ? vertices[i] : outside_vertex(nowhere);
+        for (std::size_t i = 0; i < block; ++i) vertices_[first + i] = finite[i] ? vertices[i] : outside_vertex(nowhere);
     }
 
     mesh_view mesh_;
@@ -151,7 +156,7 @@ class banded_triangles {
 public:
     template <class ParallelFor>
     banded_triangles(const projected_mesh& mesh, glm::ivec2 size, ParallelFor&& parallel)
-        : mesh_(mesh), rows_(std::max(band_texels / std::max(size.x, 1), 1)), bands_((size.y + rows_ - 1) / rows_) {
+        : mesh_(mesh), rows_(std::clamp(band_texels / std::max(size.x, 1), 1, band_rows)), bands_((size.y + rows_ - 1) / rows_) {
         const unsigned triangles = mesh.triangle_count(), pieces = (triangles + piece - 1) / piece;
         lists_.resize(std::size_t(pieces) * std::size_t(bands_));
         parallel(static_cast<int>(pieces), [&](int first, int last) {
@@ -177,7 +182,7 @@ public:
     }
 
 private:
-    static constexpr int band_texels = 1 << 16;
+    static constexpr int band_texels = 1 << 16, band_rows = 64;
     static constexpr unsigned piece = 1 << 16;  // triangles that one thread sorts at a time
 
     const projected_mesh& mesh_;
@@ -193,6 +198,13 @@ public:
         : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
           up_(flipped ? -depth.stride : depth.stride),
           width_(depth.size.x) {}
+
+    /// Starts to fetch the texels of a triangle, which for a small one takes as long as to draw another.
+    UMBRAGE_INLINE void expect(const triangle_batch& batch, int i) const {
+        const auto bounds = batch.bounds(i);
+        for (int y = bounds.first.y; y < std::min(bounds.last.y, bounds.first.y + 16); ++y)
+            UMBRAGE_PREFETCH(row(y) + bounds.first.x);
+    }
 
     UMBRAGE_INLINE void draw(const triangle_batch& batch, int i) const {
         const auto plane = batch.plane(i);
@@ -267,7 +279,10 @@ template <bool Forward>
 void draw_batch(image_view<float> depth, bool flipped, const triangle_batch& batch) {
     on_best_isa([&](auto) UMBRAGE_INLINE {
         const span_writer<Forward> writer(depth, flipped);
-        for (int i = 0; i < batch.count; ++i) writer.draw(batch, i);
+        for (int i = 0; i < batch.count; ++i) {
+            if (i + 1 < batch.count) writer.expect(batch, i + 1);
+            writer.draw(batch, i);
+        }
     });
 }
 

@@ -4,10 +4,10 @@
 // row without a division.
 //
 //     umbrage::triangle_batch batch;
-//     if (batch.add(p, q, r, id, bounds, cull)) ...
+//     batch.add(p, q, r, id, {{0, 0}, size}, umbrage::cull_mode::none);  // and more, until it is full()
 //     batch.set_up();
 //     for (int i = 0; i < batch.count; ++i)
-//         batch.for_each_row(i, bounds, [&](int y, int first, int last) { ... });
+//         batch.for_each_row(i, [&](int y, int first, int last) { ... });
 //
 // A sample is inside an edge from a to b where E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0, or > 0 where the
 // edge is neither a top nor a left one. In a row the last such sample is a quotient of integers; from row to row the
@@ -83,19 +83,22 @@ public:
         }
     }
 
+    /// Rows first <= y < second whose centres are above the lowest corner, the highest included: a bottom edge and
+    /// a corner cover no centre that they meet.
+    [[nodiscard]] static UMBRAGE_INLINE std::pair<int, int> rows(std::int32_t lowest, std::int32_t highest) {
+        return {(lowest + subtexels - centre) >> 8, ((highest - centre) >> 8) + 1};
+    }
+
     [[nodiscard]] bool full() const { return count == detail::block; }
 
     /// Takes a triangle unless it faces away, has no area or no sample in its bounds can be within `bounds`.
     /// There must be room.
     UMBRAGE_INLINE void add(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c,
                             unsigned triangle, const texel_bounds& bounds, cull_mode cull) {
-        // Centres above the lowest corner, the highest included: a bottom edge and a corner cover none that they meet.
-        const auto up = [](std::int32_t v) { return (v + subtexels - 1 - centre) >> 8; };
-        const auto down = [](std::int32_t v) { return (v - centre) >> 8; };
-        const int first_x = std::max(up(std::min({a.x, b.x, c.x})), bounds.first.x);
-        const int last_x = std::min(down(std::max({a.x, b.x, c.x})), bounds.last.x - 1);
-        const int first_y = std::max(up(std::min({a.y, b.y, c.y}) + 1), bounds.first.y);
-        const int last_y = std::min(down(std::max({a.y, b.y, c.y})), bounds.last.y - 1);
+        const auto [lowest, highest] = rows(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}));
+        const int first_y = std::max(lowest, bounds.first.y), last_y = std::min(highest, bounds.last.y) - 1;
+        const int left = std::min({a.x, b.x, c.x}) + subtexels - 1 - centre, right = std::max({a.x, b.x, c.x}) - centre;
+        const int first_x = std::max(left >> 8, bounds.first.x), last_x = std::min(right >> 8, bounds.last.x - 1);
         if (first_x > last_x || first_y > last_y) return;
 
         const std::int64_t area =

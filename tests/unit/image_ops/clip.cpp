@@ -101,3 +101,38 @@ TEST_CASE("clip_triangle: the same polygon for any order of corners, within the 
     CHECK(none > 100);
     CHECK(none < 1900);
 }
+
+TEST_CASE("projection: a block of positions lands where each one does alone") {
+    std::mt19937 random(11);
+    const auto in_use = detail::isa_in_use;
+    const auto real = [&](float low, float high) { return low + (high - low) * float(random() >> 8) * 0x1p-24f; };
+    int inside = 0, outside = 0, wrong = 0;
+    for (int round = 0; round < 4000; ++round) {
+        glm::mat4 m;
+        for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = real(-1, 1) * (round % 3 ? 1.0f : round % 2 ? 1e30f : 1e-30f);
+        if (round % 4 == 0) m = no_near();
+        const clip_space clip{.range = round & 1 ? depth_range::minus_one_to_one : depth_range::zero_to_one,
+                              .direction = round & 2 ? depth_direction::reversed : depth_direction::forward};
+        const projection p(m, clip, {random() % 4000u, random() % 4000u});
+        glm::vec3 positions[detail::block];
+        for (auto& position : positions) {
+            const float reach = random() % 4 ? 1.0f : 1e6f;
+            for (int k = 0; k < 3; ++k) position[k] = random() % 8 ? real(-reach, reach) : float(int(random() % 3) - 1);
+        }
+        for (isa set : {isa::base, isa::avx2, isa::avx512}) {
+            detail::isa_in_use = std::min(set, best_isa());
+            snapped_vertex vertices[detail::block];
+            p.snap(positions, vertices);
+            for (int i = 0; i < detail::block; ++i) {
+                const auto h = p.homogeneous(positions[i]);
+                const unsigned planes = p.outside(h);
+                ++(planes ? outside : inside);
+                wrong += planes_outside(vertices[i]) != planes || (!planes && vertices[i] != p.snap(h));
+            }
+        }
+    }
+    CHECK(wrong == 0);
+    CHECK(inside > 50000);
+    CHECK(outside > 50000);
+    detail::isa_in_use = in_use;
+}
