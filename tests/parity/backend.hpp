@@ -14,6 +14,7 @@ namespace parity {
 /// Inputs for one run: `count` values in each x that the entry uses, at most 2^20.
 struct job {
     const entry* what = nullptr;
+    std::vector<const input_class*> classes;  ///< the i-th input is of the (i mod size)-th
     std::array<std::vector<vec4>, max_inputs> x;
     const texels* map = nullptr;
     std::size_t count = 0;
@@ -31,6 +32,9 @@ struct job {
 
 /// The inputs from `first` on: entry, map, number and serial decide each of them.
 [[nodiscard]] job make_job(const entry& e, const texels* map, std::size_t first, std::size_t count, std::uint64_t serial);
+
+/// As many of the entry's enumeration, in an order in which any part is a fair sample; on the entry's first map.
+[[nodiscard]] job make_whole_job(const entry& e, std::size_t first, std::size_t count, std::uint64_t serial);
 
 class backend {
 public:

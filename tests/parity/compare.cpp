@@ -74,16 +74,16 @@ void compare(const job& j, const expectation& expected, const std::vector<vec4>&
         }
         if (t.different++ >= 3) continue;
         s = j.at(i);
-        log << "  differs: " << e.name() << ", input " << i << " of class " << e.classes[i % e.classes.size()].name << '\n';
+        log << "  differs: " << e.name() << ", input " << i << " of class " << j.classes[i % j.classes.size()]->name << '\n';
         for (int k = 0; k < max_inputs; ++k)
             if (e.uses(k)) print(log, ("x" + std::to_string(k) + "   ").c_str(), s.x[static_cast<std::size_t>(k)]);
         if (j.map) log << "    map   " << j.map->size().x << " x " << j.map->size().y << '\n';
         print(log, "C++  ", want);
         print(log, "GLSL ", is);
     }
-    const std::size_t kinds = e.classes.size();
+    const std::size_t kinds = j.classes.size();
     for (std::size_t k = 0; k < kinds; ++k)
-        t.inputs[e.classes[k].name] += got.size() / kinds + (k < got.size() % kinds ? 1 : 0);
+        t.inputs[j.classes[k]->name] += got.size() / kinds + (k < got.size() % kinds ? 1 : 0);
     t.total += got.size();
 }
 

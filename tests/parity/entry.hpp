@@ -49,6 +49,12 @@ struct input_class {
     std::function<void(std::uint64_t i, random& r, sample& s)> fill;
 };
 
+/// A finite class, taken whole by `make prove`: `count`, a power of two, inputs, of which `fill` writes the i-th.
+struct enumeration {
+    input_class all;
+    std::uint64_t count = 0;
+};
+
 /// Where GLSL writes: floats, or a real 8-bit render target whose bytes come back as 0..255.
 enum class target { rgba32f, rgba8 };
 
@@ -56,6 +62,7 @@ struct entry {
     const snippet* primitive = nullptr;
     std::string variant{};                   ///< tells entries of one primitive apart; empty for the plain one
     std::vector<input_class> classes{};      ///< taken in turn
+    enumeration whole{};
     std::function<vec4(const sample&)> twin{};
     std::string call{};                      ///< vec4 expression of x0 .. x5, map, map_size, table; GLSL and C++ alike
     std::vector<texels> maps{};              ///< each gets its share of the inputs; none: no map

@@ -2,8 +2,11 @@
 #include "backend.hpp"
 
 namespace parity {
+namespace {
 
-job make_job(const entry& e, const texels* map, std::size_t first, std::size_t count, std::uint64_t serial) {
+/// fill(i, r, s) writes input i.
+template <class Fill>
+job filled(const entry& e, const texels* map, std::size_t count, std::uint64_t serial, Fill fill) {
     job j;
     j.what = &e;
     j.map = map;
@@ -15,10 +18,30 @@ job make_job(const entry& e, const texels* map, std::size_t first, std::size_t c
         sample s = j.at(i);
         s.x = {};
         random r((serial << 32) + i);
-        e.classes[i % e.classes.size()].fill((first + i) / e.classes.size(), r, s);
+        fill(i, r, s);
         for (std::size_t k = 0; k < max_inputs; ++k)
             if (!j.x[k].empty()) j.x[k][i] = s.x[k];
     }
+    return j;
+}
+
+}  // namespace
+
+job make_job(const entry& e, const texels* map, std::size_t first, std::size_t count, std::uint64_t serial) {
+    const std::size_t kinds = e.classes.size();
+    job j = filled(e, map, count, serial, [&](std::size_t i, random& r, sample& s) {
+        e.classes[i % kinds].fill((first + i) / kinds, r, s);
+    });
+    for (const input_class& c : e.classes) j.classes.push_back(&c);
+    return j;
+}
+
+job make_whole_job(const entry& e, std::size_t first, std::size_t count, std::uint64_t serial) {
+    const texels* map = e.maps.empty() ? nullptr : &e.maps.front();
+    job j = filled(e, map, count, serial, [&](std::size_t i, random& r, sample& s) {
+        e.whole.all.fill((first + i) * 0x9E3779B1u & (e.whole.count - 1), r, s);  // an odd factor: a permutation
+    });
+    j.classes.push_back(&e.whole.all);
     return j;
 }
 

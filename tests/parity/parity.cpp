@@ -3,7 +3,9 @@
 // Every entry on one implementation, in all its dialects, against C++.
 //
 //     parity --backend llvmpipe|softpipe|lavapipe|swiftshader|hardware|c++ [--count N] [--other-count N]
-//            [--versions "100,300 es,450"] [--filter TEXT] [--out FOLDER]
+//            [--whole N] [--versions "100,300 es,450"] [--filter TEXT] [--out FOLDER]
+//
+// --whole: as many of each enumeration, in one dialect; 16777216 is all of every one.
 //
 // Ends with a table, written as parity-BACKEND.tsv too. Exit status: 0 agrees, 1 differs, 77 nothing here to run on.
 #include <algorithm>
@@ -15,6 +17,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <unistd.h>
+
 #include "compare.hpp"
 
 namespace parity {
@@ -25,13 +29,15 @@ struct options {
     std::size_t count = std::size_t(1) << 20;        ///< in the main dialects: one of each kind of GLSL
     std::size_t other_count = std::size_t(1) << 16;  ///< in the others
 
+    std::size_t whole = std::size_t(1) << 16;        ///< of an enumeration, in the last of the main dialects
+
     [[nodiscard]] bool wants(const backend& b, version v) const {
         return versions.empty() || ("," + versions + ",").find("," + b.label(v) + ",") != std::string::npos;
     }
-    [[nodiscard]] std::size_t inputs(version v, bool only) const {
-        const bool main = only || v == version::v100 || v == version::v300_es || v == version::v450;
-        return main ? count : std::min(count, other_count);
+    [[nodiscard]] static bool main(version v) {
+        return v == version::v100 || v == version::v300_es || v == version::v450 || v == version::vulkan;
     }
+    [[nodiscard]] std::size_t inputs(version v, bool only) const { return only || main(v) ? count : std::min(count, other_count); }
 };
 
 options parse(int argc, char** argv) {
@@ -44,6 +50,7 @@ options parse(int argc, char** argv) {
         else if (name == "--filter") o.filter = value;
         else if (name == "--versions") o.versions = value;
         else if (name == "--out") o.out = value;
+        else if (name == "--whole") o.whole = std::stoull(value);
         else if (name == "--count") o.count = std::stoull(value);
         else if (name == "--other-count") o.other_count = std::stoull(value);
         else throw std::invalid_argument("unknown option " + name);
@@ -63,35 +70,55 @@ std::string tier_name(const snippet& s) {
     return names[static_cast<int>(s.exactness)] + (s.exactness == tier::c ? " " + std::to_string(s.ulp) + " ulp" : "");
 }
 
+std::vector<vec4> twins(const job& j) {
+    std::vector<vec4> all;
+    all.reserve(j.count);
+    for (std::size_t i = 0; i < j.count; ++i) all.push_back(j.what->twin(j.at(i)));
+    return all;
+}
+
 std::vector<row> run(const entry& e, backend& b, const options& o) {
+    const bool only = b.versions().size() == 1;
     std::vector<version> dialects;
     for (version v : b.versions())
-        if (e.runs_in(v) && o.wants(b, v)) dialects.push_back(v);
+        if (e.runs_in(v) && o.wants(b, v) && o.inputs(v, only) > 0) dialects.push_back(v);
     std::vector<row> rows;
     for (version v : dialects) rows.push_back({e.name(), tier_name(*e.primitive), b.name(), b.label(v), b.obstacle(e), {}});
     if (rows.empty() || !rows.front().obstacle.empty()) return rows;
 
-    const bool only = b.versions().size() == 1;
     std::size_t most = 0;
     for (version v : dialects) most = std::max(most, o.inputs(v, only));
     static std::uint64_t serial = 0;
     bool told = false;  // one dialect's differences in full are enough
+    const auto judge = [&](const job& j, const expectation& expected, std::size_t d, std::size_t count) {
+        std::ostringstream log;
+        compare(j, expected, b.run(dialects[d], j, count), rows[d].t, log);
+        if (log.str().empty()) return;
+        std::cout << "GLSL " << rows[d].dialect << '\n';
+        std::cout << (std::exchange(told, true) ? "  differs: " + e.name() + '\n' : log.str());
+    };
+
     const std::size_t maps = std::max<std::size_t>(e.maps.size(), 1);
     for (std::size_t m = 0; m < maps; ++m) {
         const texels* map = e.maps.empty() ? nullptr : &e.maps[m];
         const texels flat = map ? flush(*map) : texels();
         for (std::size_t first = 0; first < most / maps; first += at_most) {
             const job j = make_job(e, map, first, std::min(at_most, most / maps - first), serial++);
-            expectation expected{{}, map ? &flat : nullptr};
-            for (std::size_t i = 0; i < j.count; ++i) expected.plain.push_back(e.twin(j.at(i)));
+            const expectation expected{twins(j), map ? &flat : nullptr};
             for (std::size_t d = 0; d < dialects.size(); ++d) {
                 const std::size_t wanted = o.inputs(dialects[d], only) / maps;
-                if (wanted <= first) continue;
-                std::ostringstream log;
-                compare(j, expected, b.run(dialects[d], j, std::min(j.count, wanted - first)), rows[d].t, log);
-                if (!log.str().empty()) std::cout << "GLSL " << rows[d].dialect << '\n' << (std::exchange(told, true) ? "  differs: " + e.name() + '\n' : log.str());
+                if (wanted > first) judge(j, expected, d, std::min(j.count, wanted - first));
             }
         }
+    }
+
+    const std::size_t whole = std::min<std::size_t>(o.whole, e.whole.count);
+    const texels flat = e.maps.empty() ? texels() : flush(e.maps.front());
+    std::size_t last = dialects.size() - 1;
+    while (last > 0 && !options::main(dialects[last])) --last;
+    for (std::size_t first = 0; first < whole; first += at_most) {
+        const job j = make_whole_job(e, first, std::min(at_most, whole - first), serial++);
+        judge(j, {twins(j), e.maps.empty() ? nullptr : &flat}, last, j.count);
     }
     return rows;
 }
@@ -161,6 +188,9 @@ int run_all(int argc, char** argv) {
         std::cout << o.driver << " is " << b->name() << std::endl;
         for (const entry& e : entries()) {
             if (e.name().find(o.filter) == std::string::npos) continue;
+            if (isatty(STDERR_FILENO))
+                std::cerr << "\r\33[K" << 100 * (&e - entries().data()) / static_cast<std::ptrdiff_t>(entries().size()) << " % "
+                          << e.name() << std::flush;
             try {
                 const auto some = run(e, *b, o);
                 rows.insert(rows.end(), some.begin(), some.end());
@@ -170,6 +200,7 @@ int run_all(int argc, char** argv) {
             }
         }
     }
+    if (isatty(STDERR_FILENO)) std::cerr << "\r\33[K";
     print(rows);
     write(rows, o.out + "/parity-" + o.driver + ".tsv");
 

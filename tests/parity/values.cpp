@@ -30,6 +30,7 @@ std::vector<value_class> special_values() {
             {"one", [](auto i, random&) { return beside(i, 1.0f); }},
             {"out of range", [](auto i, random& r) { return signed_by(i, 1.0f + std::exp2(r.between(-20.0f, 40.0f))); }},
             {"denormal", denormal},
+            {"smallest normal", [](auto i, random&) { return signed_by(i, std::numeric_limits<float>::min()); }},
             {"NaN", not_a_number},
             {"infinity", [](auto i, random&) { return infinity(i); }}};
 }
@@ -74,7 +75,7 @@ std::vector<input_class> channels(bool edges) {
         {"codes off by 0.4", each([byte](auto i, int c, random& r) { return (byte(i, c) + r.between(-0.4f, 0.4f)) / 255.0f; })},
         {"out of range", each([](auto, int, random& r) { return static_cast<float>(r.below(1024) - 512) / 255.0f; })}};
     for (const value_class& kind : special_values()) {
-        if (kind.name == "out of range") continue;
+        if (kind.name == "out of range" || kind.name == "smallest normal") continue;  // own; sums of it with denormals
         classes.push_back({kind.name, each([byte, kind](std::uint64_t i, int c, random& r) {
                                const auto lane = i % 5;
                                return lane == 4 || lane == static_cast<std::uint64_t>(c) ? kind.make(i / 5, r)
@@ -82,6 +83,18 @@ std::vector<input_class> channels(bool edges) {
                            })});
     }
     return classes;
+}
+
+enumeration all_depths() {
+    return {{"all k/2^24", [](std::uint64_t i, random&, sample& s) { s.x[0].x = static_cast<float>(i) * 0x1p-24f; }}, 1 << 24};
+}
+
+enumeration all_codes() {
+    return {{"all codes", [](std::uint64_t i, random& r, sample& s) {
+                 for (int c = 0; c < 3; ++c) s.x[0][c] = static_cast<float>(i >> (8 * c) & 0xFF) / 255.0f;
+                 s.x[0].w = static_cast<float>(r.below(256)) / 255.0f;
+                 s.x[1].x = static_cast<float>((i >> 16) % 3) * 0.5f;
+             }}, 1 << 24};
 }
 
 std::vector<input_class> receivers() {

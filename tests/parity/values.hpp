@@ -20,7 +20,7 @@ struct range {
     float low = 0.0f, high = 1.0f;
 };
 
-/// zero, one, out of range, denormal, NaN, infinity: what every primitive must stand.
+/// zero, one, out of range, denormal, smallest normal, NaN, infinity: what every primitive must stand.
 [[nodiscard]] std::vector<value_class> special_values();
 
 /// special_values, every bit pattern, and the edges of a code of `bits` bits with the floats beside them.
@@ -33,6 +33,12 @@ struct range {
 /// Four channels as an 8-bit texture gives them in x0: all codes, off by an ulp, off by a part of a step, beyond the
 /// ends, and the special values. `edges`: x1.x is 0, 1/2 or 1.
 [[nodiscard]] std::vector<input_class> channels(bool edges = false);
+
+/// Every depth k / 2^24 below 1 in x0.x.
+[[nodiscard]] enumeration all_depths();
+
+/// Every code of three 8-bit channels in x0.xyz, with some fourth; x1.x is 0, 1/2 or 1, each for any two channels.
+[[nodiscard]] enumeration all_codes();
 
 /// A receiver before a map: x0.x, x0.y in texels, x0.z depth, x0.w a whole number from -1 to 9.
 [[nodiscard]] std::vector<input_class> receivers();

@@ -12,12 +12,12 @@ void add_depth_foreign(std::vector<entry>& all) {
     const auto writer = [&](const snippet& s, std::string call, vec4 (*twin)(float), std::vector<const snippet*> also = {},
                             target output = target::rgba32f) {
         all.push_back({.primitive = &s, .variant = output == target::rgba8 ? "8-bit target" : "",
-                       .classes = spread({{0.0f, 1.0f}}, depth_values(24)),
+                       .classes = spread({{0.0f, 1.0f}}, depth_values(24)), .whole = all_depths(),
                        .twin = [twin](const sample& x) { return twin(x.x[0].x); }, .call = std::move(call),
                        .also = std::move(also), .output = output, .bits = output == target::rgba8});
     };
     const auto reader = [&](const snippet& s, std::string call, float (*twin)(vec4)) {
-        all.push_back({.primitive = &s, .classes = channels(), .twin = [twin](const sample& x) { return vec4(twin(x.x[0])); },
+        all.push_back({.primitive = &s, .classes = channels(), .whole = all_codes(), .twin = [twin](const sample& x) { return vec4(twin(x.x[0])); },
                        .call = std::move(call)});
     };
 

@@ -18,21 +18,21 @@ void add_depth_rgba(std::vector<entry>& all) {
     namespace glsl = umbrage::glsl;
     const auto depths = spread({{0.0f, 1.0f}}, depth_values(24));
 
-    all.push_back({.primitive = &glsl::encode_rgb24, .classes = depths, .twin = rgb24_of,
+    all.push_back({.primitive = &glsl::encode_rgb24, .classes = depths, .whole = all_depths(), .twin = rgb24_of,
                    .call = "vec4(umbrage_encode_rgb24(x0.x), 255.0)", .bits = true});
     all.push_back({.primitive = &glsl::encode_rgb24, .variant = "8-bit target", .classes = depths, .twin = rgb24_of,
                    .call = "umbrage_to_unorm(vec4(umbrage_encode_rgb24(x0.x), 255.0))", .also = {&glsl::to_unorm},
                    .output = target::rgba8, .bits = true});
-    all.push_back({.primitive = &glsl::decode_rgb24, .classes = channels(true),
+    all.push_back({.primitive = &glsl::decode_rgb24, .classes = channels(true), .whole = all_codes(),
                    .twin = [](const sample& s) { return vec4(decode_rgb24(vec3(s.x[0]), s.x[1].x)); },
                    .call = "vec4(umbrage_decode_rgb24(vec3(x0.x, x0.y, x0.z), x1.x))"});
 
-    all.push_back({.primitive = &glsl::encode_float_bits, .classes = depths, .twin = bits_of,
+    all.push_back({.primitive = &glsl::encode_float_bits, .classes = depths, .whole = all_depths(), .twin = bits_of,
                    .call = "umbrage_encode_float_bits(x0.x)", .bits = true});
     all.push_back({.primitive = &glsl::encode_float_bits, .variant = "8-bit target", .classes = depths, .twin = bits_of,
                    .call = "umbrage_to_unorm(umbrage_encode_float_bits(x0.x))", .also = {&glsl::to_unorm},
                    .output = target::rgba8, .bits = true});
-    all.push_back({.primitive = &glsl::decode_float_bits, .classes = channels(),
+    all.push_back({.primitive = &glsl::decode_float_bits, .classes = channels(), .whole = all_codes(),
                    .twin = [](const sample& s) { return vec4(decode_float_bits(s.x[0])); },
                    .call = "vec4(umbrage_decode_float_bits(x0))", .bits = true});
 }

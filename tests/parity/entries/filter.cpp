@@ -23,6 +23,24 @@ std::vector<input_class> pairs() {
     return classes;
 }
 
+/// Every fraction of 1/256 in both directions with every outcome of the four comparisons, somewhere on the map.
+enumeration all_weights() {
+    return {{"256 x 256 fractions, 16 masks", [](std::uint64_t i, random& r, sample& s) {
+                 const auto depth = s.depth();
+                 for (;;) {
+                     const ivec2 texel(r.below(s.map.size.x - 1), r.below(s.map.size.y - 1));
+                     const float taps[] = {depth(texel), depth(texel + ivec2(1, 0)), depth(texel + ivec2(0, 1)), depth(texel + ivec2(1, 1))};
+                     const float receiver = r.below(8) == 0 ? 2.0f : taps[r.below(4)];
+                     std::uint64_t mask = 0;
+                     for (int t = 0; t < 4; ++t) mask |= std::uint64_t(receiver <= taps[t]) << t;
+                     if (mask != (i & 15)) continue;
+                     const vec2 fraction(static_cast<float>(i >> 4 & 255), static_cast<float>(i >> 12));
+                     s.x[0] = vec4(vec2(texel) + 0.5f + fraction / 256.0f, receiver, 0.0f);
+                     return;
+                 }
+             }}, 1 << 20};
+}
+
 /// receivers() with three more taps beside the first in x1 and x2.xy.
 std::vector<input_class> four_taps() {
     auto classes = receivers();
@@ -65,13 +83,15 @@ void add_filter(std::vector<entry>& all) {
                    .twin = [](const sample& s) { return vec4(compare_exercise(s.x[0].x, s.x[0].y, s.x[0].z)); },
                    .call = "vec4(umbrage_compare_exercise(x0.x, x0.y, x0.z))"});
 
-    const auto filter = [&](const snippet& s, const std::string& arguments, std::function<vec4(const sample&)> twin) {
-        all.push_back({.primitive = &s, .classes = receivers(), .twin = std::move(twin),
+    const auto filter = [&](const snippet& s, const std::string& arguments, std::function<vec4(const sample&)> twin,
+                            enumeration whole = {}) {
+        all.push_back({.primitive = &s, .classes = receivers(), .whole = std::move(whole), .twin = std::move(twin),
                        .call = "vec4(umbrage_" + std::string(s.name) + "(map, map_size, vec2(x0.x, x0.y), x0.z" + arguments + "))",
                        .maps = depth_maps()});
     };
     filter(glsl::hard, "", [](const sample& s) { return vec4(hard(s.depth(), at(s), s.x[0].z)); });
-    filter(glsl::pcf_2x2, "", [](const sample& s) { return vec4(pcf_2x2(s.depth(), at(s), s.x[0].z)); });
+    filter(glsl::pcf_2x2, "", [](const sample& s) { return vec4(pcf_2x2(s.depth(), at(s), s.x[0].z)); },
+           all_weights());
     filter(glsl::pcf_2x2_dx_sdk, ", 0.015625",
            [](const sample& s) { return vec4(pcf_2x2_dx_sdk(s.depth(), at(s), s.x[0].z, 0.015625f)); });
     filter(glsl::box_count, ", int(x0.w)",
