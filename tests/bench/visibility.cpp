@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <thread>
@@ -71,6 +72,11 @@ const bench::registration rows([] {
                 .theirs = [=] { umbrage::visibility(s->map, f32, s->coherent, box{2}, s->other); },
                 .agree = [s] { return std::ranges::equal(s->ours.texels(), s->other.texels()); },
                 .measured = bench::clock::wall});
+    bench::add({.work = "box 17 x 17, hierarchical, bounds included", .peer = "ours, brute force", .at_least = 6,
+                .items = bench::pixels,
+                .ours = [=] { umbrage::visibility(s->map, f32, s->coherent, umbrage::filters::hierarchical_box{8}, s->ours); },
+                .theirs = [=] { umbrage::visibility(s->map, f32, s->coherent, box{8}, s->other); },
+                .agree = [s] { return std::ranges::equal(s->ours.texels(), s->other.texels()); }});
 #ifdef UMBRAGE_BENCH_LLVMPIPE
     if (const auto pipe = peers::llvmpipe::start(s->map, s->packed, s->coherent)) {
         const auto same = [s, pipe] {

@@ -63,6 +63,17 @@ struct box {
     }
 };
 
+/// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
+/// Pays off for large radii, and where shadows have more inside than border.
+struct hierarchical_box {
+    int radius = 1;  ///< clamped to 0..8
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::box(fetch, coord, receiver, radius);
+    }
+};
+
 }  // namespace filters
 
 }  // namespace umbrage

@@ -24,6 +24,7 @@
 #include <umbrage/image.hpp>
 #include <umbrage/image_ops/box_blocks.hpp>
 #include <umbrage/image_ops/filters.hpp>
+#include <umbrage/image_ops/hierarchical.hpp>
 #include <umbrage/image_ops/parallel.hpp>
 #include <umbrage/image_ops/visibility_blocks.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -164,7 +165,8 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     if (size_of(receivers) != out.size) throw std::invalid_argument("umbrage::visibility: sizes differ");
     if (map.empty()) throw std::invalid_argument("umbrage::visibility: empty map");
     if (out.empty()) return;
-    if constexpr (std::is_same_v<Filter, filters::box> && !std::is_same_v<Encoding, depth32f>) {
+    constexpr bool hierarchical = std::is_same_v<Filter, filters::hierarchical_box>;
+    if constexpr ((hierarchical || std::is_same_v<Filter, filters::box>) && !std::is_same_v<Encoding, depth32f>) {
         // As floats, unless that is more work than the boxes.
         const auto texels = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
         if (texels(map.size) < 16.0 * texels(out.size)) {
@@ -173,6 +175,12 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
             return filter_image(image_view<const float>(depth), depth32f{}, receivers, filter, out, parallel);
         }
     }
+    if constexpr (hierarchical && std::is_same_v<Encoding, depth32f>)
+        if (texel_bytes<const float>::fits(map)) {
+            const filters::box box{filter.radius};
+            const box_bounds tree(map, clamp_int(box.radius, max_box_radius), parallel);
+            return filter_rows(receivers, hierarchical_blocks{tree, {map, encoding, box}}, out, parallel);
+        }
     using blocks = block_filter<Filter, Encoding>;
     if constexpr (blocks::least > 0)
         if (map.size.x >= blocks::least && map.size.y >= blocks::least &&

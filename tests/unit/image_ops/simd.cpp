@@ -184,7 +184,10 @@ void check_filters(Encoding encoding) {
         check_filter(encoding, umbrage::filters::hard{}, map_size);
         check_filter(encoding, umbrage::filters::four_tap{}, map_size);
         check_filter(encoding, umbrage::filters::pcf_2x2{}, map_size);
-        for (int radius : {-1, 0, 1, 2, 3, 4, 7, 8, 9}) check_filter(encoding, umbrage::filters::box{radius}, map_size);
+        for (int radius : {-1, 0, 1, 2, 3, 4, 7, 8, 9}) {
+            check_filter(encoding, umbrage::filters::box{radius}, map_size);
+            check_filter(encoding, umbrage::filters::hierarchical_box{radius}, map_size);
+        }
     }
 }
 
