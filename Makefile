@@ -4,6 +4,7 @@
 #     make test    builds and runs every test
 #     make prove   every float and every code through every encoding: minutes
 #     make bench-packing   depth packing of three.js, Babylon.js and PlayCanvas beside ours
+#     make bench-shaders   what the snippets cost on a GPU, and those peers' shaders beside ours
 #
 # Each installs the Debian packages that it lacks first. The work itself is CMake's: see CMakePresets.json.
 
@@ -43,7 +44,7 @@ define browser
     || echo "npm has no playwright-core for us: the tests in WebGL report themselves skipped."
 endef
 
-.PHONY: test demo bench prove asan bench-packing single-header readme compile-time clean
+.PHONY: test demo bench prove asan bench-packing bench-shaders single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -65,12 +66,19 @@ prove:
 	$(browser)
 	cmake --preset dev
 	cmake --build --preset dev --target prove
+	cmake --build --preset dev --target prove_glsl
 
 # The peers' shaders come from npm; the table goes to build/bench-packing/packing.tsv too.
 bench-packing:
 	$(call install,$(build_packages) $(node_packages) chromium libegl-dev libgl1-mesa-dri libgles-dev)
 	cmake -S tests/bench/packing -B build/bench-packing -G Ninja -DCMAKE_BUILD_TYPE=Release
 	cmake --build build/bench-packing --target table
+
+# The tables go to build/bench-shaders/shaders.tsv and, with ratios, shaders.json too.
+bench-shaders:
+	$(call install,$(build_packages) $(node_packages) glslang-tools libvulkan-dev mesa-vulkan-drivers)
+	cmake -S tests/bench/shaders -B build/bench-shaders -G Ninja -DCMAKE_BUILD_TYPE=Release
+	cmake --build build/bench-shaders --target table
 
 # The unit tests under the address and undefined behaviour sanitizers.
 asan:

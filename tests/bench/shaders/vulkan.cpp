@@ -5,6 +5,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <type_traits>
+#include <typeinfo>
+#include <utility>
 
 #include <vulkan/vulkan.h>
 
@@ -26,6 +29,7 @@ Handle make(VkDevice device, Function create, const Info& info) {
     return handle;
 }
 
+constexpr VkDescriptorType texture_type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkFormat target_format = VK_FORMAT_R8G8B8A8_UNORM;
 
 class vulkan_device final : public device {
@@ -47,16 +51,18 @@ public:
                                                   .dynamicRendering = VK_TRUE};
         const float priority = 1.0f;
         const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
-                                            .queueFamilyIndex = family_, .queueCount = 1, .pQueuePriorities = &priority};
+                                            .queueFamilyIndex = family_, .queueCount = 1,
+                                            .pQueuePriorities = &priority};
         const char* extension = VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME;
         const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, .pNext = &features,
                                       .queueCreateInfoCount = 1, .pQueueCreateInfos = &queue,
-                                      .enabledExtensionCount = statistics ? 1u : 0u, .ppEnabledExtensionNames = &extension};
+                                      .enabledExtensionCount = statistics ? 1u : 0u,
+                                      .ppEnabledExtensionNames = &extension};
         check(vkCreateDevice(physical_, &info, nullptr, &device_), "vkCreateDevice");
 
         std::vector<VkDescriptorSetLayoutBinding> bindings;
         for (std::uint32_t i = 0; i < 3; ++i)
-            bindings.push_back({i, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
+            bindings.push_back({i, texture_type, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
         set_layout_ = make<VkDescriptorSetLayout>(device_, vkCreateDescriptorSetLayout, VkDescriptorSetLayoutCreateInfo{
             .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
             .bindingCount = 3, .pBindings = bindings.data()});
@@ -134,7 +140,8 @@ public:
     }
 
 private:
-    [[nodiscard]] VkPipeline make_pipeline(const spirv& vertex, const spirv& fragment, VkPipelineCreateFlags flags) const {
+    [[nodiscard]] VkPipeline make_pipeline(const spirv& vertex, const spirv& fragment,
+                                           VkPipelineCreateFlags flags) const {
         VkPipelineShaderStageCreateInfo stages[2];
         const std::pair<VkShaderStageFlagBits, const spirv*> texts[] = {{VK_SHADER_STAGE_VERTEX_BIT, &vertex},
                                                                        {VK_SHADER_STAGE_FRAGMENT_BIT, &fragment}};
@@ -161,18 +168,19 @@ private:
             .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO,
             .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
         const VkPipelineColorBlendAttachmentState all_channels{.colorWriteMask = 15};
-        const VkPipelineColorBlendStateCreateInfo blend{.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
-                                                        .attachmentCount = 1, .pAttachments = &all_channels};
+        const VkPipelineColorBlendStateCreateInfo blend{
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO, .attachmentCount = 1,
+            .pAttachments = &all_channels};
         const VkDynamicState states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
         const VkPipelineDynamicStateCreateInfo dynamic{.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
                                                        .dynamicStateCount = 2, .pDynamicStates = states};
         const VkGraphicsPipelineCreateInfo info{
-            .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, .pNext = &rendering, .flags = flags, .stageCount = 2,
-            .pStages = stages, .pVertexInputState = &input, .pInputAssemblyState = &assembly, .pViewportState = &viewport,
-            .pRasterizationState = &raster, .pMultisampleState = &samples, .pColorBlendState = &blend,
-            .pDynamicState = &dynamic, .layout = layout_};
+            .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, .pNext = &rendering, .flags = flags,
+            .stageCount = 2, .pStages = stages, .pVertexInputState = &input, .pInputAssemblyState = &assembly,
+            .pViewportState = &viewport, .pRasterizationState = &raster, .pMultisampleState = &samples,
+            .pColorBlendState = &blend, .pDynamicState = &dynamic, .layout = layout_};
         VkPipeline pipeline{};
-        check(vkCreateGraphicsPipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), "vkCreateGraphicsPipelines");
+        check(vkCreateGraphicsPipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), "a pipeline");
         for (const auto& stage : stages) vkDestroyShaderModule(device_, stage.module, nullptr);
         return pipeline;
     }
@@ -184,7 +192,8 @@ private:
         check(vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer");
         record();
         check(vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
-        const VkSubmitInfo info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &commands_};
+        const VkSubmitInfo info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1,
+                                .pCommandBuffers = &commands_};
         check(vkQueueSubmit(queue_, 1, &info, VK_NULL_HANDLE), "vkQueueSubmit");
         check(vkQueueWaitIdle(queue_), "vkQueueWaitIdle");
     }
@@ -195,7 +204,8 @@ private:
         for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i)
             if (need.memoryTypeBits >> i & 1 && (memory.memoryTypes[i].propertyFlags & flags) == flags)
                 return make<VkDeviceMemory>(device_, vkAllocateMemory, VkMemoryAllocateInfo{
-                    .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = need.size, .memoryTypeIndex = i});
+                    .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = need.size,
+                    .memoryTypeIndex = i});
         throw std::runtime_error("no memory of the kind needed");
     }
 
@@ -207,7 +217,8 @@ private:
             .tiling = VK_IMAGE_TILING_OPTIMAL, .usage = usage | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
         VkMemoryRequirements need;
         vkGetImageMemoryRequirements(device_, handle, &need);
-        check(vkBindImageMemory(device_, handle, memory_for(need, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT), 0), "vkBindImageMemory");
+        const VkDeviceMemory room = memory_for(need, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+        check(vkBindImageMemory(device_, handle, room, 0), "vkBindImageMemory");
         const bool depth = format == VK_FORMAT_D32_SFLOAT;
         const VkImageAspectFlags aspect = depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
 
@@ -248,8 +259,8 @@ private:
         const VkFilter filter = compares ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
         const VkSamplerAddressMode edge = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
         return make<VkSampler>(device_, vkCreateSampler, VkSamplerCreateInfo{
-            .sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO, .magFilter = filter, .minFilter = filter, .addressModeU = edge,
-            .addressModeV = edge, .addressModeW = edge, .compareEnable = compares,
+            .sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO, .magFilter = filter, .minFilter = filter,
+            .addressModeU = edge, .addressModeV = edge, .addressModeW = edge, .compareEnable = compares,
             .compareOp = VK_COMPARE_OP_LESS_OR_EQUAL});
     }
 
@@ -266,9 +277,10 @@ private:
             .sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO, .queryType = VK_QUERY_TYPE_TIMESTAMP, .queryCount = 2});
         target_ = image(target_format, width, height, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, false);
 
-        const VkDescriptorPoolSize three{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 3};
+        const VkDescriptorPoolSize three{texture_type, 3};
         const auto sets = make<VkDescriptorPool>(device_, vkCreateDescriptorPool, VkDescriptorPoolCreateInfo{
-            .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, .maxSets = 1, .poolSizeCount = 1, .pPoolSizes = &three});
+            .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, .maxSets = 1, .poolSizeCount = 1,
+            .pPoolSizes = &three});
         set_ = make<VkDescriptorSet>(device_, vkAllocateDescriptorSets, VkDescriptorSetAllocateInfo{
             .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO, .descriptorPool = sets, .descriptorSetCount = 1,
             .pSetLayouts = &set_layout_});
@@ -278,9 +290,8 @@ private:
                                      image(VK_FORMAT_D32_SFLOAT, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true)};
         for (std::uint32_t i = 0; i < 3; ++i) {
             const VkDescriptorImageInfo texture{sampler(i == 2), views[i], VK_IMAGE_LAYOUT_GENERAL};
-            const VkWriteDescriptorSet write{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET, .dstSet = set_, .dstBinding = i,
-                                             .descriptorCount = 1,
-                                             .descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
+            const VkWriteDescriptorSet write{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET, .dstSet = set_,
+                                             .dstBinding = i, .descriptorCount = 1, .descriptorType = texture_type,
                                              .pImageInfo = &texture};
             vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
         }
@@ -324,7 +335,8 @@ device* rdna2() {
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     device* found = nullptr;
     for (VkPhysicalDevice physical : physical_devices())
-        if (!found && std::strstr(properties_of(physical).deviceName, "NAVI21")) found = new vulkan_device(physical, true);
+        if (!found && std::strstr(properties_of(physical).deviceName, "NAVI21"))
+            found = new vulkan_device(physical, true);
     unsetenv("RADV_FORCE_FAMILY");
     return found;
 }

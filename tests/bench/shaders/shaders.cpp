@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+//
+// What every snippet costs on AMD RDNA2, by Mesa's compiler and without the hardware, and beside ours what three.js,
+// Babylon.js and PlayCanvas do for the same job.
+//
+//     shaders FOLDER PREFIX [--software]   FOLDER: from packing/peers.mjs; writes PREFIX.tsv, PREFIX.json
+//
+// Where the machine has a GPU, each is also timed over 3840 x 2160 pixels; --software times fewer on the CPU's Vulkan,
+// as a check that this works. All numbers are of a whole fragment shader: inputs interpolated, result written to RGBA8;
+// the row "nothing" is that alone. Constants are constants: a peer's parameter that means "off" is given as such.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include <entry.hpp>
+#include <umbrage/registry.hpp>
+
+#include "vulkan.hpp"
+
+namespace {
+
+namespace glsl = umbrage::glsl;
+using glsl::snippet;
+
+std::string read(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream text;
+    text << file.rdbuf();
+    if (!file || text.str().empty()) throw std::runtime_error("cannot read " + path);
+    return text.str();
+}
+
+// ---- shaders -------------------------------------------------------------------------------------------------------
+
+struct shader {
+    std::string owner, name;
+    std::string preamble;  ///< macros, functions of peers
+    std::vector<snippet> snippets;
+    std::string result;    ///< vec4 expression of x0 .. x5, map, table, depth_map, map_size
+};
+
+/// Shaders for one job; the first is ours.
+struct job {
+    std::string name;
+    std::vector<shader> shaders;
+};
+
+std::string inputs(const char* way) {
+    std::string text;
+    for (int i = 0; i < 6; ++i)
+        text += "layout(location = " + std::to_string(i) + ") " + way + " vec4 x" + std::to_string(i) + ";\n";
+    return text;
+}
+
+bench::spirv compile(const std::string& text, const std::string& stage) {
+    std::ofstream("shader." + stage) << text << std::flush;
+    if (std::system((GLSLANG " -V -w --quiet -o shader.spv shader." + stage).c_str()) != 0)
+        throw std::runtime_error("see shader." + stage);
+    const std::string bytes = read("shader.spv");
+    bench::spirv code(bytes.size() / 4);
+    bytes.copy(reinterpret_cast<char*>(code.data()), bytes.size());
+    return code;
+}
+
+/// x0 is (u, v, 1/2, 1) over the target, x1 to x5 the same in texels.
+bench::spirv vertex() {
+    return compile("#version 450\n" + inputs("out") + R"GLSL(
+void main() {
+    vec2 corner = vec2(float(gl_VertexIndex / 2) * 2.0, float(gl_VertexIndex % 2) * 2.0);
+    x0 = vec4(corner, 0.5, 1.0);
+    x1 = x2 = x3 = x4 = x5 = vec4(corner * 2048.0, 0.5, 1.0);
+    gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+}
+)GLSL", "vert");
+}
+
+bench::spirv fragment(const shader& s) {
+    return compile(glsl::source(glsl::version::vulkan, s.snippets, s.preamble) + inputs("in") + R"GLSL(
+layout(binding = 0) uniform sampler2D map;
+layout(binding = 1) uniform sampler2D table;
+layout(binding = 2) uniform sampler2DShadow depth_map;
+layout(push_constant) uniform constants { vec2 map_size; };
+layout(location = 0) out vec4 result;
+void main() {
+    result = )GLSL" + s.result + ";\n}\n", "frag");
+}
+
+// ---- jobs ----------------------------------------------------------------------------------------------------------
+
+std::vector<job> jobs(const std::string& folder) {
+    const auto text = [&](const std::string& name) { return read(folder + '/' + name + ".glsl"); };
+    const auto version = [&](const std::string& name) { return name + ' ' + read(folder + '/' + name + ".version"); };
+    const std::string three = version("three"), babylon = version("babylon"), playcanvas = version("playcanvas");
+    const std::string us = "umbrage";
+
+    // What the peers' engines put before these texts.
+    const std::string old = "#define texture2D texture\n#define textureCube texture\n";
+    const std::string three_shadow =
+        old + "#define USE_SHADOWMAP\n#define PI2 6.283185307179586\n" + text("three_shadow");
+    const std::string babylon_shadow = old + "#define SHADOWS\n#define WEBGL2\n#define texture2DLodEXT textureLod\n"
+                                             "float getRand(vec2 seed) { return 0.5; }\n" + text("babylon_shadow");
+    const std::string playcanvas_shadow =
+        "#define SHADOWMAP_ACCEPT(name) sampler2DShadow name\n#define SHADOWMAP_PASS(name) name\n"
+        "#define textureShadow(name, at) texture(name, at)\n#define saturate(v) clamp(v, 0.0, 1.0)\n" +
+        text("playcanvas_shadow");
+
+    // A packed map to a filter of ours: how a texel becomes a depth.
+    const auto fetch = [](const std::string& decoded) {
+        return "#define UMBRAGE_FETCH(map, size, texel) " + decoded + "\n";
+    };
+    const std::string texel = "umbrage_fetch_clamped(map, size, texel)";
+    const std::string rg11 = fetch("umbrage_decode_rg11(" + texel + ".xy, 1.0)");
+    const std::string ps14 = fetch("umbrage_decode_ps14(" + texel + ".xy)");
+    const std::string three_rg = text("three") + fetch("unpackRGToDepth(" + texel + ".xy)");
+    const std::string three_rgba = text("three") + fetch("unpackRGBAToDepth(" + texel + ")");
+    const std::string babylon_rgba = text("babylon") + fetch("unpack(" + texel + ")");
+    const std::string playcanvas_rgba = text("playcanvas") + fetch("uint2float(" + texel + ")");
+    const std::string pcf = "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, x1.z))";
+    const std::string taps = "vec4(umbrage_four_tap(map, map_size, x1.xy - 0.5, x1.xy + vec2(0.5, -0.5), "
+                             "x1.xy + vec2(-0.5, 0.5), x1.xy + 0.5, x1.z))";
+
+    return {
+        {"nothing", {{us, "nothing", "", {}, "x0"}}},
+        {"pack, 2 channels",
+         {{us, "rg11", "", {glsl::encode_rg<11>, glsl::to_unorm},
+           "vec4(umbrage_to_unorm(umbrage_encode_rg11(x0.x)), 0.0, 1.0)"},
+          {us, "rg16", "", {glsl::encode_rg<16>, glsl::to_unorm},
+           "vec4(umbrage_to_unorm(umbrage_encode_rg16(x0.x)), 0.0, 1.0)"},
+          {three, "packDepthToRG", text("three"), {}, "vec4(packDepthToRG(x0.x), 0.0, 1.0)"}}},
+        {"pack, 3 channels",
+         {{us, "rgb24", "", {glsl::encode_rgb24, glsl::to_unorm},
+           "vec4(umbrage_to_unorm(umbrage_encode_rgb24(x0.x)), 1.0)"},
+          {three, "packDepthToRGB", text("three"), {}, "vec4(packDepthToRGB(x0.x), 1.0)"}}},
+        {"pack, 4 channels",
+         {{us, "three RGBA", "", {glsl::encode_three_rgba}, "umbrage_encode_three_rgba(x0.x)"},
+          {us, "base 255, repaired", "", {glsl::encode_aras_repaired, glsl::to_unorm},
+           "umbrage_to_unorm(umbrage_encode_aras_repaired(x0.x))"},
+          {three, "packDepthToRGBA", text("three"), {}, "packDepthToRGBA(x0.x)"},
+          {babylon, "pack", text("babylon"), {}, "pack(x0.x)"}}},
+        {"pack, bits of a float",
+         {{us, "float_bits", "", {glsl::encode_float_bits, glsl::to_unorm},
+           "umbrage_to_unorm(umbrage_encode_float_bits(x0.x))"},
+          {playcanvas, "float2uint", text("playcanvas"), {}, "float2uint(x0.x)"}}},
+        {"unpack, 2 channels",
+         {{us, "rg11", "", {glsl::decode_rg<11>}, "vec4(umbrage_decode_rg11(x0.xy, 1.0))"},
+          {us, "rg16", "", {glsl::decode_rg<16>}, "vec4(umbrage_decode_rg16(x0.xy, 1.0))"},
+          {us, "ps14", "", {glsl::decode_ps14}, "vec4(umbrage_decode_ps14(x0.xy))"},
+          {three, "unpackRGToDepth", text("three"), {}, "vec4(unpackRGToDepth(x0.xy))"}}},
+        {"unpack, 3 channels",
+         {{us, "rgb24", "", {glsl::decode_rgb24}, "vec4(umbrage_decode_rgb24(x0.xyz, 1.0))"},
+          {three, "unpackRGBToDepth", text("three"), {}, "vec4(unpackRGBToDepth(x0.xyz))"}}},
+        {"unpack, 4 channels",
+         {{us, "three RGBA", "", {glsl::decode_three_rgba}, "vec4(umbrage_decode_three_rgba(x0))"},
+          {us, "base 255", "", {glsl::decode_aras}, "vec4(umbrage_decode_aras(x0))"},
+          {three, "unpackRGBAToDepth", text("three"), {}, "vec4(unpackRGBAToDepth(x0))"},
+          {babylon, "unpack", text("babylon"), {}, "vec4(unpack(x0))"}}},
+        {"unpack, bits of a float",
+         {{us, "float_bits", "", {glsl::decode_float_bits}, "vec4(umbrage_decode_float_bits(x0))"},
+          {playcanvas, "uint2float", text("playcanvas"), {}, "vec4(uint2float(x0))"}}},
+        {"hard, packed map",
+         {{us, "rg11", rg11, {glsl::decode_rg<11>, glsl::hard}, "vec4(umbrage_hard(map, map_size, x1.xy, x1.z))"},
+          {babylon, "computeShadow", babylon_shadow, {},
+           "vec4(computeShadow(vec4(x0.xyz, 1.0), x0.z, map, 0.0, 0.0))"}}},
+        {"hard, depth map",
+         {{us, "hard", "", {glsl::hard}, "vec4(umbrage_hard(map, map_size, x1.xy, x1.z))"},
+          {three, "getShadow, basic", three_shadow, {},
+           "vec4(getShadow(map, map_size, 1.0, 0.0, 1.0, vec4(x0.xyz, 1.0)))"}}},
+        {"four taps, packed map",
+         {{us, "rg11", rg11, {glsl::decode_rg<11>, glsl::four_tap}, taps},
+          {babylon, "computeShadowWithPoissonSampling", babylon_shadow, {},
+           "vec4(computeShadowWithPoissonSampling(vec4(x0.xyz, 1.0), x0.z, map, 1.0 / map_size.x, 0.0, 0.0))"}}},
+        {"2x2 PCF, packed map",
+         {{us, "rg11", rg11, {glsl::decode_rg<11>, glsl::pcf_2x2}, pcf},
+          {us, "ps14", ps14, {glsl::decode_ps14, glsl::receiver_ps14, glsl::pcf_2x2},
+           "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, umbrage_receiver_ps14(x1.z)))"},
+          {three, "unpackRGToDepth in the same filter", three_rg, {glsl::pcf_2x2}, pcf},
+          {three, "unpackRGBAToDepth in the same filter", three_rgba, {glsl::pcf_2x2}, pcf},
+          {babylon, "unpack in the same filter", babylon_rgba, {glsl::pcf_2x2}, pcf},
+          {playcanvas, "uint2float in the same filter", playcanvas_rgba, {glsl::pcf_2x2}, pcf}}},
+        {"2x2 PCF, depth map",  // the peers leave the filter to the sampler, whose work no instruction shows
+         {{us, "pcf_2x2", "", {glsl::pcf_2x2}, pcf},
+          {babylon, "computeShadowWithPCF1, by the sampler", babylon_shadow, {},
+           "vec4(computeShadowWithPCF1(vec4(x0.xyz, 1.0), x0.z, depth_map, 0.0, 0.0))"},
+          {playcanvas, "getShadowPCF1x1, by the sampler", playcanvas_shadow, {},
+           "vec4(getShadowPCF1x1(depth_map, x0.xyz, x1))"}}},
+        {"soft, 3x3 texels and about",
+         {{us, "box, r = 1, rg11", rg11, {glsl::decode_rg<11>, glsl::box},
+           "vec4(umbrage_box(map, map_size, x1.xy, x1.z, 1))"},
+          {three, "getShadow, 5 taps by the sampler", "#define SHADOWMAP_TYPE_PCF\n" + three_shadow, {},
+           "vec4(getShadow(depth_map, map_size, 1.0, 0.0, 1.0, vec4(x0.xyz, 1.0)))"},
+          {babylon, "computeShadowWithPCF3, by the sampler", babylon_shadow, {},
+           "vec4(computeShadowWithPCF3(vec4(x0.xyz, 1.0), x0.z, depth_map, vec2(map_size.x, 1.0 / 2048.0), 0.0, 0.0))"},
+          {playcanvas, "getShadowPCF3x3, by the sampler", playcanvas_shadow, {},
+           "vec4(getShadowPCF3x3(depth_map, x0.xyz, vec4(map_size, 0.0, 0.0)))"}}},
+        {"soft, 5x5 texels",
+         {{us, "box, r = 2, rg11", rg11, {glsl::decode_rg<11>, glsl::box},
+           "vec4(umbrage_box(map, map_size, x1.xy, x1.z, 2))"},
+          {babylon, "computeShadowWithPCF5, by the sampler", babylon_shadow, {},
+           "vec4(computeShadowWithPCF5(vec4(x0.xyz, 1.0), x0.z, depth_map, vec2(map_size.x, 1.0 / 2048.0), 0.0, 0.0))"},
+          {playcanvas, "getShadowPCF5x5, by the sampler", playcanvas_shadow, {},
+           "vec4(getShadowPCF5x5(depth_map, x0.xyz, vec4(map_size, 0.0, 0.0)))"}}},
+    };
+}
+
+/// Every snippet of the registry, called as the parity tests call it.
+job registry() {
+    job all{"every snippet", {}};
+    for (const snippet* s : glsl::registry)
+        for (const parity::entry& e : parity::entries())
+            if (e.primitive == s && e.variant.empty()) {
+                all.shaders.push_back({"umbrage", std::string(s->name), e.preamble, e.snippets(), e.call});
+                break;
+            }
+    if (all.shaders.size() != glsl::registry.size()) throw std::runtime_error("a snippet without a parity entry");
+    return all;
+}
+
+// ---- the table -----------------------------------------------------------------------------------------------------
+
+/// Writes the lines of every measure, by shader, and for each peer the ratio to ours.
+class table {
+public:
+    table(const std::string& prefix, std::vector<std::string> columns)
+        : tsv_(prefix + ".tsv"), json_(prefix + ".json"), columns_(std::move(columns)) {
+        tsv_ << "job\twhose\tshader";
+        for (const std::string& c : columns_) tsv_ << '\t' << c;
+        tsv_ << '\n';
+    }
+    void begin(const std::string& job) {
+        job_ = job;
+        ours_.clear();
+        std::printf("\n%-18s %-38s", "", job.c_str());
+        for (const std::string& c : columns_) std::printf(" %12.12s", c.c_str());
+        std::puts("");
+    }
+    void add(const shader& s, const std::vector<double>& values) {
+        std::printf("%-18s %-38s", s.owner.c_str(), s.name.c_str());
+        tsv_ << job_ << '\t' << s.owner << '\t' << s.name;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            std::printf(" %12.6g", values[i]);
+            tsv_ << '\t' << values[i];
+            if (s.owner == "umbrage" || ours_.empty()) continue;
+            json_ << R"({"name": ")" << job_ << R"(", "ours": )" << ours_[i] << R"(, "peer": )" << values[i]
+                  << R"(, "peer_name": ")" << s.owner << ' ' << s.name << R"(", "unit": ")" << columns_[i]
+                  << R"(", "ratio": )" << values[i] / ours_[i] << "}\n";
+        }
+        std::puts("");
+        std::fflush(stdout);
+        tsv_ << '\n';
+        if (ours_.empty()) ours_ = values;
+    }
+
+private:
+    std::ofstream tsv_, json_;
+    std::vector<std::string> columns_;
+    std::string job_;
+    std::vector<double> ours_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    if (argc < 3) throw std::runtime_error("usage: shaders FOLDER PREFIX [--software]");
+    bench::device* const amd = bench::rdna2();
+    const bool software = argc > 3 && std::string(argv[3]) == "--software";
+    const std::vector<bench::device*> clocks = bench::gpus(software);
+    const std::uint32_t width = software ? 480 : 3840, height = software ? 270 : 2160;
+    const std::string statistics[] = {"Instructions", "Inverse Throughput", "Latency", "VGPRs", "SGPRs", "Code size"};
+    std::vector<std::string> columns;
+    if (amd) columns = {"instructions", "inv. thrpt", "latency", "VGPRs", "SGPRs", "bytes"};
+    std::puts(amd ? ("Compiled for " + amd->name() + ", by Mesa. Less is better in every column.").c_str()
+                  : "Mesa's driver for AMD is not here: nothing is compiled for RDNA2.");
+    for (const bench::device* d : clocks) {
+        columns.push_back("ms, " + d->name());
+        std::printf("ms: a pass over %u x %u pixels on %s.\n", width, height, d->name().c_str());
+    }
+    if (columns.empty()) throw std::runtime_error("no Vulkan device: nothing to measure with");
+
+    std::vector<job> all = jobs(argv[1]);
+    all.push_back(registry());
+    table out(argv[2], columns);
+    const bench::spirv corners = vertex();
+    for (const job& j : all) {
+        out.begin(j.name);
+        for (const shader& s : j.shaders) {
+            const bench::spirv code = fragment(s);
+            std::vector<double> values;
+            if (amd) {
+                const auto found = amd->statistics(corners, code);
+                for (const std::string& name : statistics) {
+                    values.push_back(NAN);
+                    for (const auto& line : found)
+                        if (line.name == name) values.back() = double(line.value);
+                }
+            }
+            for (bench::device* d : clocks) values.push_back(d->milliseconds(corners, code, width, height));
+            out.add(s, values);
+        }
+    }
+} catch (const std::exception& e) {
+    std::cerr << e.what() << '\n';
+    return 1;
+}
