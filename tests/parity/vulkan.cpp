@@ -110,7 +110,10 @@ public:
         }
     }
 
-    [[nodiscard]] std::string name() const override { return physical_.getProperties().deviceName.data(); }
+    [[nodiscard]] std::string name() const override {
+        const std::string device = physical_.getProperties().deviceName.data();
+        return device.starts_with("llvmpipe") ? "lavapipe (" + device + ")" : "Vulkan on " + device;  // not OpenGL's own
+    }
     [[nodiscard]] std::vector<version> versions() const override { return {version::vulkan}; }
     [[nodiscard]] std::string label(version) const override { return "Vulkan"; }
     [[nodiscard]] std::string obstacle(const entry& e) const override {
@@ -265,15 +268,17 @@ private:
         serial_ = j.serial;
     }
 
-    [[nodiscard]] vk::raii::Pipeline make_pipeline(const entry& e, const vk::raii::RenderPass& pass) const {
+    [[nodiscard]] vk::raii::ShaderModule make_module(const char* stage, const std::string& source) const {
+        const auto code = folder_.spirv(stage, source);
+        return {device_, vk::ShaderModuleCreateInfo{.codeSize = code.size() * 4, .pCode = code.data()}};
+    }
+
+    [[nodiscard]] vk::raii::Pipeline make_pipeline(const entry& e, const vk::raii::RenderPass& pass) {
         const shader text = make_shader(e, version::vulkan);
-        const auto module = [&](const char* stage, const std::string& source) {
-            const auto code = folder_.spirv(stage, source);
-            return vk::raii::ShaderModule(device_, vk::ShaderModuleCreateInfo{.codeSize = code.size() * 4, .pCode = code.data()});
-        };
-        const auto vertex = module("vert", text.vertex), fragment = module("frag", text.fragment);
+        if (!*vertex_) vertex_ = make_module("vert", text.vertex);  // the same for all
+        const auto fragment = make_module("frag", text.fragment);
         const std::array stages{
-            vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eVertex, .module = *vertex, .pName = "main"},
+            vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eVertex, .module = *vertex_, .pName = "main"},
             vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eFragment, .module = *fragment, .pName = "main"}};
         const vk::VertexInputBindingDescription binding{0, sizeof(vec2), vk::VertexInputRate::eVertex};
         const vk::VertexInputAttributeDescription attribute{0, 0, vk::Format::eR32G32Sfloat, 0};
@@ -310,6 +315,7 @@ private:
     buffer corners_, staging_;
     std::array<picture, max_inputs + 2> textures_;
     std::array<render_target, 2> targets_{{{vk::Format::eR32G32B32A32Sfloat}, {vk::Format::eR8G8B8A8Unorm}}};
+    vk::raii::ShaderModule vertex_ = nullptr;
     vk::raii::Pipeline pipeline_ = nullptr;
     const entry* entry_ = nullptr;
     std::uint64_t serial_ = ~std::uint64_t(0);

@@ -81,7 +81,9 @@ public:
             name_ = ask({"{\"hello\": true, \"version\": " + number(v) + "}"});
     }
 
-    [[nodiscard]] std::string name() const override { return name_; }
+    [[nodiscard]] std::string name() const override {
+        return name_.find("SwiftShader") == std::string::npos ? "WebGL on " + name_ : "SwiftShader (" + name_ + ")";
+    }
     [[nodiscard]] std::vector<version> versions() const override { return {version::v100, version::v300_es}; }
     [[nodiscard]] std::string label(version v) const override { return "WebGL " + number(v); }
 
