@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "depth_pass_peers.hpp"
+#include "depth_pass.hpp"
 
 #include <cstdlib>
 #include <stdexcept>
@@ -14,25 +14,38 @@
 namespace peers {
 namespace {
 
-// One context for the process. Mesa reads these variables when it starts.
-void make_context() {
-    static const bool once = [] {
+// One context for the process, current while one of these lives: another peer has a context of its own.
+class context {
+public:
+    context() : before_(eglGetCurrentContext()) {
+        // Mesa reads these when it starts.
         setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
         setenv("GALLIUM_DRIVER", "llvmpipe", 1);
         setenv("LP_NUM_THREADS", "0", 1);
-        const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-        if (eglInitialize(display, nullptr, nullptr) != EGL_TRUE) throw std::runtime_error("EGL does not start");
         eglBindAPI(EGL_OPENGL_API);
-        const EGLint wish[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_NONE};
-        const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wish);
-        if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) != EGL_TRUE)
+        static const EGLDisplay display = [] {
+            const auto d = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+            if (eglInitialize(d, nullptr, nullptr) != EGL_TRUE) throw std::runtime_error("EGL does not start");
+            return d;
+        }();
+        static const EGLContext ours = [] {
+            const EGLint wish[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_NONE};
+            return eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wish);
+        }();
+        display_ = display;
+        if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, ours) != EGL_TRUE)
             throw std::runtime_error("no OpenGL 4.5 without a window");
         const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
         if (!std::string_view(renderer).starts_with("llvmpipe")) throw std::runtime_error("not llvmpipe");
-        return true;
-    }();
-    static_cast<void>(once);
-}
+    }
+    ~context() { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, before_); }
+    context(const context&) = delete;
+    context& operator=(const context&) = delete;
+
+private:
+    EGLContext before_;
+    EGLDisplay display_;
+};
 
 GLuint compile(GLenum stage, const char* source) {
     const GLuint shader = glCreateShader(stage);
@@ -51,7 +64,7 @@ struct llvmpipe_pass::state {
 
 llvmpipe_pass::llvmpipe_pass(glm::ivec2 size, std::span<const glm::vec3> positions,
                              std::span<const glm::uvec3> triangles, const glm::mat4& world_to_clip) {
-    make_context();
+    const context current;
     state_ = std::make_unique<state>();
     state& s = *state_;
     s.size = size;
@@ -93,6 +106,7 @@ llvmpipe_pass::llvmpipe_pass(glm::ivec2 size, std::span<const glm::vec3> positio
 }
 
 llvmpipe_pass::~llvmpipe_pass() {
+    const context current;
     glDeleteProgram(state_->program);
     glDeleteBuffers(2, state_->buffers);
     glDeleteVertexArrays(1, &state_->array);
@@ -100,15 +114,11 @@ llvmpipe_pass::~llvmpipe_pass() {
     glDeleteTextures(1, &state_->texture);
 }
 
-void llvmpipe_pass::clear() const {
+void llvmpipe_pass::clear_and_draw() const {
+    const context current;
     glBindFramebuffer(GL_FRAMEBUFFER, state_->framebuffer);
     glClearDepth(1.0);
     glClear(GL_DEPTH_BUFFER_BIT);
-    glFinish();
-}
-
-void llvmpipe_pass::draw() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, state_->framebuffer);
     glBindVertexArray(state_->array);
     glUseProgram(state_->program);
     glViewport(0, 0, state_->size.x, state_->size.y);
@@ -119,6 +129,7 @@ void llvmpipe_pass::draw() const {
 }
 
 std::vector<float> llvmpipe_pass::read() const {
+    const context current;
     std::vector<float> depth(std::size_t(state_->size.x) * std::size_t(state_->size.y));
     glBindFramebuffer(GL_FRAMEBUFFER, state_->framebuffer);
     glReadPixels(0, 0, state_->size.x, state_->size.y, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());

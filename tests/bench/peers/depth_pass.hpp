@@ -20,8 +20,7 @@ public:
                   const glm::mat4& world_to_clip);
     ~llvmpipe_pass();
 
-    void clear() const;                            ///< to 1
-    void draw() const;                             ///< and waits for the end
+    void clear_and_draw() const;                    ///< finished on return
     [[nodiscard]] std::vector<float> read() const;  ///< rows from the bottom
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "depth_pass_peers.hpp"
+#include "depth_pass.hpp"
 
 #include <algorithm>
 #include <limits>
