@@ -51,8 +51,8 @@ result run(const std::string& command) {
 
 picture load(const std::filesystem::path& file) {
     int width = 0, height = 0, channels = 0;
-    const std::unique_ptr<stbi_uc, void (*)(void*)> data(stbi_load(file.string().c_str(), &width, &height, &channels, 3),
-                                                         stbi_image_free);
+    const std::unique_ptr<stbi_uc, void (*)(void*)> data(
+        stbi_load(file.string().c_str(), &width, &height, &channels, 3), stbi_image_free);
     REQUIRE_MESSAGE(data, file.string());
     picture out({width, height});
     for (std::size_t i = 0; i < out.texels().size(); ++i)
@@ -100,7 +100,8 @@ public:
         const example::surface at = example::surface_at(scene_, camera_, seen_, pixel);
         const glm::vec3 way = light_.spot ? glm::normalize(at.position - light_.position) : light_.direction;
         const float texel = light_.texel_world(at.position, system_.map_size);
-        const glm::vec3 side = glm::normalize(glm::cross(way, glm::abs(way.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0)));
+        const glm::vec3 up(0, 1, 0);
+        const glm::vec3 side = glm::normalize(glm::cross(way, glm::abs(way.y) < 0.9f ? up : glm::vec3(1, 0, 0)));
         const glm::vec3 above = glm::cross(side, way);
         const bool here = lit(at, at.position);
         for (int j = -2; j <= 2; ++j)
@@ -132,10 +133,11 @@ private:
 /// The CPU's program against the viewer, pixel by pixel.
 void same_shadow(const example::shadow_system& system, int width, const std::string& viewer_only = {}) {
     const std::string name(system.name);
-    const std::string light = " --azimuth " + std::to_string(system.azimuth) + " --elevation " + std::to_string(system.elevation);
+    const std::string light = " --azimuth " + std::to_string(system.azimuth) + " --elevation " +
+                              std::to_string(system.elevation);
     CAPTURE(light);
-    const result r = run(quoted(std::filesystem::path(ORIGINALS) / name) + "--output " + quoted(folder / name) + "--size " +
-                         std::to_string(width) + light + (name == "exercise" ? " --frames 1" : ""));
+    const result r = run(quoted(std::filesystem::path(ORIGINALS) / name) + "--output " + quoted(folder / name) +
+                         "--size " + std::to_string(width) + light + (name == "exercise" ? " --frames 1" : ""));
     REQUIRE_MESSAGE(r.code == 0, r.said);
     const std::string arguments = "--headless --system " + name + " --width " + std::to_string(width) + " --height " +
                                   std::to_string(width * 2 / 3) + light + " " + viewer_only;
@@ -143,13 +145,24 @@ void same_shadow(const example::shadow_system& system, int width, const std::str
     const picture expected = load(folder / name / "visibility.png"), got = viewed(arguments + " --mask");
     REQUIRE(expected.size() == got.size());
     const silhouettes silhouettes(system, got.size());
-    int other = 0, astray = 0;
+    int other = 0, astray = 0, near = 0;
     for (glm::ivec2 p{0}; p.y < got.size().y; ++p.y)
         for (p.x = 0; p.x < got.size().x; ++p.x)
             if (got[p] != expected[p]) {
                 ++other;
                 astray += !silhouettes.near(p);
             }
+    for (int i = 0; i < 1000; ++i) near += silhouettes.near({i * 7919 % got.size().x, i * 104729 % got.size().y});
+
+    const int pixels = got.size().x * got.size().y;
+    std::printf("%-15s light %4.0f %3.0f %s: of %d pixels %d (%.4f %%) other visibility, %d of them far from "
+                "silhouettes (%d in 1000 pixels are near)\n",
+                name.c_str(), static_cast<double>(system.azimuth), static_cast<double>(system.elevation),
+                viewer_only.c_str(), pixels, other, 100.0 * other / pixels, astray, near);
+    CHECK(other * 200 <= pixels);
+    CHECK(astray == 0);
+    CHECK(near < 300);  // `near` says no as well
+    if (width < 500) return;
 
     // Colours, but for the corner where the map lies: its contrast is stretched after fewer texels.
     const picture colours = load(folder / name / "picture.png"), seen = viewed(arguments);
@@ -160,12 +173,7 @@ void same_shadow(const example::shadow_system& system, int width, const std::str
             const glm::ivec3 apart = glm::abs(glm::ivec3(colours[p]) - glm::ivec3(seen[p]));
             other_colours += (p.x >= edge || p.y >= edge) && glm::max(apart.x, glm::max(apart.y, apart.z)) > 2;
         }
-    const int pixels = got.size().x * got.size().y;
-    std::printf("%-15s light %4.0f %3.0f %s: of %d pixels %d (%.4f %%) other visibility, %d far from any silhouette, %d other colours\n",
-                name.c_str(), static_cast<double>(system.azimuth), static_cast<double>(system.elevation),
-                viewer_only.c_str(), pixels, other, 100.0 * other / pixels, astray, other_colours);
-    CHECK(other * 200 <= pixels);
-    CHECK(astray == 0);
+    std::printf("%-15s %d of %d pixels of other colours\n", name.c_str(), other_colours, pixels);
     CHECK(other_colours * 200 <= pixels);
 }
 
@@ -192,7 +200,7 @@ TEST_CASE("self_shadowing: the viewer's shadow is the CPU's") {
     same_shadow(example::self_shadowing, 960, "--es2");
 }
 
-TEST_CASE("choices: every encoding and filter draws, finer encodings as floats do") {
+TEST_CASE("choices: every encoding and filter draws, fine encodings as floats do") {
     const std::string small = "--headless --mask --width 300 --height 200 --system dx_sdk ";
     for (const auto& [kind, filter] : viewer::filter_names) {
         const std::string with_filter = small + "--filter " + std::string(filter);
@@ -202,9 +210,12 @@ TEST_CASE("choices: every encoding and filter draws, finer encodings as floats d
             const int other = differing(viewed(with_filter + " --encoding " + encoding), floats);
             CAPTURE(filter);
             CAPTURE(encoding);
-            const bool coarse = encoding == "rg9" || encoding == "rg10" || encoding == "rg11" || encoding == "rg12" || encoding == "rg13";
-            if (!coarse) CHECK(other * 50 <= 300 * 200);
-            if (encoding == "rg9") CHECK(other * 50 > 300 * 200);
+            const bool faulty = encoding == "three-legacy" || encoding == "aras";  // decode the cleared 1 lower
+            const bool coarse = encoding >= "rg10" && encoding <= "rg14";
+            if (encoding == "rg9" || faulty)
+                CHECK(other > 150);
+            else if (!coarse)
+                CHECK(other < 15);
         }
     }
 }

@@ -3,7 +3,7 @@
 // The GLSL side of common/encodings.hpp: which snippets write and read a depth, and how they are called.
 //
 //     viewer::encoding e = viewer::encoding_called("rg11");
-//     std::string text = "fragment_colour = " + e.write("depth") + ";";  // vec4(umbrage_to_unorm(umbrage_encode_rg11(depth)), 0.0, 0.0)
+//     e.write("depth");  // "vec4(umbrage_to_unorm(umbrage_encode_rg11(depth)), 0.0, 0.0)"
 //
 #pragma once
 

@@ -11,7 +11,8 @@ handle<program_kind> linked(const stages& text) {
     handle<program_kind> id;
     GLint good = GL_TRUE;
     char log[4096] = "";
-    const std::pair<GLenum, const std::string*> both[] = {{GL_VERTEX_SHADER, &text.vertex}, {GL_FRAGMENT_SHADER, &text.fragment}};
+    const std::pair<GLenum, const std::string*> both[] = {{GL_VERTEX_SHADER, &text.vertex},
+                                                            {GL_FRAGMENT_SHADER, &text.fragment}};
     for (const auto& [kind, source] : both) {
         const GLuint shader = glCreateShader(kind);
         const char* characters = source->c_str();
@@ -21,7 +22,8 @@ handle<program_kind> linked(const stages& text) {
         if (good != GL_TRUE) glGetShaderInfoLog(shader, sizeof log, nullptr, log);
         glAttachShader(id, shader);
         glDeleteShader(shader);  // goes with the program
-        if (good != GL_TRUE) throw std::runtime_error("a shader does not compile: " + std::string(log) + '\n' + *source);
+        if (good != GL_TRUE)
+            throw std::runtime_error("a shader does not compile: " + std::string(log) + '\n' + *source);
     }
     glBindAttribLocation(id, position, "position");
     glBindAttribLocation(id, normal, "normal");
@@ -38,8 +40,10 @@ handle<program_kind> linked(const stages& text) {
 }
 
 void nearest_texel() {
-    for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-    for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
 }
 
 }  // namespace
@@ -63,7 +67,8 @@ target::target(glm::ivec2 size_, bool floats_) : size(size_), floats(floats_) {
     glBindTexture(GL_TEXTURE_2D, texels);
     nearest_texel();
     const auto format = static_cast<GLint>(floats ? GL_R32F : epoxy_is_desktop_gl() ? GL_RGBA8 : GL_RGBA);
-    glTexImage2D(GL_TEXTURE_2D, 0, format, size.x, size.y, 0, floats ? GL_RED : GL_RGBA, floats ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+    glTexImage2D(GL_TEXTURE_2D, 0, format, size.x, size.y, 0, floats ? GL_RED : GL_RGBA,
+                 floats ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
     const bool deep = epoxy_is_desktop_gl() || epoxy_has_gl_extension("GL_OES_depth24");
     glBindRenderbuffer(GL_RENDERBUFFER, depth);
     glRenderbufferStorage(GL_RENDERBUFFER, deep ? GL_DEPTH_COMPONENT24 : GL_DEPTH_COMPONENT16, size.x, size.y);

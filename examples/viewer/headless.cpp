@@ -26,7 +26,8 @@ headless::headless(bool es2) : display_(open_display()) {
         throw no_context("no OpenGL " + std::string(es2 ? "ES 2" : "3.3") + " without a window here: " + what +
                          ", EGL error " + std::to_string(error));
     };
-    const EGLint wish[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, es2 ? EGL_OPENGL_ES2_BIT : EGL_OPENGL_BIT, EGL_NONE};
+    const EGLint wish[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+                           es2 ? EGL_OPENGL_ES2_BIT : EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglChooseConfig(display_, wish, &config, 1, &count) || count == 0) fail("no configuration");

@@ -24,12 +24,13 @@ void hud::draw(const std::string& text, glm::ivec2 from, glm::ivec2 size) const 
             triangles.emplace_back(quads[first + corner_of].x, quads[first + corner_of].y);
 
     glBindBuffer(GL_ARRAY_BUFFER, corners_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec2)), triangles.data(), GL_STREAM_DRAW);
+    const auto bytes = static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec2));
+    glBufferData(GL_ARRAY_BUFFER, bytes, triangles.data(), GL_STREAM_DRAW);
     for (GLuint i : {position, normal, face_normal, colour}) glDisableVertexAttribArray(i);
     glEnableVertexAttribArray(corner);
     glVertexAttribPointer(corner, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
     glDisable(GL_DEPTH_TEST);
-    constexpr float scale = 1.5f;  // the font's letters are 7 pixels high
+    constexpr float scale = 2;  // the font's letters are 7 pixels high
     program_.use().set("pixel", 2 * scale / glm::vec2(size));
     const auto once = [&](glm::vec2 offset, glm::vec4 ink) {
         program_.set("offset", glm::vec2(from) / scale + offset).set("ink", ink);

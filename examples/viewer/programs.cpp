@@ -86,7 +86,8 @@ filter filter_of(const shadow_system& s) {
                 return {{glsl::compare_exercise, glsl::fetch_depth},
                         "umbrage_compare_exercise(depth, umbrage_fetch_depth(map, map_size, floor(p.xy)), bias)"};
             return {{glsl::hard}, "umbrage_hard(map, map_size, p.xy, receiver)"};
-        case four_tap: return {{glsl::four_tap}, "umbrage_four_tap(map, map_size, tap(0), tap(1), tap(2), tap(3), receiver)"};
+        case four_tap:
+            return {{glsl::four_tap}, "umbrage_four_tap(map, map_size, tap(0), tap(1), tap(2), tap(3), receiver)"};
         case box: return {{glsl::box}, "umbrage_box(map, map_size, p.xy, receiver, 1)"};
         case pcf_2x2: break;
     }
@@ -260,7 +261,10 @@ stages text_stages(version v) {
     return {vertex(v, {}, R"GLSL(
 attribute vec2 corner;       // pixels, from the top left
 uniform vec2 offset, pixel;  // pixels; size of one in NDC
-void main() { gl_Position = vec4(-1.0 + (corner.x + offset.x) * pixel.x, 1.0 - (corner.y + offset.y) * pixel.y, 0.0, 1.0); }
+void main() {
+    vec2 at = (corner + offset) * pixel;
+    gl_Position = vec4(at.x - 1.0, 1.0 - at.y, 0.0, 1.0);
+}
 )GLSL"),
             fragment(v, {}, "", "uniform vec4 ink;\nvoid main() { fragment_colour = ink; }\n")};
 }

@@ -17,13 +17,15 @@ namespace {
 
 /// Triangles share no vertices here: each has the face's normal, and ES 2 needs no large indices.
 struct vertex {
-    glm::vec3 position, normal, face_normal;
-    glm::vec4 colour;  ///< alpha: 1 on the floor
+    glm::vec3 position, normal;
+    glm::vec3 face_normal;  ///< of any length
+    glm::vec4 colour;       ///< alpha: 1 on the floor
 };
 
 void attribute_at(GLuint place, GLint size, std::size_t stride, std::size_t offset) {
     glEnableVertexAttribArray(place);
-    glVertexAttribPointer(place, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), reinterpret_cast<const void*>(offset));
+    glVertexAttribPointer(place, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));
 }
 
 /// Compiles when the text is another than last time.
@@ -54,7 +56,8 @@ glm::vec4 cleared(std::string_view encoding) {
 /// The system's bias, and what a decoder of others may answer below the depth it was given.
 float bias_of(const example::shadow_system& s) {
     if (s.receiver != example::receiver_kind::plain) return s.bias;
-    return s.bias + example::with_encoding(s.encoding, umbrage::upper_edge<float>, [](auto, float below) { return below; });
+    return s.bias + example::with_encoding(s.encoding, umbrage::upper_edge<float>,
+                                           [](auto, float below) { return below; });
 }
 
 void bind(int unit, GLuint texture) {
@@ -83,9 +86,10 @@ void renderer::upload(const example::scene& scene) {
     all.reserve(3 * m.triangles.size());
     for (std::size_t i = 0; i < m.triangles.size(); ++i) {
         const glm::uvec3 t = m.triangles[i];
-        const glm::vec3 face = glm::normalize(glm::cross(m.positions[t.y] - m.positions[t.x], m.positions[t.z] - m.positions[t.x]));
+        const glm::vec3 a = m.positions[t.x], b = m.positions[t.y], c = m.positions[t.z];
+        const float on_floor = i < scene.floor_triangles ? 1 : 0;
         for (int k = 0; k < 3; ++k)
-            all.push_back({m.positions[t[k]], m.normals[t[k]], face, {m.colours[t[k]], i < scene.floor_triangles ? 1.0f : 0.0f}});
+            all.push_back({m.positions[t[k]], m.normals[t[k]], glm::cross(b - a, c - a), {m.colours[t[k]], on_floor}});
     }
     vertices_ = static_cast<GLsizei>(all.size());
     glBindBuffer(GL_ARRAY_BUFFER, mesh_);

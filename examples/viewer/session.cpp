@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <sstream>
 
 #include <command_line.hpp>
 
@@ -115,14 +115,12 @@ void session::resize(glm::ivec2 size) {
 }
 
 std::string session::describe() const {
-    const auto filter = filter_names[static_cast<std::size_t>(system.filter)].second;
-    char lines[400];
-    std::snprintf(lines, sizeof lines, "%.*s\nencoding %.*s, filter %.*s, bias %.6f, map %d x %d\nlight %.0f around, %.0f up\n",
-                  static_cast<int>(system.title.size()), system.title.data(), static_cast<int>(system.encoding.size()),
-                  system.encoding.data(), static_cast<int>(filter.size()), filter.data(), static_cast<double>(system.bias),
-                  system.map_size, system.map_size, static_cast<double>(system.azimuth),
-                  static_cast<double>(system.elevation));
-    return lines;
+    std::ostringstream out;
+    out << system.title << "\nencoding " << system.encoding << ", filter "
+        << filter_names[static_cast<std::size_t>(system.filter)].second << "\nbias " << system.bias << ", map "
+        << system.map_size << " x " << system.map_size << "\nlight: azimuth " << system.azimuth << ", elevation "
+        << system.elevation << '\n';
+    return out.str();
 }
 
 }  // namespace viewer

@@ -33,14 +33,15 @@ inline constexpr int left = 256, right = 257, up = 258, down = 259;
 }
 
 inline constexpr std::string_view keys =
-    "left drag  camera     wheel  distance\n"
-    "right drag, arrows    light (L: goes round)\n"
-    "1 2 3 4  system       E  encoding\n"
-    "F  filter             + -  bias\n"
-    "M N  map size         T  map overlay\n"
-    "V  visibility alone   H  this text\n"
-    "R  reset              P  screenshot\n"
-    "Esc  quit\n";
+    "drag  camera, wheel  distance\n"
+    "right drag, arrows  light\n"
+    "L  light goes round\n"
+    "1 2 3 4  system\n"
+    "E  encoding, F  filter\n"
+    "+ -  bias, M N  map size\n"
+    "T  map, V  visibility alone\n"
+    "H  this text, R  reset\n"
+    "P  screenshot, Esc  quit\n";
 
 class session {
 public:
