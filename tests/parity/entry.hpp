@@ -68,6 +68,7 @@ struct entry {
     std::vector<texels> maps{};              ///< each gets its share of the inputs; none: no map
     texels table{};                          ///< values k / 255
     std::vector<const snippet*> also{};      ///< further snippets that `call` uses
+    std::vector<const snippet*> before{};    ///< snippets that `preamble` makes the primitive use
     std::string preamble{};                  ///< macros
     target output = target::rgba32f;
     bool bits = false;                       ///< a denormal must not act as zero
@@ -77,7 +78,9 @@ struct entry {
     }
     [[nodiscard]] bool uses(int input) const { return call.find("x" + std::to_string(input)) != std::string::npos; }
     [[nodiscard]] std::vector<snippet> snippets() const {
-        std::vector<snippet> all{*primitive};
+        std::vector<snippet> all;
+        for (const snippet* s : before) all.push_back(*s);
+        all.push_back(*primitive);
         for (const snippet* s : also) all.push_back(*s);
         return all;
     }

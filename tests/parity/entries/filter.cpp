@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
+#include <umbrage/depth/rg.hpp>
 #include <umbrage/filter/box.hpp>
 #include <umbrage/filter/four_tap.hpp>
 #include <umbrage/filter/pcf_2x2.hpp>
@@ -65,6 +66,10 @@ vec4 taps(const sample& s, auto... is_lit) {
 // What a user defines for reversed Z.
 const std::string reversed = "#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)\n";
 
+// And for a map of two channels.
+const std::string packed =
+    "#define UMBRAGE_FETCH(map, size, texel) umbrage_decode_rg11(vec2(umbrage_fetch_clamped(map, size, texel)), 0.5)\n";
+
 }  // namespace
 
 void add_filter(std::vector<entry>& all) {
@@ -112,6 +117,15 @@ void add_filter(std::vector<entry>& all) {
                    .twin = [](const sample& s) { return vec4(pcf_2x2(s.depth(), at(s), s.x[0].z, greater_equal{})); },
                    .call = "vec4(umbrage_pcf_2x2(map, map_size, vec2(x0.x, x0.y), x0.z))", .maps = depth_maps(),
                    .preamble = reversed});
+    all.push_back({.primitive = &glsl::pcf_2x2, .variant = "packed map", .classes = receivers(),
+                   .twin = [](const sample& s) {
+                       const auto depth = [view = s.map](ivec2 texel) {
+                           return decode_rg<11>(vec2(fetch_clamped(view, texel)), 0.5f);
+                       };
+                       return vec4(pcf_2x2(depth, at(s), s.x[0].z));
+                   },
+                   .call = "vec4(umbrage_pcf_2x2(map, map_size, vec2(x0.x, x0.y), x0.z))", .maps = packed_maps(),
+                   .before = {&glsl::decode_rg<11>}, .preamble = packed});
 }
 
 }  // namespace parity
