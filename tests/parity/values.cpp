@@ -138,7 +138,7 @@ namespace {
 std::vector<texels> maps(float (*value)(random&)) {
     random r(2002);
     std::vector<texels> all;
-    for (const ivec2 size : {ivec2(64, 64), ivec2(37, 21)}) {
+    for (const ivec2 size : {ivec2(64, 64), ivec2(37, 21), ivec2(3, 2)}) {
         all.emplace_back(size);
         for (vec4& t : all.back().texels())
             for (int c = 0; c < 4; ++c) t[c] = value(r);

@@ -43,7 +43,7 @@ struct range {
 /// A receiver before a map: x0.x, x0.y in texels, x0.z depth, x0.w a whole number from -1 to 9.
 [[nodiscard]] std::vector<input_class> receivers();
 
-/// A square map and one of odd size; depths on a lattice of 1/16, some of them 0, 1, NaN, denormal.
+/// A square map, one of odd size, a tiny one; depths on a lattice of 1/16, some of them 0, 1, NaN, denormal.
 [[nodiscard]] std::vector<texels> depth_maps();
 
 /// The same sizes with random bytes k / 255 in every channel.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include <umbrage/depth/aras.hpp>
 #include <umbrage/depth/three.hpp>
 
@@ -9,10 +11,15 @@ namespace parity {
 void add_depth_foreign(std::vector<entry>& all) {
     namespace glsl = umbrage::glsl;
     using namespace umbrage;
+    auto depths = spread({{0.0f, 1.0f}}, depth_values(24));
+    depths.push_back({"base-255 edges", [](std::uint64_t i, random& r, sample& s) {  // where a channel of aras goes up
+                          const auto edge = static_cast<float>(std::pow(255.0, -1.0 - static_cast<double>(i % 4)) * r.below(256));
+                          s.x[0].x = std::nextafter(edge, std::array{0.0f, edge, 1.0f}[i / 4 % 3]);
+                      }});
     const auto writer = [&](const snippet& s, std::string call, vec4 (*twin)(float), std::vector<const snippet*> also = {},
                             target output = target::rgba32f) {
         all.push_back({.primitive = &s, .variant = output == target::rgba8 ? "8-bit target" : "",
-                       .classes = spread({{0.0f, 1.0f}}, depth_values(24)), .whole = all_depths(),
+                       .classes = depths, .whole = all_depths(),
                        .twin = [twin](const sample& x) { return twin(x.x[0].x); }, .call = std::move(call),
                        .also = std::move(also), .output = output, .bits = output == target::rgba8});
     };

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <limits>
+
 #include <glm/geometric.hpp>
 
 #include <umbrage/shade/lighting.hpp>
@@ -31,8 +33,13 @@ void add_shade(std::vector<entry>& all) {
     all.push_back({.primitive = &glsl::spot_cone, .classes = cones(),
                    .twin = [](const sample& s) { return vec4(spot_cone(vec3(s.x[0]), vec3(s.x[1]), s.x[0].w)); },
                    .call = "vec4(umbrage_spot_cone(vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z), x0.w))"});
-    all.push_back({.primitive = &glsl::diffuse_ambient,
-                   .classes = spread({{0, 1}, {0, 1}, {0, 1}, {0, 1}, {-1, 1}, {0, 1}}, special_values()),
+    auto surfaces = spread({{0, 1}, {0, 1}, {0, 1}, {0, 1}, {-1, 1}, {0, 1}}, special_values());
+    surfaces.push_back({"grazing, no ambient", [](std::uint64_t i, random& r, sample& s) {
+                            const float least = std::numeric_limits<float>::min();
+                            s.x[0] = vec4(r.unit(), r.unit(), 1.0f, 0.0f);
+                            s.x[1] = vec4(std::array{0.0f, least, -least, 2.0f * least}[i % 4], 1.0f, 0.0f, 0.0f);
+                        }});
+    all.push_back({.primitive = &glsl::diffuse_ambient, .classes = surfaces,
                    .twin = [](const sample& s) {
                        return vec4(diffuse_ambient(vec3(s.x[0]), s.x[0].w, s.x[1].x, s.x[1].y), 1.0f);
                    },
