@@ -20,15 +20,20 @@ namespace {
 
 // Snippets in mediump, what is around them in highp: positions in a texture of inputs need it.
 const std::string low = "#define UMBRAGE_HIGHP mediump\n";
-constexpr snippet high_again{.name = "high_again", .summary = {}, .needs = {},
+constexpr snippet high_again{.name = "high_again",
+                             .summary = {},
+                             .needs = {},
                              .source = "\n#undef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP highp\n"};
 
 /// `call` over inputs x0, in mediump.
 std::vector<vec4> run(backend& b, version v, const snippet& s, std::string call, std::vector<vec4> inputs,
                       target output = target::rgba32f) {
     static std::deque<entry> entries;  // back ends know them by their places
-    entries.push_back({.primitive = &s, .call = std::move(call), .also = {&umbrage::glsl::to_unorm, &high_again},
-                       .preamble = low, .output = output});
+    entries.push_back({.primitive = &s,
+                       .call = std::move(call),
+                       .also = {&umbrage::glsl::to_unorm, &high_again},
+                       .preamble = low,
+                       .output = output});
     job j;
     j.what = &entries.back();
     j.count = inputs.size();
@@ -42,18 +47,22 @@ std::vector<vec4> half_depths() {
     std::vector<vec4> all;
     for (int bits = 0; bits <= 0x3C00; ++bits) {
         const int exponent = bits >> 10, fraction = bits & 0x3FF;
-        all.emplace_back(exponent ? std::ldexp(float(1024 + fraction), exponent - 25) : std::ldexp(float(fraction), -24));
+        all.emplace_back(exponent ? std::ldexp(float(1024 + fraction), exponent - 25)
+                                  : std::ldexp(float(fraction), -24));
     }
     return all;
 }
 
 bool computes_at_16_bits(backend& b, version v) {
-    static constexpr snippet plus_one{.name = "plus_one", .summary = {}, .needs = {},
+    static constexpr snippet plus_one{.name = "plus_one",
+                                      .summary = {},
+                                      .needs = {},
                                       .source = "\nmediump float plus_one(mediump float v) { return v + 1.0; }\n"};
     return run(b, v, plus_one, "vec4(plus_one(x0.x))", {vec4(2048.0f)}).front().x == 2048.0f;
 }
 
-/// Codes wrong at the lower edge, the centre and the upper edge; half depths whose channels are wrong, as floats or as bytes.
+/// Codes wrong at the lower edge, the centre and the upper edge; half depths whose channels are wrong, as floats or as
+/// bytes.
 struct faults {
     std::array<int, 3> codes{};
     int depths = 0;
@@ -71,7 +80,8 @@ faults look(backend& b, version v) {
             const vec2 k = umbrage::encode_rg<Bits>(std::ldexp(float(x), -Bits));
             channels.push_back(vec4(k / 255.0f, 0.5f * float(e), 0.0f));
         }
-    const auto decoded = run(b, v, umbrage::glsl::decode_rg<Bits>, "vec4(umbrage_decode_" + name + "(vec2(x0.x, x0.y), x0.z))", channels);
+    const auto decoded = run(b, v, umbrage::glsl::decode_rg<Bits>,
+                             "vec4(umbrage_decode_" + name + "(vec2(x0.x, x0.y), x0.z))", channels);
     for (std::size_t i = 0; i < decoded.size(); ++i) {
         const std::size_t edge = i >> Bits, x = i & ((std::size_t(1) << Bits) - 1);
         f.codes[edge] += decoded[i].x != std::ldexp(float(x) + 0.5f * float(edge), -Bits);
@@ -80,13 +90,15 @@ faults look(backend& b, version v) {
     const auto depths = half_depths();
     const std::string call = "vec4(umbrage_encode_" + name + "(x0.x), 0.0, 255.0)";
     const auto floats = run(b, v, umbrage::glsl::encode_rg<Bits>, call, depths);
-    const auto bytes = run(b, v, umbrage::glsl::encode_rg<Bits>, "umbrage_to_unorm(" + call + ")", depths, target::rgba8);
+    const auto bytes =
+        run(b, v, umbrage::glsl::encode_rg<Bits>, "umbrage_to_unorm(" + call + ")", depths, target::rgba8);
     for (std::size_t i = 0; i < depths.size(); ++i) {
         const vec4 k(vec2(umbrage::encode_rg<Bits>(depths[i].x)), 0.0f, 255.0f);
         f.depths += floats[i] != k || bytes[i] != k;
     }
-    std::cout << std::setw(4) << Bits << std::setw(8) << (1 << Bits) << std::setw(13) << f.codes[0] << std::setw(9) << f.codes[1]
-              << std::setw(13) << f.codes[2] << std::setw(9) << f.depths << " of " << depths.size() << '\n';
+    std::cout << std::setw(4) << Bits << std::setw(8) << (1 << Bits) << std::setw(13) << f.codes[0] << std::setw(9)
+              << f.codes[1] << std::setw(13) << f.codes[2] << std::setw(9) << f.depths << " of " << depths.size()
+              << '\n';
     return f;
 }
 
@@ -119,9 +131,7 @@ int look_at_all() {
 }  // namespace
 }  // namespace parity
 
-int main() try {
-    return parity::look_at_all();
-} catch (const std::exception& error) {
+int main() try { return parity::look_at_all(); } catch (const std::exception& error) {
     std::cerr << "mediump: " << error.what() << '\n';
     return 2;
 }

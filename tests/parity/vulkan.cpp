@@ -41,12 +41,14 @@ struct scratch {
     [[nodiscard]] std::vector<std::uint32_t> spirv(const std::string& stage, const std::string& text) const {
         const std::string file = (folder / ("shader." + stage)).string(), module = file + ".spv", log = file + ".log";
         std::ofstream(file) << text;
-        if (std::system((UMBRAGE_GLSLANG " -V --quiet '" + file + "' -o '" + module + "' > '" + log + "' 2>&1").c_str()) != 0) {
+        if (std::system(
+                (UMBRAGE_GLSLANG " -V --quiet '" + file + "' -o '" + module + "' > '" + log + "' 2>&1").c_str()) != 0) {
             std::ifstream words(log);
             throw std::runtime_error(std::string(std::istreambuf_iterator<char>(words), {}) + '\n' + text);
         }
         std::vector<std::uint32_t> code(fs::file_size(module) / 4);
-        std::ifstream(module, std::ios::binary).read(reinterpret_cast<char*>(code.data()), static_cast<std::streamsize>(code.size() * 4));
+        std::ifstream(module, std::ios::binary)
+            .read(reinterpret_cast<char*>(code.data()), static_cast<std::streamsize>(code.size() * 4));
         return code;
     }
 };
@@ -76,49 +78,68 @@ struct render_target {
 class vulkan final : public backend {
 public:
     explicit vulkan(vk::raii::PhysicalDevice physical)
-        : physical_(std::move(physical)), device_(make_device()), queue_(device_, family(), 0),
+        : physical_(std::move(physical)),
+          device_(make_device()),
+          queue_(device_, family(), 0),
           pool_(device_, {.flags = vk::CommandPoolCreateFlagBits::eResetCommandBuffer, .queueFamilyIndex = family()}),
-          commands_(std::move(vk::raii::CommandBuffers(device_, {.commandPool = *pool_, .commandBufferCount = 1}).front())),
-          sampler_(device_, {.magFilter = vk::Filter::eNearest, .minFilter = vk::Filter::eNearest,
+          commands_(
+              std::move(vk::raii::CommandBuffers(device_, {.commandPool = *pool_, .commandBufferCount = 1}).front())),
+          sampler_(device_, {.magFilter = vk::Filter::eNearest,
+                             .minFilter = vk::Filter::eNearest,
                              .addressModeU = vk::SamplerAddressMode::eClampToEdge,
                              .addressModeV = vk::SamplerAddressMode::eClampToEdge}) {
         std::vector<vk::DescriptorSetLayoutBinding> bindings;
         for (std::uint32_t i = 0; i < textures_.size(); ++i)
-            bindings.push_back({.binding = i, .descriptorType = vk::DescriptorType::eCombinedImageSampler, .descriptorCount = 1,
+            bindings.push_back({.binding = i,
+                                .descriptorType = vk::DescriptorType::eCombinedImageSampler,
+                                .descriptorCount = 1,
                                 .stageFlags = vk::ShaderStageFlagBits::eFragment});
-        set_layout_ = {device_, vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
-                                                                  .pBindings = bindings.data()}};
+        set_layout_ = {device_,
+                       vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
+                                                         .pBindings = bindings.data()}};
         layout_ = {device_, vk::PipelineLayoutCreateInfo{.setLayoutCount = 1, .pSetLayouts = &*set_layout_}};
-        const vk::DescriptorPoolSize sizes{vk::DescriptorType::eCombinedImageSampler, static_cast<std::uint32_t>(textures_.size())};
-        set_pool_ = {device_, vk::DescriptorPoolCreateInfo{.flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
-                                                           .maxSets = 1, .poolSizeCount = 1, .pPoolSizes = &sizes}};
-        set_ = std::move(vk::raii::DescriptorSets(device_, {.descriptorPool = *set_pool_, .descriptorSetCount = 1,
-                                                            .pSetLayouts = &*set_layout_}).front());
-        for (std::size_t unit = 0; unit < textures_.size(); ++unit) upload(unit, {vec4(0.0f)}, {1, 1});  // all must be there
+        const vk::DescriptorPoolSize sizes{vk::DescriptorType::eCombinedImageSampler,
+                                           static_cast<std::uint32_t>(textures_.size())};
+        set_pool_ = {device_,
+                     vk::DescriptorPoolCreateInfo{.flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
+                                                  .maxSets = 1,
+                                                  .poolSizeCount = 1,
+                                                  .pPoolSizes = &sizes}};
+        set_ = std::move(
+            vk::raii::DescriptorSets(
+                device_, {.descriptorPool = *set_pool_, .descriptorSetCount = 1, .pSetLayouts = &*set_layout_})
+                .front());
+        for (std::size_t unit = 0; unit < textures_.size(); ++unit)
+            upload(unit, {vec4(0.0f)}, {1, 1});  // all must be there
         const float corners[] = {-1, -1, 3, -1, -1, 3};
         reserve(corners_, sizeof corners);
         std::memcpy(corners_.mapped, corners, sizeof corners);
         for (render_target& t : targets_) {
-            const vk::AttachmentDescription colour{.format = t.format, .loadOp = vk::AttachmentLoadOp::eDontCare,
+            const vk::AttachmentDescription colour{.format = t.format,
+                                                   .loadOp = vk::AttachmentLoadOp::eDontCare,
                                                    .storeOp = vk::AttachmentStoreOp::eStore,
                                                    .initialLayout = vk::ImageLayout::eGeneral,
                                                    .finalLayout = vk::ImageLayout::eGeneral};
             const vk::AttachmentReference first{0, vk::ImageLayout::eGeneral};
             const vk::SubpassDescription subpass{.colorAttachmentCount = 1, .pColorAttachments = &first};
-            t.pass = {device_, vk::RenderPassCreateInfo{.attachmentCount = 1, .pAttachments = &colour, .subpassCount = 1,
-                                                        .pSubpasses = &subpass}};
+            t.pass = {device_,
+                      vk::RenderPassCreateInfo{
+                          .attachmentCount = 1, .pAttachments = &colour, .subpassCount = 1, .pSubpasses = &subpass}};
         }
     }
 
     [[nodiscard]] std::string name() const override {
         const std::string device = physical_.getProperties().deviceName.data();
-        return device.starts_with("llvmpipe") ? "lavapipe (" + device + ")" : "Vulkan on " + device;  // not OpenGL's own
+        return device.starts_with("llvmpipe") ? "lavapipe (" + device + ")"
+                                              : "Vulkan on " + device;  // not OpenGL's own
     }
     [[nodiscard]] std::vector<version> versions() const override { return {version::vulkan}; }
     [[nodiscard]] std::string label(version) const override { return "Vulkan"; }
     [[nodiscard]] std::string obstacle(const entry& e) const override {
         const auto limit = physical_.getProperties().limits.maxImageDimension2D;
-        return e.table.size().x <= static_cast<int>(limit) ? "" : "its table is wider than " + std::to_string(limit) + " texels";
+        return e.table.size().x <= static_cast<int>(limit)
+                   ? ""
+                   : "its table is wider than " + std::to_string(limit) + " texels";
     }
 
     [[nodiscard]] std::vector<vec4> run(version, const job& j, std::size_t count) override {
@@ -129,8 +150,12 @@ public:
             t.frame = nullptr;
             t.colour = make_picture(t.format, {width, height},
                                     vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc);
-            t.frame = {device_, vk::FramebufferCreateInfo{.renderPass = *t.pass, .attachmentCount = 1, .pAttachments = &*t.colour.view,
-                                                          .width = width, .height = static_cast<std::uint32_t>(height), .layers = 1}};
+            t.frame = {device_, vk::FramebufferCreateInfo{.renderPass = *t.pass,
+                                                          .attachmentCount = 1,
+                                                          .pAttachments = &*t.colour.view,
+                                                          .width = width,
+                                                          .height = static_cast<std::uint32_t>(height),
+                                                          .layers = 1}};
         }
         if (serial_ != j.serial) send(j, height);
         if (entry_ != j.what) {
@@ -152,7 +177,8 @@ public:
             commands_.draw(3, 1, 0, 0);
             commands_.endRenderPass();
             barrier();
-            commands_.copyImageToBuffer(*t.colour.image, vk::ImageLayout::eGeneral, *staging_.handle, whole(t.colour.size));
+            commands_.copyImageToBuffer(*t.colour.image, vk::ImageLayout::eGeneral, *staging_.handle,
+                                        whole(t.colour.size));
         });
         std::vector<vec4> result(count);
         if (bytes) {
@@ -174,7 +200,8 @@ private:
 
     [[nodiscard]] vk::raii::Device make_device() const {
         const float priority = 1.0f;
-        const vk::DeviceQueueCreateInfo queue{.queueFamilyIndex = family(), .queueCount = 1, .pQueuePriorities = &priority};
+        const vk::DeviceQueueCreateInfo queue{
+            .queueFamilyIndex = family(), .queueCount = 1, .pQueuePriorities = &priority};
         return {physical_, vk::DeviceCreateInfo{.queueCreateInfoCount = 1, .pQueueCreateInfos = &queue}};
     }
 
@@ -190,7 +217,9 @@ private:
     void reserve(buffer& b, std::size_t size) const {
         if (b.size >= size) return;
         using usage = vk::BufferUsageFlagBits;
-        b.handle = {device_, vk::BufferCreateInfo{.size = size, .usage = usage::eTransferSrc | usage::eTransferDst | usage::eVertexBuffer}};
+        b.handle = {device_,
+                    vk::BufferCreateInfo{.size = size,
+                                         .usage = usage::eTransferSrc | usage::eTransferDst | usage::eVertexBuffer}};
         b.memory = allocate(b.handle.getMemoryRequirements(),
                             vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent);
         b.handle.bindMemory(*b.memory, 0);
@@ -227,17 +256,24 @@ private:
     [[nodiscard]] picture make_picture(vk::Format format, ivec2 size, vk::ImageUsageFlags usage) {
         picture p;
         p.size = size;
-        p.image = {device_, vk::ImageCreateInfo{.imageType = vk::ImageType::e2D, .format = format, .extent = whole(size).imageExtent,
-                                                .mipLevels = 1, .arrayLayers = 1, .usage = usage}};
+        p.image = {device_, vk::ImageCreateInfo{.imageType = vk::ImageType::e2D,
+                                                .format = format,
+                                                .extent = whole(size).imageExtent,
+                                                .mipLevels = 1,
+                                                .arrayLayers = 1,
+                                                .usage = usage}};
         p.memory = allocate(p.image.getMemoryRequirements(), vk::MemoryPropertyFlagBits::eDeviceLocal);
         p.image.bindMemory(*p.memory, 0);
-        p.view = {device_, vk::ImageViewCreateInfo{.image = *p.image, .viewType = vk::ImageViewType::e2D, .format = format,
+        p.view = {device_, vk::ImageViewCreateInfo{.image = *p.image,
+                                                   .viewType = vk::ImageViewType::e2D,
+                                                   .format = format,
                                                    .subresourceRange = colour_range}};
         submit([&] {
             using stage = vk::PipelineStageFlagBits;
             commands_.pipelineBarrier(stage::eTopOfPipe, stage::eAllCommands, {}, nullptr, nullptr,
                                       vk::ImageMemoryBarrier{.dstAccessMask = vk::AccessFlagBits::eMemoryWrite,
-                                                             .newLayout = vk::ImageLayout::eGeneral, .image = *p.image,
+                                                             .newLayout = vk::ImageLayout::eGeneral,
+                                                             .image = *p.image,
                                                              .subresourceRange = colour_range});
         });
         return p;
@@ -250,13 +286,17 @@ private:
                              vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst);
             const vk::DescriptorImageInfo sampled{*sampler_, *p.view, vk::ImageLayout::eGeneral};
             device_.updateDescriptorSets(
-                vk::WriteDescriptorSet{.dstSet = *set_, .dstBinding = static_cast<std::uint32_t>(unit), .descriptorCount = 1,
-                                       .descriptorType = vk::DescriptorType::eCombinedImageSampler, .pImageInfo = &sampled},
+                vk::WriteDescriptorSet{.dstSet = *set_,
+                                       .dstBinding = static_cast<std::uint32_t>(unit),
+                                       .descriptorCount = 1,
+                                       .descriptorType = vk::DescriptorType::eCombinedImageSampler,
+                                       .pImageInfo = &sampled},
                 nullptr);
         }
         reserve(staging_, static_cast<std::size_t>(size.x * size.y) * sizeof(vec4));
         std::memcpy(staging_.mapped, values.data(), values.size() * sizeof(vec4));  // the last row need not be full
-        submit([&] { commands_.copyBufferToImage(*staging_.handle, *p.image, vk::ImageLayout::eGeneral, whole(size)); });
+        submit(
+            [&] { commands_.copyBufferToImage(*staging_.handle, *p.image, vk::ImageLayout::eGeneral, whole(size)); });
     }
 
     void send(const job& j, int height) {
@@ -277,27 +317,38 @@ private:
         const shader text = make_shader(e, version::vulkan);
         if (!*vertex_) vertex_ = make_module("vert", text.vertex);  // the same for all
         const auto fragment = make_module("frag", text.fragment);
-        const std::array stages{
-            vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eVertex, .module = *vertex_, .pName = "main"},
-            vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eFragment, .module = *fragment, .pName = "main"}};
+        const std::array stages{vk::PipelineShaderStageCreateInfo{
+                                    .stage = vk::ShaderStageFlagBits::eVertex, .module = *vertex_, .pName = "main"},
+                                vk::PipelineShaderStageCreateInfo{
+                                    .stage = vk::ShaderStageFlagBits::eFragment, .module = *fragment, .pName = "main"}};
         const vk::VertexInputBindingDescription binding{0, sizeof(vec2), vk::VertexInputRate::eVertex};
         const vk::VertexInputAttributeDescription attribute{0, 0, vk::Format::eR32G32Sfloat, 0};
-        const vk::PipelineVertexInputStateCreateInfo input{.vertexBindingDescriptionCount = 1, .pVertexBindingDescriptions = &binding,
-                                                           .vertexAttributeDescriptionCount = 1, .pVertexAttributeDescriptions = &attribute};
+        const vk::PipelineVertexInputStateCreateInfo input{.vertexBindingDescriptionCount = 1,
+                                                           .pVertexBindingDescriptions = &binding,
+                                                           .vertexAttributeDescriptionCount = 1,
+                                                           .pVertexAttributeDescriptions = &attribute};
         const vk::PipelineInputAssemblyStateCreateInfo assembly{.topology = vk::PrimitiveTopology::eTriangleList};
         const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
         const vk::PipelineRasterizationStateCreateInfo raster{.lineWidth = 1.0f};
         const vk::PipelineMultisampleStateCreateInfo samples{};
         using write = vk::ColorComponentFlagBits;
-        const vk::PipelineColorBlendAttachmentState plain{.colorWriteMask = write::eR | write::eG | write::eB | write::eA};
+        const vk::PipelineColorBlendAttachmentState plain{.colorWriteMask =
+                                                              write::eR | write::eG | write::eB | write::eA};
         const vk::PipelineColorBlendStateCreateInfo blend{.attachmentCount = 1, .pAttachments = &plain};
         const std::array varying{vk::DynamicState::eViewport, vk::DynamicState::eScissor};
-        const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount = varying.size(), .pDynamicStates = varying.data()};
+        const vk::PipelineDynamicStateCreateInfo dynamic{.dynamicStateCount = varying.size(),
+                                                         .pDynamicStates = varying.data()};
         return {device_, nullptr,
-                vk::GraphicsPipelineCreateInfo{.stageCount = stages.size(), .pStages = stages.data(), .pVertexInputState = &input,
-                                               .pInputAssemblyState = &assembly, .pViewportState = &viewport,
-                                               .pRasterizationState = &raster, .pMultisampleState = &samples,
-                                               .pColorBlendState = &blend, .pDynamicState = &dynamic, .layout = *layout_,
+                vk::GraphicsPipelineCreateInfo{.stageCount = stages.size(),
+                                               .pStages = stages.data(),
+                                               .pVertexInputState = &input,
+                                               .pInputAssemblyState = &assembly,
+                                               .pViewportState = &viewport,
+                                               .pRasterizationState = &raster,
+                                               .pMultisampleState = &samples,
+                                               .pColorBlendState = &blend,
+                                               .pDynamicState = &dynamic,
+                                               .layout = *layout_,
                                                .renderPass = *pass}};
     }
 

@@ -96,15 +96,15 @@ public:
 
         std::ostringstream head;
         std::vector<std::string> parts{"", text.vertex, text.fragment};
-        head << "{\"version\": " << number(v) << ", \"bytes\": " << (bytes ? "true" : "false") << ", \"size\": [" << width << ", "
-             << height << "], \"rows\": " << rows << ", \"map_size\": [" << map_size.x << ", " << map_size.y
-             << "], \"spare_unit\": " << max_inputs + 2;
+        head << "{\"version\": " << number(v) << ", \"bytes\": " << (bytes ? "true" : "false") << ", \"size\": ["
+             << width << ", " << height << "], \"rows\": " << rows << ", \"map_size\": [" << map_size.x << ", "
+             << map_size.y << "], \"spare_unit\": " << max_inputs + 2;
         if (serial_ != j.serial) {
             head << ", \"textures\": [";
             const auto names = samplers(*j.what);
             const auto add = [&](std::size_t unit, const auto& values, ivec2 size) {
-                head << (parts.size() > 3 ? ", " : "") << "{\"name\": \"" << names[unit] << "\", \"unit\": " << unit << ", \"size\": ["
-                     << size.x << ", " << size.y << "]}";
+                head << (parts.size() > 3 ? ", " : "") << "{\"name\": \"" << names[unit] << "\", \"unit\": " << unit
+                     << ", \"size\": [" << size.x << ", " << size.y << "]}";
                 std::string floats(static_cast<std::size_t>(size.x * size.y) * sizeof(vec4), '\0');
                 std::memcpy(floats.data(), values.data(), values.size() * sizeof(vec4));
                 parts.push_back(std::move(floats));

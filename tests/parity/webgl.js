@@ -17,7 +17,8 @@ async function draw() {
     let textures = [], serial = 0;
 
     function open(version) {
-        const gl = document.createElement('canvas').getContext(version === 1 ? 'webgl' : 'webgl2', { antialias: false });
+        const canvas = document.createElement('canvas');
+        const gl = canvas.getContext(version === 1 ? 'webgl' : 'webgl2', { antialias: false });
         if (!gl) throw new Error('no WebGL ' + version);
         const wanted = version === 1 ? ['OES_texture_float', 'WEBGL_color_buffer_float'] : ['EXT_color_buffer_float'];
         for (const name of wanted) if (!gl.getExtension(name)) throw new Error('no ' + name);
@@ -32,8 +33,9 @@ async function draw() {
     function texture(c, old, size, type, pixels) {
         const gl = c.gl, id = old || gl.createTexture();
         gl.bindTexture(gl.TEXTURE_2D, id);
-        for (const name of ['MIN_FILTER', 'MAG_FILTER']) gl.texParameteri(gl.TEXTURE_2D, gl['TEXTURE_' + name], gl.NEAREST);
-        for (const name of ['WRAP_S', 'WRAP_T']) gl.texParameteri(gl.TEXTURE_2D, gl['TEXTURE_' + name], gl.CLAMP_TO_EDGE);
+        const set = (name, value) => gl.texParameteri(gl.TEXTURE_2D, gl['TEXTURE_' + name], value);
+        for (const name of ['MIN_FILTER', 'MAG_FILTER']) set(name, gl.NEAREST);
+        for (const name of ['WRAP_S', 'WRAP_T']) set(name, gl.CLAMP_TO_EDGE);
         const format = c.version === 1 ? gl.RGBA : type === gl.FLOAT ? gl.RGBA32F : gl.RGBA8;
         gl.texImage2D(gl.TEXTURE_2D, 0, format, size[0], size[1], 0, gl.RGBA, type, pixels);
         return id;
@@ -89,7 +91,8 @@ async function draw() {
             gl.activeTexture(gl.TEXTURE0 + job.spare_unit);
             target.colour = texture(c, target.colour, job.size, type, null);
             gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target.colour, 0);
-            if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) throw new Error('incomplete target');
+            const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
+            if (status !== gl.FRAMEBUFFER_COMPLETE) throw new Error('incomplete target');
             gl.bindTexture(gl.TEXTURE_2D, null);
             target.height = height;
         }
@@ -174,8 +177,9 @@ server.listen(0, '127.0.0.1', async () => {
     try {
         browser = await chromium.launch({
             executablePath: browser_path,
-            args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-watchdog',
-                '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+            args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+                '--disable-gpu-watchdog', '--disable-quic', '--no-first-run', '--disable-background-networking',
+                '--disable-component-update', '--disable-sync'],
         });
         const page = await browser.newPage();
         await page.goto('http://127.0.0.1:' + server.address().port + '/');
