@@ -23,11 +23,11 @@ namespace umbrage {
 ///
 /// @param k     whole number 0..255
 /// @return      about (k + 1/4) / 255, at most 1.00098, which the store clamps
-/// @formula     (k + (k + 64) / 256) / 256
+/// @formula     (257 k + 64) / 65536
 /// @exactness   A: 17 significant bits
 template <real T>
 [[nodiscard]] constexpr T to_unorm(T k) {
-    return (k + (k + T(64)) * T(1.0 / 256.0)) * T(1.0 / 256.0);
+    return k * T(257.0 / 65536.0) + T(64.0 / 65536.0);
 }
 template <int L, real T>
 [[nodiscard]] constexpr glm::vec<L, T> to_unorm(glm::vec<L, T> k) {
@@ -83,16 +83,16 @@ inline constexpr snippet to_unorm{
     .source = R"GLSL(
 // umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
 UMBRAGE_HIGHP float umbrage_to_unorm(UMBRAGE_HIGHP float k) {
-    return (k + (k + 64.0) * (1.0 / 256.0)) * (1.0 / 256.0);
+    return k * (257.0 / 65536.0) + (64.0 / 65536.0);
 }
 UMBRAGE_HIGHP vec2 umbrage_to_unorm(UMBRAGE_HIGHP vec2 k) {
-    return (k + (k + 64.0) * (1.0 / 256.0)) * (1.0 / 256.0);
+    return k * (257.0 / 65536.0) + (64.0 / 65536.0);
 }
 UMBRAGE_HIGHP vec3 umbrage_to_unorm(UMBRAGE_HIGHP vec3 k) {
-    return (k + (k + 64.0) * (1.0 / 256.0)) * (1.0 / 256.0);
+    return k * (257.0 / 65536.0) + (64.0 / 65536.0);
 }
 UMBRAGE_HIGHP vec4 umbrage_to_unorm(UMBRAGE_HIGHP vec4 k) {
-    return (k + (k + 64.0) * (1.0 / 256.0)) * (1.0 / 256.0);
+    return k * (257.0 / 65536.0) + (64.0 / 65536.0);
 }
 )GLSL"};
 

@@ -597,11 +597,11 @@ namespace umbrage {
 ///
 /// @param k     whole number 0..255
 /// @return      about (k + 1/4) / 255, at most 1.00098, which the store clamps
-/// @formula     (k + (k + 64) / 256) / 256
+/// @formula     (257 k + 64) / 65536
 /// @exactness   A: 17 significant bits
 template <real T>
 [[nodiscard]] constexpr T to_unorm(T k) {
-    return (k + (k + T(64)) * T(1.0 / 256.0)) * T(1.0 / 256.0);
+    return k * T(257.0 / 65536.0) + T(64.0 / 65536.0);
 }
 template <int L, real T>
 [[nodiscard]] constexpr glm::vec<L, T> to_unorm(glm::vec<L, T> k) {
@@ -657,16 +657,16 @@ inline constexpr snippet to_unorm{
     .source = R"GLSL(
 // umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
 UMBRAGE_HIGHP float umbrage_to_unorm(UMBRAGE_HIGHP float k) {
-    return (k + (k + 64.0) * (1.0 / 256.0)) * (1.0 / 256.0);
+    return k * (257.0 / 65536.0) + (64.0 / 65536.0);
 }
 UMBRAGE_HIGHP vec2 umbrage_to_unorm(UMBRAGE_HIGHP vec2 k) {
-    return (k + (k + 64.0) * (1.0 / 256.0)) * (1.0 / 256.0);
+    return k * (257.0 / 65536.0) + (64.0 / 65536.0);
 }
 UMBRAGE_HIGHP vec3 umbrage_to_unorm(UMBRAGE_HIGHP vec3 k) {
-    return (k + (k + 64.0) * (1.0 / 256.0)) * (1.0 / 256.0);
+    return k * (257.0 / 65536.0) + (64.0 / 65536.0);
 }
 UMBRAGE_HIGHP vec4 umbrage_to_unorm(UMBRAGE_HIGHP vec4 k) {
-    return (k + (k + 64.0) * (1.0 / 256.0)) * (1.0 / 256.0);
+    return k * (257.0 / 65536.0) + (64.0 / 65536.0);
 }
 )GLSL"};
 
@@ -1073,8 +1073,7 @@ inline constexpr snippet decode_ps14{
     .source = R"GLSL(
 // umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14
 UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * 0.125 + c.y;
-    return depth;
+    return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
 }
 )GLSL"};
 
@@ -1884,8 +1883,10 @@ inline constexpr snippet hard{
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
-    if (!umbrage_inside_texel_space(coord)) return 1.0;
-    return UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, floor(coord)));
+    bool inside = umbrage_inside_texel_space(coord);
+    UMBRAGE_HIGHP vec2 texel = inside ? floor(coord) : vec2(0.0, 0.0);  // no branch: fetches of several taps overlap
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel));
+    return inside ? lit : 1.0;
 }
 )GLSL"};
 
@@ -2979,10 +2980,10 @@ void decode(image_view<const typename Encoding::texel> texels, image_view<float>
 // row without a division.
 //
 //     umbrage::triangle_batch batch;
-//     if (batch.add(p, q, r, id, bounds, cull)) ...
+//     batch.add(p, q, r, id, {{0, 0}, size}, umbrage::cull_mode::none);  // and more, until it is full()
 //     batch.set_up();
 //     for (int i = 0; i < batch.count; ++i)
-//         batch.for_each_row(i, bounds, [&](int y, int first, int last) { ... });
+//         batch.for_each_row(i, [&](int y, int first, int last) { ... });
 //
 // A sample is inside an edge from a to b where E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0, or > 0 where the
 // edge is neither a top nor a left one. In a row the last such sample is a quotient of integers; from row to row the
@@ -3047,19 +3048,22 @@ public:
         }
     }
 
+    /// Rows first <= y < second whose centres are above the lowest corner, the highest included: a bottom edge and
+    /// a corner cover no centre that they meet.
+    [[nodiscard]] static UMBRAGE_INLINE std::pair<int, int> rows(std::int32_t lowest, std::int32_t highest) {
+        return {(lowest + subtexels - centre) >> 8, ((highest - centre) >> 8) + 1};
+    }
+
     [[nodiscard]] bool full() const { return count == detail::block; }
 
     /// Takes a triangle unless it faces away, has no area or no sample in its bounds can be within `bounds`.
     /// There must be room.
     UMBRAGE_INLINE void add(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c,
                             unsigned triangle, const texel_bounds& bounds, cull_mode cull) {
-        // Centres above the lowest corner, the highest included: a bottom edge and a corner cover none that they meet.
-        const auto up = [](std::int32_t v) { return (v + subtexels - 1 - centre) >> 8; };
-        const auto down = [](std::int32_t v) { return (v - centre) >> 8; };
-        const int first_x = std::max(up(std::min({a.x, b.x, c.x})), bounds.first.x);
-        const int last_x = std::min(down(std::max({a.x, b.x, c.x})), bounds.last.x - 1);
-        const int first_y = std::max(up(std::min({a.y, b.y, c.y}) + 1), bounds.first.y);
-        const int last_y = std::min(down(std::max({a.y, b.y, c.y})), bounds.last.y - 1);
+        const auto [lowest, highest] = rows(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}));
+        const int first_y = std::max(lowest, bounds.first.y), last_y = std::min(highest, bounds.last.y) - 1;
+        const int left = std::min({a.x, b.x, c.x}) + subtexels - 1 - centre, right = std::max({a.x, b.x, c.x}) - centre;
+        const int first_x = std::max(left >> 8, bounds.first.x), last_x = std::min(right >> 8, bounds.last.x - 1);
         if (first_x > last_x || first_y > last_y) return;
 
         const std::int64_t area =
@@ -3249,7 +3253,7 @@ private:
 //
 // Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left
 // rule (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a
-// grid on which every sample is then computed exactly. So no order of triangles or vertices, no tiling, no instruction
+// grid on which every sample is then computed exactly. So no order of triangles or vertices, no threads, no instruction
 // set and no contraction to FMA changes a bit; of clipped triangles the last may move a cut by 1/256 texel.
 //
 
@@ -3302,7 +3306,8 @@ public:
         const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
         if (planes_outside(a) | planes_outside(b) | planes_outside(c)) return {0, height};
         const auto [lowest, highest] = std::minmax({a.y, b.y, c.y});
-        return {std::max(lowest >> 8, 0), std::min((highest >> 8) + 1, height)};
+        const auto rows = triangle_batch::rows(lowest, highest);
+        return {std::max(rows.first, 0), std::min(rows.second, height)};
     }
 
     /// @param triangles  (f): calls f(unsigned triangle) for each
@@ -3342,10 +3347,14 @@ private:
         glm::vec3 positions[block];
         for (std::size_t i = 0; i < block; ++i)
             positions[i] = mesh_.positions[std::min(first + i, mesh_.positions.size() - 1)];
+        bool finite[block];
+        for (std::size_t i = 0; i < block; ++i) {
+            finite[i] = is_finite(positions[i]);
+            if (!finite[i]) positions[i] = glm::vec3(0.0f);
+        }
         snapped_vertex vertices[block];
         project_.snap(positions, vertices);
-        for (std::size_t i = 0; i < block; ++i)
-            vertices_[first + i] = is_finite(positions[i]) ? vertices[i] : outside_vertex(nowhere);
+        for (std::size_t i = 0; i < block; ++i) vertices_[first + i] = finite[i] ? vertices[i] : outside_vertex(nowhere);
     }
 
     mesh_view mesh_;
@@ -3358,7 +3367,7 @@ class banded_triangles {
 public:
     template <class ParallelFor>
     banded_triangles(const projected_mesh& mesh, glm::ivec2 size, ParallelFor&& parallel)
-        : mesh_(mesh), rows_(std::max(band_texels / std::max(size.x, 1), 1)), bands_((size.y + rows_ - 1) / rows_) {
+        : mesh_(mesh), rows_(std::clamp(band_texels / std::max(size.x, 1), 1, band_rows)), bands_((size.y + rows_ - 1) / rows_) {
         const unsigned triangles = mesh.triangle_count(), pieces = (triangles + piece - 1) / piece;
         lists_.resize(std::size_t(pieces) * std::size_t(bands_));
         parallel(static_cast<int>(pieces), [&](int first, int last) {
@@ -3384,7 +3393,7 @@ public:
     }
 
 private:
-    static constexpr int band_texels = 1 << 16;
+    static constexpr int band_texels = 1 << 16, band_rows = 64;
     static constexpr unsigned piece = 1 << 16;  // triangles that one thread sorts at a time
 
     const projected_mesh& mesh_;
@@ -3400,6 +3409,13 @@ public:
         : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
           up_(flipped ? -depth.stride : depth.stride),
           width_(depth.size.x) {}
+
+    /// Starts to fetch the texels of a triangle, which for a small one takes as long as to draw another.
+    UMBRAGE_INLINE void expect(const triangle_batch& batch, int i) const {
+        const auto bounds = batch.bounds(i);
+        for (int y = bounds.first.y; y < std::min(bounds.last.y, bounds.first.y + 16); ++y)
+            UMBRAGE_PREFETCH(row(y) + bounds.first.x);
+    }
 
     UMBRAGE_INLINE void draw(const triangle_batch& batch, int i) const {
         const auto plane = batch.plane(i);
@@ -3474,7 +3490,10 @@ template <bool Forward>
 void draw_batch(image_view<float> depth, bool flipped, const triangle_batch& batch) {
     on_best_isa([&](auto) UMBRAGE_INLINE {
         const span_writer<Forward> writer(depth, flipped);
-        for (int i = 0; i < batch.count; ++i) writer.draw(batch, i);
+        for (int i = 0; i < batch.count; ++i) {
+            if (i + 1 < batch.count) writer.expect(batch, i + 1);
+            writer.draw(batch, i);
+        }
     });
 }
 
@@ -3624,6 +3643,17 @@ struct box {
     }
 };
 
+/// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
+/// Pays off for large radii, and where shadows have more inside than border.
+struct hierarchical_box {
+    int radius = 1;  ///< clamped to 0..8
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::box(fetch, coord, receiver, radius);
+    }
+};
+
 }  // namespace filters
 
 }  // namespace umbrage
@@ -3757,6 +3787,25 @@ template <class T>
     return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
 }
 
+/// Asks for the texels around some of a block's receivers. Where a block starts on another row of the map than the one
+/// before, the machine cannot guess them, and would wait for memory at every block.
+template <class T>
+UMBRAGE_INLINE inline void prefetch_texels([[maybe_unused]] const image_view<T>& map, [[maybe_unused]] const receiver_block& r) {
+#if defined(__GNUC__) || defined(__clang__)
+    std::int32_t x[block / 16], y[block / 16];
+    for (int i = 0; i < block / 16; ++i) {
+        const float u = r.x[i * 16], v = r.y[i * 16];
+        const std::int32_t inside = texel_space_mask(u, v);
+        x[i] = clamp_int(floor_int(masked(u, inside)), map.size.x - 1);
+        y[i] = clamp_int(floor_int(masked(v, inside)), map.size.y - 1);
+    }
+    for (int i = 0; i < block / 16; ++i) {
+        __builtin_prefetch(texel_at(map, x[i], y[i]));
+        __builtin_prefetch(texel_at(map, x[i], y[i] < map.size.y - 1 ? y[i] + 1 : y[i]));
+    }
+#endif
+}
+
 /// Any filter, one receiver after the other.
 template <class Filter, class Encoding>
 struct one_by_one {
@@ -3764,6 +3813,7 @@ struct one_by_one {
     const Encoding& encoding;
     const Filter& filter;
 
+    UMBRAGE_INLINE void prefetch(const receiver_block&) const {}
     template <class Isa>
     UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa) const {
         const auto fetch = decoded(map, encoding);
@@ -3802,6 +3852,7 @@ struct block_filter<filters::hard, Encoding> {
     const Encoding& encoding;
     const filters::hard& filter;
 
+    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
         std::int32_t lit[block]{};
@@ -3817,6 +3868,7 @@ struct block_filter<filters::four_tap, Encoding> {
     const Encoding& encoding;
     const filters::four_tap& filter;
 
+    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
         std::int32_t lit[block]{};
@@ -3834,6 +3886,7 @@ struct block_filter<filters::pcf_2x2, Encoding> {
     const Encoding& encoding;
     const filters::pcf_2x2& filter;
 
+    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
         const texel_bytes memory(map);
@@ -3950,6 +4003,7 @@ struct block_filter<filters::box, depth32f> {
     const depth32f& encoding;
     const filters::box& filter;
 
+    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa set) const {
 #if UMBRAGE_HAS_VECTORS
@@ -4005,6 +4059,219 @@ struct block_filter<filters::box, depth32f> {
         return box_rows<Lanes, Whole>(sizeof texels[0], width).count(reinterpret_cast<const std::byte*>(texels), 0, receiver);
     }
 #endif
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/image_ops/pyramid.hpp
+// Least and greatest depth of every square of 2 x 2, 4 x 4, ... texels of a map.
+//
+//     const auto levels = umbrage::make_min_max_pyramid(map.view(), 3);
+//     float nearest = levels[1].least[texel / 4];  // of the 4 x 4 texels that `texel` is one of
+//
+
+namespace umbrage {
+
+/// One level: an element for each square, those at the far borders cut off by them.
+struct depth_bounds {
+    image<float> least;     ///< NaN where a texel is NaN
+    image<float> greatest;  ///< of the texels that are numbers; NaN where none is
+};
+
+namespace detail {
+
+/// Floats as integers in the same order, -0 below +0, NaN below everything; and back.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t order_key(float v) {
+    const auto bits = std::bit_cast<std::int32_t>(v);
+    const std::int32_t number = -std::int32_t((bits & 0x7FFFFFFF) <= 0x7F800000);
+    return ((bits ^ (bits >> 31 & 0x7FFFFFFF)) & number) | (INT32_MIN & ~number);
+}
+[[nodiscard]] UMBRAGE_INLINE inline float from_order_key(std::int32_t key) {
+    return std::bit_cast<float>(key ^ (key >> 31 & 0x7FFFFFFF));
+}
+struct least_of {
+    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a < b ? a : b; }
+};
+struct greatest_of {
+    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a > b ? a : b; }
+};
+
+/// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it.
+template <class Pick, class ParallelFor>
+void halve(image_view<const float> from, image_view<float> to, Pick pick, ParallelFor&& parallel) {
+    parallel(to.size.y, [&](int first, int last) {
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            std::int32_t keys[block];
+            float ends[2][2 * block];
+            for (int y = first; y < last; ++y) {
+                const float* rows[2] = {from.row(2 * y), from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y)};
+                for (int x = 0; x < to.size.x; x += block) {
+                    const float *low = rows[0] + 2 * x, *high = rows[1] + 2 * x;
+                    if (const int there = from.size.x - 2 * x; there < 2 * block) {
+                        for (int i = 0; i < 2 * block; ++i) {
+                            const int k = i < there ? i : there - 1;
+                            ends[0][i] = low[k];
+                            ends[1][i] = high[k];
+                        }
+                        low = ends[0];
+                        high = ends[1];
+                    }
+                    for (int i = 0; i < block; ++i)
+                        keys[i] = pick(pick(order_key(low[2 * i]), order_key(low[2 * i + 1])),
+                                       pick(order_key(high[2 * i]), order_key(high[2 * i + 1])));
+                    float* result = to.row(y) + x;
+                    const int count = to.size.x - x < block ? to.size.x - x : block;
+                    for (int i = 0; i < count; ++i) result[i] = from_order_key(keys[i]);
+                }
+            }
+        });
+    });
+}
+
+}  // namespace detail
+
+/// @param map       depths, any values
+/// @param levels    how many: the first has squares of 2 x 2 texels, each next one of twice the side
+/// @param parallel  cuts the rows into pieces, see parallel.hpp
+/// @return          as many levels; a level of a single element is followed by more of them
+/// @throws std::invalid_argument  empty map, or negative levels
+/// @exactness       A: selects, never computes
+template <class ParallelFor = serial>
+[[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels, ParallelFor&& parallel = {}) {
+    if (map.empty() || levels < 0) throw std::invalid_argument("umbrage::make_min_max_pyramid: empty map or negative levels");
+    std::vector<depth_bounds> pyramid;
+    for (int level = 0; level < levels; ++level) {
+        const image_view<const float> least = level ? pyramid.back().least.view() : map;
+        const image_view<const float> greatest = level ? pyramid.back().greatest.view() : map;
+        const glm::ivec2 size((least.size.x + 1) / 2, (least.size.y + 1) / 2);
+        depth_bounds next{image<float>(size), image<float>(size)};
+        detail::halve(least, next.least.view(), detail::least_of{}, parallel);
+        detail::halve(greatest, next.greatest.view(), detail::greatest_of{}, parallel);
+        pyramid.push_back(std::move(next));
+    }
+    return pyramid;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/hierarchical.hpp
+// The box filter for receivers most of which are wholly lit or wholly in shadow: those ask one number for the whole box.
+// visibility() does it for filters::hierarchical_box; bit for bit what filters::box gives.
+//
+//     umbrage::visibility(map.view(), umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out.view());
+//
+
+namespace umbrage::detail {
+
+/// For every place where a box may start, the bounds of the squares of the pyramid that the box touches. A box of
+/// 2r + 1 texels touches at most `cells` squares of 2^level texels in a row.
+struct box_bounds {
+    int level, cells;
+    glm::ivec2 squares;       ///< of the level; a box starts at square -(cells - 1) .. squares - 1
+    image<glm::vec2> bounds;  ///< least and greatest
+
+    template <class ParallelFor>
+    box_bounds(image_view<const float> map, int radius, ParallelFor&& parallel)
+        : level(radius < 4 ? 1 : 2), cells(((1 << level) - 1 + 2 * radius) / (1 << level) + 1) {
+        const std::vector<depth_bounds> pyramid = make_min_max_pyramid(map, level, parallel);
+        squares = pyramid.back().least.size();
+        const image<float> least = widened(pyramid.back().least, least_of{}, parallel);
+        const image<float> greatest = widened(pyramid.back().greatest, greatest_of{}, parallel);
+        bounds = image<glm::vec2>(squares + (cells - 1));
+        for (int y = 0; y < bounds.size().y; ++y) {
+            const float *a = least.view().row(y), *b = greatest.view().row(y);
+            glm::vec2* to = bounds.view().row(y);
+            for (int x = 0; x < bounds.size().x; ++x) to[x] = {a[x], b[x]};
+        }
+    }
+
+    /// Pick over cells x cells elements, first along rows, then along columns. Rows are filled up to whole blocks.
+    template <class Pick, class ParallelFor>
+    [[nodiscard]] image<float> widened(const image<float>& from, Pick pick, ParallelFor&& parallel) const {
+        const int width = (squares.x + cells - 1 + block - 1) / block * block;
+        image<std::int32_t> rows({width, squares.y});
+        image<float> out({width, squares.y + cells - 1});
+        parallel(squares.y, [&](int first, int last) {
+            std::vector<std::int32_t> keys(static_cast<std::size_t>(width + cells));
+            for (int y = first; y < last; ++y) {
+                const float* row = from.view().row(y);
+                for (int x = 0; x < width + cells; ++x)
+                    keys[static_cast<std::size_t>(x)] = order_key(row[clamp_int(x - (cells - 1), squares.x - 1)]);
+                widen(pick, rows.view().row(y), width, [&](int k) { return keys.data() + k; });
+            }
+        });
+        parallel(out.size().y, [&](int first, int last) {
+            std::vector<std::int32_t> keys(static_cast<std::size_t>(width));
+            for (int y = first; y < last; ++y) {
+                widen(pick, keys.data(), width, [&](int k) {
+                    return std::as_const(rows).view().row(clamp_int(y - (cells - 1) + k, squares.y - 1));
+                });
+                float* row = out.view().row(y);
+                for (int x = 0; x < width; ++x) row[x] = from_order_key(keys[static_cast<std::size_t>(x)]);
+            }
+        });
+        return out;
+    }
+
+    /// to[x] = pick of from(k)[x] over k < cells.
+    template <class Pick, class From>
+    void widen(Pick pick, std::int32_t* to, int width, From&& from) const {
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            for (int x = 0; x < width; x += block) {
+                std::int32_t best[block];
+                const std::int32_t* first = from(0) + x;
+                for (int i = 0; i < block; ++i) best[i] = first[i];
+                for (int k = 1; k < cells; ++k) {
+                    const std::int32_t* other = from(k) + x;
+                    for (int i = 0; i < block; ++i) best[i] = pick(best[i], other[i]);
+                }
+                for (int i = 0; i < block; ++i) to[x + i] = best[i];
+            }
+        });
+    }
+};
+
+struct hierarchical_blocks {
+    const box_bounds& tree;
+    block_filter<filters::box, depth32f> brute_force;
+
+    UMBRAGE_INLINE void prefetch(const receiver_block&) const {}
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa set) const {
+        const int radius = clamp_int(brute_force.filter.radius, max_box_radius);
+        const texel_bytes<const glm::vec2> memory(tree.bounds.view());
+        const int before = tree.cells - 1, level = tree.level;
+        const glm::ivec2 last = tree.bounds.size() - 1;
+        std::int32_t offsets[block], open[block];
+        glm::vec2 bounds[block];
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t in_space = texel_space_mask(r.x[i], r.y[i]);
+            const std::int32_t x = floor_int(masked(r.x[i], in_space)) - radius, y = floor_int(masked(r.y[i], in_space)) - radius;
+            offsets[i] = memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
+            open[i] = in_space;
+        }
+        for (int i = 0; i < block; ++i) bounds[i] = *memory.at(offsets[i]);
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t lit = is_lit(r.z[i], bounds[i].x), dark = std::int32_t(r.z[i] > bounds[i].y);
+            visibility[i] = select(-lit | ~open[i], 1.0f, 0.0f);
+            open[i] &= ~-(lit | dark);
+        }
+
+        receiver_block rest;  // those that need the box
+        float shares[block];
+        int indices[block], found = 0;
+        for (int i = 0; i < count; ++i) {
+            indices[found] = i;
+            rest.x[found] = r.x[i];
+            rest.y[found] = r.y[i];
+            rest.z[found] = r.z[i];
+            found -= open[i];
+        }
+        if (found == 0) return;
+        brute_force(rest, found, shares, set);
+        for (int i = 0; i < found; ++i) visibility[indices[i]] = shares[i];
+    }
 };
 
 }  // namespace umbrage::detail
@@ -4127,17 +4394,26 @@ inline void load(const depth_receivers& seen, int first, int row, int count, rec
 /// Every receiver through a filter in either form.
 template <class Receivers, class Filter, class ParallelFor>
 void filter_rows(const Receivers& receivers, const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+    const int per_row = (out.size.x + block - 1) / block;
     parallel(out.size.y, [&](int first, int last) {
         on_best_isa([&](auto set) UMBRAGE_INLINE {
-            receiver_block r;
+            receiver_block receivers_of[2];  // of this block and the next, whose texels are on their way meanwhile
             float visibility[block];
-            for (int y = first; y < last; ++y)
-                for (int x = 0; x < out.size.x; x += block) {
-                    const int count = out.size.x - x < block ? out.size.x - x : block;
-                    load(receivers, x, y, count, r);
-                    filter(r, count, visibility, set);
-                    copy_floats(out.row(y) + x, visibility, count);
+            const auto start = [&](int row, int n) UMBRAGE_INLINE {
+                const int x = n * block, count = out.size.x - x < block ? out.size.x - x : block;
+                load(receivers, x, row, count, receivers_of[n & 1]);
+                filter.prefetch(receivers_of[n & 1]);
+                return count;
+            };
+            for (int y = first; y < last; ++y) {
+                int count = start(y, 0);
+                for (int n = 0; n < per_row; ++n) {
+                    const int next = n + 1 < per_row ? start(y, n + 1) : 0;
+                    filter(receivers_of[n & 1], count, visibility, set);
+                    copy_floats(out.row(y) + n * block, visibility, count);
+                    count = next;
                 }
+            }
         });
     });
 }
@@ -4148,7 +4424,8 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     if (size_of(receivers) != out.size) throw std::invalid_argument("umbrage::visibility: sizes differ");
     if (map.empty()) throw std::invalid_argument("umbrage::visibility: empty map");
     if (out.empty()) return;
-    if constexpr (std::is_same_v<Filter, filters::box> && !std::is_same_v<Encoding, depth32f>) {
+    constexpr bool hierarchical = std::is_same_v<Filter, filters::hierarchical_box>;
+    if constexpr ((hierarchical || std::is_same_v<Filter, filters::box>) && !std::is_same_v<Encoding, depth32f>) {
         // As floats, unless that is more work than the boxes.
         const auto texels = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
         if (texels(map.size) < 16.0 * texels(out.size)) {
@@ -4157,6 +4434,12 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
             return filter_image(image_view<const float>(depth), depth32f{}, receivers, filter, out, parallel);
         }
     }
+    if constexpr (hierarchical && std::is_same_v<Encoding, depth32f>)
+        if (texel_bytes<const float>::fits(map)) {
+            const filters::box box{filter.radius};
+            const box_bounds tree(map, clamp_int(box.radius, max_box_radius), parallel);
+            return filter_rows(receivers, hierarchical_blocks{tree, {map, encoding, box}}, out, parallel);
+        }
     using blocks = block_filter<Filter, Encoding>;
     if constexpr (blocks::least > 0)
         if (map.size.x >= blocks::least && map.size.y >= blocks::least &&

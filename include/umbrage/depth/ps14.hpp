@@ -39,8 +39,7 @@ inline constexpr snippet decode_ps14{
     .source = R"GLSL(
 // umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14
 UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * 0.125 + c.y;
-    return depth;
+    return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
 }
 )GLSL"};
 

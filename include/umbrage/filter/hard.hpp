@@ -35,8 +35,10 @@ inline constexpr snippet hard{
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
-    if (!umbrage_inside_texel_space(coord)) return 1.0;
-    return UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, floor(coord)));
+    bool inside = umbrage_inside_texel_space(coord);
+    UMBRAGE_HIGHP vec2 texel = inside ? floor(coord) : vec2(0.0, 0.0);  // no branch: fetches of several taps overlap
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel));
+    return inside ? lit : 1.0;
 }
 )GLSL"};
 
