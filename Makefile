@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 #     make demo    makes pictures in build/demo
+#     make gallery   every system, encoding and filter on one page: build/gallery/index.html
 #     make test    builds and runs every test
 #     make prove   every float and every code through every encoding: minutes
 #     make bench-packing   depth packing of three.js, Babylon.js and PlayCanvas beside ours
@@ -10,6 +11,7 @@
 
 build_packages := cmake g++ libglm-dev ninja-build pkg-config
 demo_packages := $(build_packages) libassimp-dev libboost-dev libcli11-dev libstb-dev
+gallery_packages := $(demo_packages) libegl-dev libepoxy-dev libgl1-mesa-dri libglfw3-dev # the latter for OpenGL
 node_packages := $(if $(shell command -v npm),,nodejs npm) # npm from wherever it is
 test_packages := $(demo_packages) clang-14 doctest-dev glslang-tools libegl-dev libgl-dev libgl1-mesa-dri libgles-dev \
     libvulkan-dev mesa-vulkan-drivers spirv-tools \
@@ -44,7 +46,7 @@ define browser
     || echo "npm has no playwright-core for us: the tests in WebGL report themselves skipped."
 endef
 
-.PHONY: test demo bench prove asan bench-packing bench-shaders single-header readme compile-time clean
+.PHONY: test demo gallery bench prove asan bench-packing bench-shaders single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -58,6 +60,11 @@ demo:
 	$(call install,$(demo_packages))
 	cmake --workflow --preset examples
 	build/examples/examples/shadow_render/shadow_render --output build/demo
+
+gallery:
+	$(call install,$(gallery_packages))
+	cmake --workflow --preset examples
+	build/examples/examples/gallery/gallery --viewer build/examples/examples/viewer/viewer --output build/gallery/index.html
 
 # Exhaustive runs: C++ first, then GLSL everywhere. Tables: build/dev/tests/proof/prove/prove.tsv and
 # build/dev/tests/parity/prove/*.tsv.
