@@ -74,6 +74,7 @@ prove:
 	cmake --preset dev
 	cmake --build --preset dev --target prove
 	cmake --build --preset dev --target prove_glsl
+	cmake --build --preset dev --target mutate
 
 # The peers' shaders come from npm; the table goes to build/bench-packing/packing.tsv too.
 bench-packing:
