@@ -1,21 +1,26 @@
 # SPDX-License-Identifier: MIT
 #
-# Writes the single header: umbrage.hpp with each of our headers put in place once, and the others' hoisted.
+# Writes the single headers: umbrage.hpp with each of our headers put in place once and the others' hoisted, and
+# images.hpp with what it has beyond that.
 #
-#     cmake -P single_include/amalgamate.cmake                                   # or: make single-header
-#     cmake -D OUTPUT=file -D COMPARE=file -P single_include/amalgamate.cmake    # the test: elsewhere, and compare
+#     cmake -P single_include/amalgamate.cmake                  # or: make single-header
+#     cmake -D OUTPUT=folder -P single_include/amalgamate.cmake # the test: elsewhere, and compare
 cmake_minimum_required(VERSION 3.21)
 
 cmake_path(SET root NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/..)
+set(committed ${CMAKE_CURRENT_LIST_DIR}/umbrage)
 if(NOT OUTPUT)
-    set(OUTPUT ${CMAKE_CURRENT_LIST_DIR}/umbrage/umbrage.hpp)
+    set(OUTPUT ${committed})
 endif()
 
 set(done "")   # our headers, in the order in which they were reached
 set(others "") # GLM and standard headers
 set(body "")
+file(READ ${root}/LICENSE licence)
+string(REGEX REPLACE "\n" "\n// " licence "// ${licence}")
+string(REGEX REPLACE " +\n" "\n" licence "${licence}\n")
 
-# Macros, so that the three lists above are the only state.
+# Macros, so that these lists are the only state.
 macro(put_in header)
     list(APPEND done ${header})
     file(READ ${root}/include/${header} text_of_${header})
@@ -34,34 +39,33 @@ macro(put_in header)
     string(REGEX REPLACE "\n\n\n+" "\n\n" text "${text}")
     string(APPEND body "\n// ---- ${header}\n${text}")
 endmacro()
-put_in(umbrage/umbrage.hpp)
-
-file(GLOB_RECURSE headers RELATIVE ${root}/include ${root}/include/*.hpp)
-foreach(header IN LISTS headers)
-    if(NOT header IN_LIST done)
-        message(SEND_ERROR "${header} is not reached from umbrage/umbrage.hpp: include it there")
-    endif()
-endforeach()
-
-list(REMOVE_DUPLICATES others)
-list(SORT others)
-list(TRANSFORM others REPLACE "(.+)" "#include <\\1>\n")
-list(JOIN others "" others)
-file(READ ${root}/LICENSE licence)
-string(REGEX REPLACE "\n" "\n// " licence "// ${licence}")
-string(REGEX REPLACE " +\n" "\n" licence "${licence}\n")
-file(WRITE ${OUTPUT} "// SPDX-License-Identifier: MIT
+macro(single_header name what first_line)
+    put_in(umbrage/${name})
+    list(REMOVE_DUPLICATES others)
+    list(SORT others)
+    list(TRANSFORM others REPLACE "(.+)" "#include <\\1>\n")
+    list(JOIN others "" others)
+    file(WRITE ${OUTPUT}/${name} "// SPDX-License-Identifier: MIT
 //
-// All of umbrage in one file, made by single_include/amalgamate.cmake: do not edit.
+// ${what}, made by single_include/amalgamate.cmake: do not edit.
 //
 ${licence}
 #pragma once
 
-${others}${body}")
-
-if(COMPARE)
-    execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${OUTPUT} ${COMPARE} RESULT_VARIABLE different)
+${first_line}${others}${body}")
+    set(others "")
+    set(body "")
+    execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${OUTPUT}/${name} ${committed}/${name} RESULT_VARIABLE different)
     if(different)
-        message(FATAL_ERROR "${COMPARE} is stale; make it anew:\n  make single-header")
+        message(FATAL_ERROR "${committed}/${name} is stale; make it anew:\n  make single-header")
     endif()
-endif()
+endmacro()
+single_header(umbrage.hpp "All primitives of umbrage in one file" "")
+single_header(images.hpp "The rest of umbrage, functions over whole images, in one file" "#include <umbrage/umbrage.hpp>\n\n")
+
+file(GLOB_RECURSE headers RELATIVE ${root}/include ${root}/include/*.hpp)
+foreach(header IN LISTS headers)
+    if(NOT header IN_LIST done)
+        message(SEND_ERROR "${header} is not reached from umbrage/images.hpp: include it there")
+    endif()
+endforeach()

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// All of umbrage. Includes only; each header also stands alone.
+// All primitives of umbrage. Includes only; each header also stands alone. Functions over whole images, the depth pass
+// among them, and the registry of snippets are in <umbrage/images.hpp>: who needs none of them does not compile them.
 #pragma once
 
 #include <umbrage/clip_space.hpp>
 #include <umbrage/compare.hpp>
 #include <umbrage/glsl.hpp>
 #include <umbrage/image.hpp>
-#include <umbrage/registry.hpp>
 #include <umbrage/scalar.hpp>
 #include <umbrage/unorm.hpp>
 #include <umbrage/version.hpp>
@@ -17,6 +17,7 @@
 #include <umbrage/depth/linear.hpp>
 #include <umbrage/depth/ps14.hpp>
 #include <umbrage/depth/rg.hpp>
+#include <umbrage/depth/rg_level.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/depth/rgb24.hpp>
 #include <umbrage/depth/three.hpp>
@@ -25,17 +26,9 @@
 #include <umbrage/filter/hard.hpp>
 #include <umbrage/filter/pcf_2x2.hpp>
 #include <umbrage/filter/texel_space.hpp>
-#include <umbrage/image_ops/clip.hpp>
-#include <umbrage/image_ops/encode.hpp>
-#include <umbrage/image_ops/isa.hpp>
-#include <umbrage/image_ops/parallel.hpp>
-#include <umbrage/image_ops/rasterize.hpp>
-#include <umbrage/image_ops/triangle_batch.hpp>
-#include <umbrage/image_ops/visibility.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shade/lighting.hpp>
 #include <umbrage/view/false_colour.hpp>
-#include <umbrage/view/overlay.hpp>

@@ -1,0 +1,2182 @@
+// SPDX-License-Identifier: MIT
+//
+// The rest of umbrage, functions over whole images, in one file, made by single_include/amalgamate.cmake: do not edit.
+//
+// MIT License
+//
+// Copyright (c) 2026 the umbrage authors
+//
+// Permission is hereby granted, free of charge, to any person obtaining a copy
+// of this software and associated documentation files (the "Software"), to deal
+// in the Software without restriction, including without limitation the rights
+// to use, copy, modify, merge, publish, distribute, sublicense, and/or sell
+// copies of the Software, and to permit persons to whom the Software is
+// furnished to do so, subject to the following conditions:
+//
+// The above copyright notice and this permission notice shall be included in all
+// copies or substantial portions of the Software.
+//
+// THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR
+// IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY,
+// FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE
+// AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER
+// LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
+// OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE
+// SOFTWARE.
+//
+
+#pragma once
+
+#include <umbrage/umbrage.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <glm/gtc/type_precision.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// ---- umbrage/image_ops/isa.hpp
+// One loop, compiled for each instruction set, the machine's best chosen when the program runs. No flags, no intrinsics.
+//
+//     umbrage::detail::on_best_isa([&](auto) UMBRAGE_INLINE { for (...) block(...); });
+//
+// A body is inlined into thin functions that carry the target; what it calls must be UMBRAGE_INLINE too, or it is
+// compiled for the base set. GCC vectorises at -O2 only loops whose count it knows, and no `c ? x : y` on floats: so
+// loops run over blocks of 64, and select on the bits.
+//
+// UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice; a machine that lacks it takes the next lower one. No choice
+// changes a bit of a result of tier A. It has to be the same in all files of a program.
+
+#if defined(__GNUC__) || defined(__clang__)
+#define UMBRAGE_INLINE __attribute__((always_inline))
+#define UMBRAGE_PREFETCH(address) __builtin_prefetch(address)
+#else
+#define UMBRAGE_INLINE
+#define UMBRAGE_PREFETCH(address) static_cast<void>(address)
+#endif
+
+#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
+#define UMBRAGE_HAS_DISPATCH 1
+#define UMBRAGE_AVX2 __attribute__((target("avx2"), noinline))
+#define UMBRAGE_AVX512 __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"), noinline))
+#else
+#define UMBRAGE_HAS_DISPATCH 0
+#endif
+
+#ifndef UMBRAGE_FORCE_ISA
+#define UMBRAGE_FORCE_ISA avx512
+#endif
+
+namespace umbrage {
+
+enum class isa { base, avx2, avx512 };
+
+/// The best instruction set of this machine, of those that get a path of their own.
+[[nodiscard]] inline isa best_isa() {
+#if UMBRAGE_HAS_DISPATCH
+    __builtin_cpu_init();
+    if (!__builtin_cpu_supports("avx2")) return isa::base;
+    const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    return wide ? isa::avx512 : isa::avx2;
+#else
+    return isa::base;
+#endif
+}
+
+namespace detail {
+
+/// What image functions use; tests set it to see every path.
+inline isa isa_in_use = best_isa() < isa::UMBRAGE_FORCE_ISA ? best_isa() : isa::UMBRAGE_FORCE_ISA;
+
+template <isa Set>
+using isa_constant = std::integral_constant<isa, Set>;
+
+#if UMBRAGE_HAS_DISPATCH
+template <class Body>
+UMBRAGE_AVX2 void on_avx2(const Body& body) {
+    body(isa_constant<isa::avx2>{});
+}
+template <class Body>
+UMBRAGE_AVX512 void on_avx512(const Body& body) {
+    body(isa_constant<isa::avx512>{});
+}
+#endif
+
+/// Runs the body, compiled for the instruction set in use, which it gets as a constant. Only for results that no
+/// contraction to FMA can change.
+template <class Body>
+void on_best_isa(const Body& body) {
+#if UMBRAGE_HAS_DISPATCH
+    if (isa_in_use == isa::avx512) return on_avx512(body);
+    if (isa_in_use == isa::avx2) return on_avx2(body);
+#endif
+    body(isa_constant<isa::base>{});
+}
+
+/// The same for sums of products that round: AVX-512 brings FMA along, with which compilers change the result.
+template <class Body>
+void on_best_isa_without_fma(const Body& body) {
+#if UMBRAGE_HAS_DISPATCH
+    if (isa_in_use != isa::base) return on_avx2(body);
+#endif
+    body(isa_constant<isa::base>{});
+}
+
+inline constexpr int block = 64;  ///< elements of a loop whose count the compiler knows
+
+/// saturate() on the bits: the magnitude up to 1, or 0 for what is negative and not a NaN.
+[[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v) {
+    constexpr auto one = std::bit_cast<std::int32_t>(1.0f), minus_infinity = static_cast<std::int32_t>(0xFF800000u);
+    const auto bits = std::bit_cast<std::int32_t>(v);
+    const std::int32_t magnitude = bits & 0x7FFFFFFF, kept = -std::int32_t(bits > minus_infinity);
+    return std::bit_cast<float>((magnitude < one ? magnitude : one) & kept);
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/parallel.hpp
+// How image functions use threads: they have none, and ask the caller's scheduler.
+//
+//     auto parallel_for = [&](int count, auto&& piece) {
+//         tbb::parallel_for(tbb::blocked_range<int>(0, count),
+//                           [&](const auto& range) { piece(range.begin(), range.end()); });
+//     };
+//     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
+//
+// parallel_for(count, piece) calls piece(first, last) so that the pieces cover 0 .. count once, in any order, on any
+// threads, and returns when all are done. Pieces are bands of rows; no way to cut them changes a bit.
+
+namespace umbrage {
+
+/// The default: everything in one piece, on the caller's thread.
+struct serial {
+    template <class Piece>
+    void operator()(int count, Piece&& piece) const {
+        if (count > 0) piece(0, count);
+    }
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/encode.hpp
+// Whole depth images into texels of an encoding, and back, about as fast as memory can be copied.
+//
+//     umbrage::image<glm::u8vec2> packed(depth.size());
+//     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{});
+//
+// Bit for bit what the encoding's own encode and decode give. The encodings of this library have loops of their own that
+// compilers can vectorise; any other type like them works as well.
+
+namespace umbrage {
+namespace detail {
+
+/// depth_code() in a form that vectorises.
+template <int Bits>
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t depth_code_bits(float depth) {
+    constexpr std::int32_t codes = std::int32_t(1) << Bits;
+    const auto x = static_cast<std::int32_t>(saturate_bits(depth) * float(codes));
+    return x < codes ? x : codes - 1;
+}
+
+/// A block of 64 depths to texels and back; this general one leaves the work to the encoding.
+template <class Encoding>
+struct block_codec {
+    using texel = typename Encoding::texel;
+    static UMBRAGE_INLINE void encode(const float* depth, texel* texels, const Encoding& encoding) {
+        for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    }
+    static UMBRAGE_INLINE void decode(const texel* texels, float* depth, const Encoding& encoding) {
+        for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
+    }
+};
+
+/// Texels as 16-bit words: R is where this machine has the first byte.
+template <int Bits>
+struct block_codec<rg<Bits>> {
+    static constexpr int r = std::endian::native == std::endian::little ? 0 : 8, g = 8 - r;
+    static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec2* texels, const rg<Bits>&) {
+        std::uint16_t words[block];
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t x = depth_code_bits<Bits>(depth[i]);
+            words[i] = static_cast<std::uint16_t>((x & 0xFF) << r | (x >> 8) << (16 - Bits) << g);
+        }
+        std::memcpy(static_cast<void*>(texels), words, sizeof words);
+    }
+    static UMBRAGE_INLINE void decode(const glm::u8vec2* texels, float* depth, const rg<Bits>& encoding) {
+        std::uint16_t words[block];
+        std::memcpy(words, texels, sizeof words);
+        const float edge = encoding.edge;  // a copy: as far as a compiler knows, depth may overwrite the other
+        for (int i = 0; i < block; ++i) depth[i] = decode(words[i], edge);
+    }
+    static UMBRAGE_INLINE float decode(std::int32_t word, float edge) {
+        return code_depth<Bits>(float((word >> r & 0xFF) + ((word >> g & 0xFF) << (Bits - 8))), edge);
+    }
+};
+
+template <>
+struct block_codec<rgb24> {
+    static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec3* texels, const rgb24&) {
+        std::int32_t x[block];
+        for (int i = 0; i < block; ++i) x[i] = depth_code_bits<24>(depth[i]);
+        for (int i = 0; i < block; ++i)
+            texels[i] = {static_cast<std::uint8_t>(x[i] >> 16), static_cast<std::uint8_t>(x[i] >> 8 & 0xFF),
+                         static_cast<std::uint8_t>(x[i] & 0xFF)};
+    }
+    static UMBRAGE_INLINE void decode(const glm::u8vec3* texels, float* depth, const rgb24& encoding) {
+        const float edge = encoding.edge;
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t x = (texels[i].x << 16) + (texels[i].y << 8) + texels[i].z;
+            depth[i] = code_depth<24>(float(x), edge);
+        }
+    }
+};
+
+template <>
+struct block_codec<float_bits> {
+    static_assert(sizeof(glm::u8vec4) == sizeof(float));
+    static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec4* texels, const float_bits& encoding) {
+        if constexpr (std::endian::native == std::endian::little)
+            std::memcpy(static_cast<void*>(texels), depth, block * sizeof(float));
+        else
+            for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    }
+    static UMBRAGE_INLINE void decode(const glm::u8vec4* texels, float* depth, const float_bits& encoding) {
+        if constexpr (std::endian::native == std::endian::little)
+            std::memcpy(depth, texels, block * sizeof(float));
+        else
+            for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
+    }
+};
+
+template <>
+struct block_codec<depth32f> {
+    static UMBRAGE_INLINE void encode(const float* depth, float* texels, const depth32f&) {
+        for (int i = 0; i < block; ++i) texels[i] = saturate_bits(depth[i]);
+    }
+    static UMBRAGE_INLINE void decode(const float* texels, float* depth, const depth32f&) {
+        std::memcpy(depth, texels, block * sizeof(float));
+    }
+};
+
+/// A row in blocks; the last one goes through copies as long as a block.
+template <class From, class To, class Convert>
+UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert) {
+    int x = 0;
+    for (; x + block <= count; x += block) convert(from + x, to + x);
+    if (x == count) return;
+    From padded[block]{};
+    To result[block];
+    for (int i = 0; i < count - x; ++i) padded[i] = from[x + i];
+    convert(padded, result);
+    for (int i = 0; i < count - x; ++i) to[x + i] = result[i];
+}
+
+}  // namespace detail
+
+/// @param depth      any values; what the encoding makes of them
+/// @param texels     same size
+/// @param encoding   rg<Bits>, rgb24, float_bits, depth32f, or a type like them
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ
+template <class Encoding, class ParallelFor = serial>
+void encode(image_view<const float> depth, image_view<typename Encoding::texel> texels, Encoding encoding,
+            ParallelFor&& parallel = {}) {
+    if (depth.size != texels.size) throw std::invalid_argument("umbrage::encode: sizes differ");
+    if (depth.empty()) return;
+    parallel(depth.size.y, [&](int first, int last) {
+        detail::on_best_isa([&](auto) UMBRAGE_INLINE {
+            for (int y = first; y < last; ++y)
+                detail::convert_row(depth.row(y), texels.row(y), depth.size.x,
+                                    [&](const auto* from, auto* to) UMBRAGE_INLINE {
+                                        detail::block_codec<Encoding>::encode(from, to, encoding);
+                                    });
+        });
+    });
+}
+
+/// @param texels     any texels of the encoding
+/// @param depth      same size
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ
+template <class Encoding, class ParallelFor = serial>
+void decode(image_view<const typename Encoding::texel> texels, image_view<float> depth, Encoding encoding,
+            ParallelFor&& parallel = {}) {
+    if (depth.size != texels.size) throw std::invalid_argument("umbrage::decode: sizes differ");
+    if (depth.empty()) return;
+    parallel(depth.size.y, [&](int first, int last) {
+        detail::on_best_isa([&](auto) UMBRAGE_INLINE {
+            for (int y = first; y < last; ++y)
+                detail::convert_row(texels.row(y), depth.row(y), depth.size.x,
+                                    [&](const auto* from, auto* to) UMBRAGE_INLINE {
+                                        detail::block_codec<Encoding>::decode(from, to, encoding);
+                                    });
+        });
+    });
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/filters.hpp
+// The filters as values, for functions over images.
+//
+//     umbrage::visibility(map.view(), umbrage::rg<11>{}, receivers.view(), umbrage::filters::box{.radius = 2}, out.view());
+//
+
+namespace umbrage {
+
+/// The filters as values: what they need beyond map, coordinate and receiver.
+namespace filters {
+
+struct hard {
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::hard(fetch, coord, receiver);
+    }
+};
+
+struct four_tap {
+    std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< in texels
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::four_tap(fetch, coord + offsets[0], coord + offsets[1], coord + offsets[2], coord + offsets[3],
+                                 receiver);
+    }
+};
+
+struct pcf_2x2 {
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::pcf_2x2(fetch, coord, receiver);
+    }
+};
+
+struct pcf_2x2_dx_sdk {
+    float epsilon = 0.0f;  ///< in depth
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::pcf_2x2_dx_sdk(fetch, coord, receiver, epsilon);
+    }
+};
+
+struct box {
+    int radius = 1;  ///< clamped to 0..8
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::box(fetch, coord, receiver, radius);
+    }
+};
+
+/// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
+/// Pays off for large radii, and where shadows have more inside than border.
+struct hierarchical_box {
+    int radius = 1;  ///< clamped to 0..8
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::box(fetch, coord, receiver, radius);
+    }
+};
+
+}  // namespace filters
+
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/visibility_blocks.hpp
+// The filters over blocks of 64 receivers: what visibility() is made of. Each does a filter in three loops: where to
+// look (vectorised), the loads (one for two neighbours), and compare and weigh (vectorised).
+//
+//     umbrage::detail::receiver_block r;
+//     umbrage::detail::block_filter<umbrage::filters::pcf_2x2, umbrage::rg<11>>{map, {}, {}}(r, visibility, isa);
+//
+
+namespace umbrage::detail {
+
+/// Texels, texels, depth; what lies behind the last receiver of a row is not read into any result.
+struct receiver_block {
+    alignas(64) float x[block]{}, y[block]{}, z[block]{};
+};
+
+/// less_equal as a number. -ffast-math makes compilers forget what NaN does to <=; then the bits say it.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+    const auto number = [](float v) UMBRAGE_INLINE { return std::int32_t((std::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000); };
+    return std::int32_t(receiver <= stored) & number(receiver) & number(stored);
+#else
+    return std::int32_t(receiver <= stored);
+#endif
+}
+
+/// inside_texel_space as a mask: all bits, or none.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t texel_space_mask(float x, float y) {
+    constexpr auto limit = std::bit_cast<std::int32_t>(32768.0f);
+    return -(std::int32_t((std::bit_cast<std::int32_t>(x) & 0x7FFFFFFF) < limit) &
+             std::int32_t((std::bit_cast<std::int32_t>(y) & 0x7FFFFFFF) < limit));
+}
+[[nodiscard]] UMBRAGE_INLINE inline float masked(float v, std::int32_t mask) {
+    return std::bit_cast<float>(std::bit_cast<std::int32_t>(v) & mask);
+}
+[[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
+    return std::bit_cast<float>((std::bit_cast<std::int32_t>(a) & mask) | (std::bit_cast<std::int32_t>(b) & ~mask));
+}
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_int(float v) {  // |v| < 2^31
+    const auto toward_zero = static_cast<std::int32_t>(v);
+    return toward_zero - std::int32_t(static_cast<float>(toward_zero) > v);
+}
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t clamp_int(std::int32_t v, std::int32_t highest) {
+    v = v > 0 ? v : 0;
+    return v < highest ? v : highest;
+}
+
+/// What is loaded for a block of receivers: a texel each, or two neighbours. The depths in them and the
+/// receiver's are asked for in loops that vectorise; this general form decodes while it loads.
+template <class Encoding>
+struct loaded_texels {
+    const Encoding& encoding;
+    float depths[2 * block];
+    explicit loaded_texels(const Encoding& e) : encoding(e) {}
+    UMBRAGE_INLINE void load_one(int i, const typename Encoding::texel* t) { depths[i] = encoding.decode(*t); }
+    UMBRAGE_INLINE void load_two(int i, const typename Encoding::texel* t) {
+        depths[2 * i] = encoding.decode(t[0]);
+        depths[2 * i + 1] = encoding.decode(t[1]);
+    }
+    static UMBRAGE_INLINE float receiver(float depth) { return depth; }
+    UMBRAGE_INLINE float one(int i) const { return depths[i]; }
+    UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
+    UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
+};
+
+/// Floats need no decoding, but two of them are one load.
+template <>
+struct loaded_texels<depth32f> {
+    float depths[2 * block];
+    explicit loaded_texels(const depth32f&) {}
+    UMBRAGE_INLINE void load_one(int i, const float* t) { depths[i] = *t; }
+    UMBRAGE_INLINE void load_two(int i, const float* t) { std::memcpy(depths + 2 * i, t, 2 * sizeof(float)); }
+    static UMBRAGE_INLINE float receiver(float depth) { return depth; }
+    UMBRAGE_INLINE float one(int i) const { return depths[i]; }
+    UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
+    UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
+};
+
+/// Byte pairs, two of them to a word. Both sides of the comparison stay 2^Bits times the depth, which changes no result.
+template <int Bits>
+struct loaded_texels<rg<Bits>> {
+    static constexpr bool little = std::endian::native == std::endian::little;
+    float edge;
+    std::uint32_t words[block];
+    explicit loaded_texels(const rg<Bits>& encoding) : edge(encoding.edge) {}
+    UMBRAGE_INLINE void load_one(int i, const glm::u8vec2* t) {
+        std::uint16_t word;
+        std::memcpy(&word, t, sizeof word);
+        words[i] = word;
+    }
+    UMBRAGE_INLINE void load_two(int i, const glm::u8vec2* t) { std::memcpy(words + i, t, sizeof *words); }
+    static UMBRAGE_INLINE float receiver(float depth) { return depth * float(1 << Bits); }
+    UMBRAGE_INLINE float one(int i) const { return number(codes(i) & 0xFFFF); }
+    UMBRAGE_INLINE float first(int i) const { return number(little ? codes(i) & 0xFFFF : codes(i) >> 16); }
+    UMBRAGE_INLINE float second(int i) const { return number(little ? codes(i) >> 16 : codes(i) & 0xFFFF); }
+    /// R + 2^(Bits - 8) G of both texels at once, in the two halves of a word.
+    UMBRAGE_INLINE std::uint32_t codes(int i) const {
+        constexpr std::uint32_t low = 0x00FF00FF, high = low << (Bits - 8);
+        const std::uint32_t w = words[i];
+        return little ? (w & low) + (w >> (16 - Bits) & high) : (w >> 8 & low) + ((w & low) << (Bits - 8));
+    }
+    UMBRAGE_INLINE float number(std::uint32_t code) const { return static_cast<float>(static_cast<std::int32_t>(code)) + edge; }
+};
+
+/// Texels of a map by their distance from the first in bytes, which fits 32 bits so that it vectorises.
+template <class T>
+struct texel_bytes {
+    const std::byte* data;
+    std::int32_t stride;
+
+    explicit texel_bytes(const image_view<T>& map)
+        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
+    static bool fits(const image_view<T>& map) {
+        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
+        return map.size.x <= highest / std::ptrdiff_t(sizeof(T)) && map.size.y <= highest / 2 &&
+               (map.stride < 0 ? -map.stride : map.stride) <= highest / (map.size.y + 1);
+    }
+    UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
+        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
+    }
+    UMBRAGE_INLINE T* at(std::int32_t offset) const { return reinterpret_cast<T*>(data + offset); }
+    UMBRAGE_INLINE T* below(std::int32_t offset) const { return reinterpret_cast<T*>(data + stride + offset); }
+};
+
+/// Texel inside the map, without the assertion of image_view.
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE inline T* texel_at(const image_view<T>& map, std::int32_t x, std::int32_t y) {
+    return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
+}
+
+/// Asks for the texels around some of a block's receivers. Where a block starts on another row of the map than the one
+/// before, the machine cannot guess them, and would wait for memory at every block.
+template <class T>
+UMBRAGE_INLINE inline void prefetch_texels([[maybe_unused]] const image_view<T>& map, [[maybe_unused]] const receiver_block& r) {
+#if defined(__GNUC__) || defined(__clang__)
+    std::int32_t x[block / 16], y[block / 16];
+    for (int i = 0; i < block / 16; ++i) {
+        const float u = r.x[i * 16], v = r.y[i * 16];
+        const std::int32_t inside = texel_space_mask(u, v);
+        x[i] = clamp_int(floor_int(masked(u, inside)), map.size.x - 1);
+        y[i] = clamp_int(floor_int(masked(v, inside)), map.size.y - 1);
+    }
+    for (int i = 0; i < block / 16; ++i) {
+        __builtin_prefetch(texel_at(map, x[i], y[i]));
+        __builtin_prefetch(texel_at(map, x[i], y[i] < map.size.y - 1 ? y[i] + 1 : y[i]));
+    }
+#endif
+}
+
+/// Any filter, one receiver after the other.
+template <class Filter, class Encoding>
+struct one_by_one {
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const Filter& filter;
+
+    UMBRAGE_INLINE void prefetch(const receiver_block&) const {}
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa) const {
+        const auto fetch = decoded(map, encoding);
+        for (int i = 0; i < count; ++i) visibility[i] = filter(fetch, glm::vec2(r.x[i], r.y[i]), r.z[i]);
+    }
+};
+
+/// A receiver's own texel, clamped to the map, and the test against it, added to `count`.
+template <class Encoding>
+UMBRAGE_INLINE inline void add_hard(image_view<const typename Encoding::texel> map, const Encoding& encoding,
+                                    const receiver_block& r, glm::vec2 offset, std::int32_t* count) {
+    const texel_bytes memory(map);
+    const int last_x = map.size.x - 1, last_y = map.size.y - 1;
+    std::int32_t offsets[block], inside[block];
+    loaded_texels<Encoding> texels(encoding);
+    for (int i = 0; i < block; ++i) {
+        const float x = r.x[i] + offset.x, y = r.y[i] + offset.y;
+        inside[i] = texel_space_mask(x, y);
+        offsets[i] = memory.offset(clamp_int(floor_int(masked(x, inside[i])), last_x),
+                                   clamp_int(floor_int(masked(y, inside[i])), last_y));
+    }
+    for (int i = 0; i < block; ++i) texels.load_one(i, memory.at(offsets[i]));
+    for (int i = 0; i < block; ++i) count[i] += (is_lit(texels.receiver(r.z[i]), texels.one(i)) & inside[i]) | (1 & ~inside[i]);
+}
+
+/// The filters that have a form for blocks; `least` is the side of the smallest map that it can take.
+template <class Filter, class Encoding>
+struct block_filter {
+    static constexpr int least = 0;  ///< none
+};
+
+template <class Encoding>
+struct block_filter<filters::hard, Encoding> {
+    static constexpr int least = 1;
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const filters::hard& filter;
+
+    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+        std::int32_t lit[block]{};
+        add_hard(map, encoding, r, glm::vec2(0.0f), lit);
+        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
+    }
+};
+
+template <class Encoding>
+struct block_filter<filters::four_tap, Encoding> {
+    static constexpr int least = 1;
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const filters::four_tap& filter;
+
+    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+        std::int32_t lit[block]{};
+        for (const glm::vec2 offset : filter.offsets) add_hard(map, encoding, r, offset, lit);
+        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]) * 0.25f;
+    }
+};
+
+/// A position clamped to the middles of the map's border texels has the same neighbours and weights that add up to the
+/// same, so that both neighbours are in the map and one load gets them.
+template <class Encoding>
+struct block_filter<filters::pcf_2x2, Encoding> {
+    static constexpr int least = 2;
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const filters::pcf_2x2& filter;
+
+    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+        const texel_bytes memory(map);
+        constexpr int far = 1 << 15;  // no position is farther
+        const int last_x = (map.size.x < far ? map.size.x : far) - 1, last_y = (map.size.y < far ? map.size.y : far) - 1;
+        std::int32_t offsets[block], inside[block];
+        float hi_x[block], hi_y[block];
+        loaded_texels<Encoding> low(encoding), high(encoding);
+        const auto place = [](float coord, int last, float& hi) UMBRAGE_INLINE {
+            const std::int32_t position = clamp_int(floor_int(coord * 256.0f) - 128, last * 256);
+            const std::int32_t texel = (position >> 8) < last ? position >> 8 : last - 1;
+            hi = static_cast<float>(position - texel * 256);
+            return texel;
+        };
+        for (int i = 0; i < block; ++i) {
+            inside[i] = texel_space_mask(r.x[i], r.y[i]);
+            offsets[i] = memory.offset(place(masked(r.x[i], inside[i]), last_x, hi_x[i]),
+                                       place(masked(r.y[i], inside[i]), last_y, hi_y[i]));
+        }
+        for (int i = 0; i < block; ++i) {
+            low.load_two(i, memory.at(offsets[i]));
+            high.load_two(i, memory.below(offsets[i]));
+        }
+        for (int i = 0; i < block; ++i) {
+            const float z = low.receiver(r.z[i]), lo_x = 256.0f - hi_x[i], lo_y = 256.0f - hi_y[i];
+            const auto weigh = [&](const auto& row) UMBRAGE_INLINE {
+                return masked(lo_x, -is_lit(z, row.first(i))) + masked(hi_x[i], -is_lit(z, row.second(i)));
+            };
+            const float sum = lo_y * weigh(low) + hi_y[i] * weigh(high);
+            visibility[i] = select(inside[i], sum * (1.0f / 65536.0f), 1.0f);
+        }
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/image_ops/box_blocks.hpp
+// The box filter over maps of floats: whole rows of the box are loaded at once, never one texel after the other.
+//
+//     std::int32_t lit = umbrage::detail::box_rows<8, 0>(map.stride, 5).count(row, 0, receiver);
+//
+
+namespace umbrage::detail {
+
+#if defined(__GNUC__) || defined(__clang__)
+#define UMBRAGE_HAS_VECTORS 1
+
+/// Floats and numbers as wide as a register. The compiler's own vectors: they need no header and know no machine.
+template <int Lanes>
+struct vectors;
+template <>
+struct vectors<4> {
+    typedef float floats __attribute__((vector_size(16)));
+    typedef float unaligned __attribute__((vector_size(16), aligned(4), may_alias));
+    typedef std::int32_t ints __attribute__((vector_size(16)));
+};
+template <>
+struct vectors<8> {
+    typedef float floats __attribute__((vector_size(32)));
+    typedef float unaligned __attribute__((vector_size(32), aligned(4), may_alias));
+    typedef std::int32_t ints __attribute__((vector_size(32)));
+};
+
+/// Lit texels of boxes that lie inside a map at least as wide as a register.
+/// @tparam Lanes   of a register;   Whole  registers that a row of the box fills
+template <int Lanes, int Whole>
+struct box_rows {
+    using floats = typename vectors<Lanes>::floats;
+    using unaligned = typename vectors<Lanes>::unaligned;
+    using ints = typename vectors<Lanes>::ints;
+    std::ptrdiff_t stride;
+    int width;
+    std::int32_t window[3 * Lanes]{};  ///< lanes that the rest of a row has in a register, slid to where they are
+
+    UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(box_width) {
+        for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
+    }
+
+    /// @param row     first texel of the box
+    /// @param moved   by how much the last register of a row is moved back, so that it ends inside the map
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
+        ints lit{}, rest{};
+        for (int j = 0; j < width; ++j, row += stride) {
+            const float* texels = reinterpret_cast<const float*>(row);
+            for (int i = 0; i < Whole; ++i) add(texels + i * Lanes, receiver, lit);
+            add(texels + Whole * Lanes - moved, receiver, rest);
+        }
+        ints wanted;
+        std::memcpy(&wanted, window + Lanes - moved, sizeof wanted);
+        lit += rest & wanted;
+        std::int32_t sum = 0;
+        for (int i = 0; i < Lanes; ++i) sum += lit[i];
+        return sum;
+    }
+
+    static UMBRAGE_INLINE void add(const float* texels, float receiver, ints& lit) {
+        const floats stored = *reinterpret_cast<const unaligned*>(texels);
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+        lit -= (receiver <= stored) & (((ints)stored & 0x7FFFFFFF) <= 0x7F800000);
+#else
+        lit -= receiver <= stored;
+#endif
+    }
+};
+#else
+#define UMBRAGE_HAS_VECTORS 0
+#endif
+
+/// Only maps of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
+template <>
+struct block_filter<filters::box, depth32f> {
+    static constexpr int least = 1;
+    image_view<const float> map;
+    const depth32f& encoding;
+    const filters::box& filter;
+
+    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa set) const {
+#if UMBRAGE_HAS_VECTORS
+        constexpr int lanes = Isa::value == isa::base ? 4 : 8;
+        const int whole = (2 * clamp_int(filter.radius, max_box_radius) + 1) / lanes;
+        if (map.size.x >= lanes * (whole + 1)) {
+            if (whole == 0) return rows<lanes, 0>(r, count, visibility);
+            if (whole == 1) return rows<lanes, 1>(r, count, visibility);
+            if (whole == 2) return rows<lanes, 2>(r, count, visibility);
+            if (lanes == 4 && whole == 3) return rows<4, 3>(r, count, visibility);
+            if (lanes == 4) return rows<4, 4>(r, count, visibility);
+        }
+#endif
+        one_by_one<filters::box, depth32f>{map, encoding, filter}(r, count, visibility, set);
+    }
+
+#if UMBRAGE_HAS_VECTORS
+    template <int Lanes, int Whole>
+    UMBRAGE_INLINE void rows(const receiver_block& r, int count, float* visibility) const {
+        const int radius = clamp_int(filter.radius, max_box_radius), width = 2 * radius + 1;
+        const box_rows<Lanes, Whole> box(map.stride, width);
+        const texel_bytes memory(map);
+        const int last_x = map.size.x - width, last_y = map.size.y - width, last_load = map.size.x - Lanes * (Whole + 1);
+        std::int32_t xs[block], ys[block], offsets[block], moved[block], inside[block], in_space[block], lit[block]{};
+        for (int i = 0; i < block; ++i) {
+            in_space[i] = texel_space_mask(r.x[i], r.y[i]);
+            const std::int32_t x = floor_int(masked(r.x[i], in_space[i])) - radius;
+            const std::int32_t y = floor_int(masked(r.y[i], in_space[i])) - radius;
+            inside[i] = std::int32_t(x >= 0) & std::int32_t(x <= last_x) & std::int32_t(y >= 0) & std::int32_t(y <= last_y);
+            offsets[i] = memory.offset(x, y);
+            moved[i] = x > last_load ? x - last_load : 0;
+            xs[i] = x;
+            ys[i] = y;
+        }
+        for (int i = 0; i < count; ++i) {
+            if (is_nan(r.z[i]) || !in_space[i]) continue;
+            lit[i] = inside[i] ? box.count(memory.data + offsets[i], moved[i], r.z[i])
+                               : count_at_border<Lanes, Whole>({xs[i], ys[i]}, width, r.z[i]);
+        }
+        const float scale = box_scale<float>(radius);
+        for (int i = 0; i < block; ++i)
+            visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~in_space[i], 1.0f, static_cast<float>(lit[i]) * scale);
+    }
+
+    /// The same from a copy of the box, the map's border texels repeated.
+    template <int Lanes, int Whole>
+    std::int32_t count_at_border(glm::ivec2 first, int width, float receiver) const {
+        float texels[2 * max_box_radius + 1][(Whole + 1) * Lanes]{};
+        for (int j = 0; j < width; ++j) {
+            const float* row = texel_at(map, 0, clamp_int(first.y + j, map.size.y - 1));
+            for (int i = 0; i < width; ++i) texels[j][i] = row[clamp_int(first.x + i, map.size.x - 1)];
+        }
+        return box_rows<Lanes, Whole>(sizeof texels[0], width).count(reinterpret_cast<const std::byte*>(texels), 0, receiver);
+    }
+#endif
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/image_ops/clip.hpp
+// From world positions to vertices on the 1/256 texel grid: projection, clipping, snapping.
+//
+//     umbrage::projection project(world_to_clip, clip, {1024, 1024});
+//     umbrage::clipped_polygon polygon = umbrage::clip_triangle(project, a, b, c);
+//
+// Texels are counted from the bottom in here (NDC y = -1), whatever the clip space says: the texture origin only
+// mirrors rows when texels are written, so that both origins give the same picture.
+//
+
+namespace umbrage {
+
+/// Steps of the vertex grid in a texel.
+inline constexpr int subtexels = 256;
+
+/// Largest side of an image in texels, and how far from texel 0 a vertex may lie before it is clipped:
+/// differences of vertices then stay below 2^23 steps, edge functions below 2^47.
+inline constexpr int guard_band = 1 << 14;
+
+/// A vertex on the grid. The order makes results independent of the order in which a mesh lists vertices.
+struct snapped_vertex {
+    std::int32_t x, y;  ///< in 1/256 texel, within +-guard_band
+    double depth;       ///< z/w moved to [0, 1]; outside only beyond the far plane
+
+    friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
+};
+
+/// What stands for a vertex outside of planes: off the grid, with their bits.
+[[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
+    return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
+}
+/// A bit for each plane that a vertex is outside of.
+[[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
+    return v.x == std::numeric_limits<std::int32_t>::min() ? static_cast<unsigned>(v.y) : 0u;
+}
+
+/// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
+/// Products of two floats are exact in double, so contraction to FMA changes no bit here.
+class projection {
+public:
+    static constexpr int planes = 6;  ///< w > 0, the near plane, four sides of the guard band
+
+    /// @param world_to_clip  projection * view; its elements must be finite
+    /// @throws std::invalid_argument  a side of `size` is negative or above guard_band
+    projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size)
+        : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
+        if (size.x < 0 || size.y < 0) throw std::invalid_argument("umbrage::projection: negative size");
+        if (size.x > guard_band || size.y > guard_band)
+            throw std::invalid_argument("umbrage::projection: image side above 16384 texels");
+    }
+
+    [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {
+        const double x = row(0, p), y = row(1, p), z = row(2, p), w = row(3, p);
+        return {(x + w) * half_size_.x, (y + w) * half_size_.y,
+                clip_.range == depth_range::minus_one_to_one ? (z + w) * 0.5 : z, w};
+    }
+
+    /// How far inside a plane a point is; outside when negative.
+    [[nodiscard]] double distance(int plane, const glm::dvec4& h) const {
+        switch (plane) {
+            case 0: return h.w - smallest_w;
+            case 1: return clip_.direction == depth_direction::forward ? h.z : h.w - h.z;
+            case 2: return guard_band * h.w + h.x;
+            case 3: return guard_band * h.w - h.x;
+            case 4: return guard_band * h.w + h.y;
+            default: return guard_band * h.w - h.y;
+        }
+    }
+
+    /// One bit for each plane that the point is outside of.
+    [[nodiscard]] unsigned outside(const glm::dvec4& h) const {
+        unsigned bits = 0;
+        for (int plane = 0; plane < planes; ++plane) bits |= (distance(plane, h) < 0.0 ? 1u : 0u) << plane;
+        return bits;
+    }
+
+    /// Where the way from a point inside a plane to one outside meets it. The callers always go this way, so that
+    /// triangles on both sides of an edge cut it at the same point.
+    [[nodiscard]] glm::dvec4 cut(int plane, const glm::dvec4& in, const glm::dvec4& out) const {
+        const double d = distance(plane, in);
+        glm::dvec4 h = in + (out - in) * (d / (d - distance(plane, out)));
+        if (!(h.w > smallest_w)) h.w = smallest_w;  // rounding
+        switch (plane) {                            // what lies on the plane by definition does so to the bit
+            case 0: h.w = smallest_w; break;
+            case 1: h.z = clip_.direction == depth_direction::forward ? 0.0 : h.w; break;
+            case 2: h.x = -guard_band * h.w; break;
+            case 3: h.x = guard_band * h.w; break;
+            case 4: h.y = -guard_band * h.w; break;
+            default: h.y = guard_band * h.w; break;
+        }
+        return h;
+    }
+
+    /// To the grid, halves upwards. The point must be inside all planes; clamps only catch the rounding of cut().
+    [[nodiscard]] snapped_vertex snap(const glm::dvec4& h) const {
+        constexpr double limit = double(guard_band) * subtexels;
+        const auto grid = [&](double v) {
+            const double steps = v / h.w * subtexels + 0.5;
+            const double inside = steps > -limit ? (steps < limit ? steps : limit) : -limit;
+            const auto whole = static_cast<std::int32_t>(inside);
+            return whole - (inside < whole ? 1 : 0);
+        };
+        const double depth = h.z / h.w;
+        if (clip_.direction == depth_direction::forward) return {grid(h.x), grid(h.y), depth > 0.0 ? depth : 0.0};
+        return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
+    }
+
+    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes become `outside_vertex`.
+    /// @exactness  the bits of one by one
+    void snap(const glm::vec3 (&positions)[detail::block], snapped_vertex (&vertices)[detail::block]) const {
+        using bits = std::int64_t;
+        constexpr bits minus_zero = std::numeric_limits<bits>::min();
+        const bool forward = clip_.direction == depth_direction::forward;
+        const double z_share = clip_.range == depth_range::minus_one_to_one ? 0.5 : 1.0, w_share = 1.0 - z_share;
+        const double near_z = forward ? 1.0 : -1.0, near_w = forward ? 0.0 : 1.0;
+        const bits lowest = forward ? 0 : minus_zero;
+        const bits highest = forward ? std::numeric_limits<bits>::max() : std::bit_cast<bits>(1.0);
+        detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+            float x[detail::block], y[detail::block], z[detail::block];
+            double column[detail::block], row[detail::block], depth[detail::block];
+            bits outside[detail::block];
+            for (int i = 0; i < detail::block; ++i)
+                x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
+            const glm::dmat4 m = matrix_;
+            const glm::dvec2 half_size = half_size_;
+            for (int i = 0; i < detail::block; ++i) {
+                const auto clip_row = [&](int r) UMBRAGE_INLINE {
+                    return m[0][r] * double(x[i]) + m[1][r] * double(y[i]) + m[2][r] * double(z[i]) + m[3][r];
+                };
+                const double w = clip_row(3), band = guard_band * w;
+                const double hx = (clip_row(0) + w) * half_size.x, hy = (clip_row(1) + w) * half_size.y;
+                const double hz = z_share * clip_row(2) + w_share * w;
+                const auto bit = [](double distance, int plane) UMBRAGE_INLINE {
+                    const bits d = std::bit_cast<bits>(distance);
+                    return bits((d < 0) & (d != minus_zero)) << plane;
+                };
+                outside[i] = bit(w - smallest_w, 0) | bit(near_z * hz + near_w * w, 1) | bit(band + hx, 2) |
+                             bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5);
+                const bits inside = -bits(outside[i] == 0);
+                column[i] = std::bit_cast<double>(std::bit_cast<bits>(hx / w * subtexels + 0.5) & inside);
+                row[i] = std::bit_cast<double>(std::bit_cast<bits>(hy / w * subtexels + 0.5) & inside);
+                bits d = std::bit_cast<bits>(hz / w);
+                d = d < lowest ? lowest : d;
+                d = d > highest ? highest : d;
+                depth[i] = std::bit_cast<double>(d & inside);
+            }
+            std::int32_t columns[detail::block], rows[detail::block];
+            const auto floors = [](const double* from, std::int32_t* to) UMBRAGE_INLINE {
+                for (int i = 0; i < detail::block; ++i) {
+                    const auto whole = static_cast<std::int32_t>(from[i]);
+                    to[i] = whole - std::int32_t(from[i] < whole);
+                }
+            };
+            floors(column, columns);
+            floors(row, rows);
+            for (int i = 0; i < detail::block; ++i) vertices[i] = {columns[i], rows[i], depth[i]};
+            for (int i = 0; i < detail::block; ++i)
+                if (outside[i]) vertices[i] = outside_vertex(static_cast<unsigned>(outside[i]));
+        });
+    }
+
+private:
+    static constexpr double smallest_w = 0x1p-126;
+
+    [[nodiscard]] double row(int r, glm::vec3 p) const {
+        return matrix_[0][r] * double(p.x) + matrix_[1][r] * double(p.y) + matrix_[2][r] * double(p.z) + matrix_[3][r];
+    }
+
+    glm::dmat4 matrix_;
+    clip_space clip_;
+    glm::dvec2 half_size_;
+};
+
+/// True when no element is NaN or infinite.
+[[nodiscard]] inline bool is_finite(glm::vec3 p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
+[[nodiscard]] inline bool is_finite(const glm::mat4& m) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!is_finite(m[column][row])) return false;
+    return true;
+}
+
+/// A convex polygon on the grid, its smallest vertex first: a fan around that vertex is the same whichever vertex
+/// of the triangle came first, and whichever way round they went.
+struct clipped_polygon {
+    std::array<snapped_vertex, 3 + projection::planes> vertices;
+    int count = 0;  ///< 0 or 3..9
+};
+
+/// The part of a triangle inside all planes.
+/// @param a,b,c   homogeneous texels
+/// @param planes  a bit for each plane to clip against; those that all three points are inside of may be left out
+[[nodiscard]] inline clipped_polygon clip_triangle(const projection& project, const glm::dvec4& a, const glm::dvec4& b,
+                                                   const glm::dvec4& c, unsigned planes = ~0u) {
+    std::array<glm::dvec4, 3 + projection::planes> points{a, b, c};
+    int count = 3;
+    for (int plane = 0; plane < projection::planes; ++plane) {
+        if (!(planes >> plane & 1u)) continue;
+        const auto before = points;
+        const int count_before = count;
+        count = 0;
+        for (int i = 0; i < count_before; ++i) {
+            const auto& p = before[std::size_t(i)];
+            const auto& q = before[std::size_t(i + 1 < count_before ? i + 1 : 0)];
+            const bool p_inside = !(project.distance(plane, p) < 0.0), q_inside = !(project.distance(plane, q) < 0.0);
+            if (p_inside) points[std::size_t(count++)] = p;
+            if (p_inside != q_inside && count < int(points.size()))
+                points[std::size_t(count++)] = p_inside ? project.cut(plane, p, q) : project.cut(plane, q, p);
+        }
+    }
+    clipped_polygon polygon;
+    if (count < 3) return polygon;
+    polygon.count = count;
+    for (int i = 0; i < count; ++i) polygon.vertices[std::size_t(i)] = project.snap(points[std::size_t(i)]);
+    const auto last = polygon.vertices.begin() + count;
+    std::rotate(polygon.vertices.begin(), std::min_element(polygon.vertices.begin(), last), last);
+    return polygon;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/pyramid.hpp
+// Least and greatest depth of every square of 2 x 2, 4 x 4, ... texels of a map.
+//
+//     const auto levels = umbrage::make_min_max_pyramid(map.view(), 3);
+//     float nearest = levels[1].least[texel / 4];  // of the 4 x 4 texels that `texel` is one of
+//
+
+namespace umbrage {
+
+/// One level: an element for each square, those at the far borders cut off by them.
+struct depth_bounds {
+    image<float> least;     ///< NaN where a texel is NaN
+    image<float> greatest;  ///< of the texels that are numbers; NaN where none is
+};
+
+namespace detail {
+
+/// Floats as integers in the same order, -0 below +0, NaN below everything; and back.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t order_key(float v) {
+    const auto bits = std::bit_cast<std::int32_t>(v);
+    const std::int32_t number = -std::int32_t((bits & 0x7FFFFFFF) <= 0x7F800000);
+    return ((bits ^ (bits >> 31 & 0x7FFFFFFF)) & number) | (INT32_MIN & ~number);
+}
+[[nodiscard]] UMBRAGE_INLINE inline float from_order_key(std::int32_t key) {
+    return std::bit_cast<float>(key ^ (key >> 31 & 0x7FFFFFFF));
+}
+struct least_of {
+    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a < b ? a : b; }
+};
+struct greatest_of {
+    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a > b ? a : b; }
+};
+
+/// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it.
+template <class Pick, class ParallelFor>
+void halve(image_view<const float> from, image_view<float> to, Pick pick, ParallelFor&& parallel) {
+    parallel(to.size.y, [&](int first, int last) {
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            std::int32_t keys[block];
+            float ends[2][2 * block];
+            for (int y = first; y < last; ++y) {
+                const float* rows[2] = {from.row(2 * y), from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y)};
+                for (int x = 0; x < to.size.x; x += block) {
+                    const float *low = rows[0] + 2 * x, *high = rows[1] + 2 * x;
+                    if (const int there = from.size.x - 2 * x; there < 2 * block) {
+                        for (int i = 0; i < 2 * block; ++i) {
+                            const int k = i < there ? i : there - 1;
+                            ends[0][i] = low[k];
+                            ends[1][i] = high[k];
+                        }
+                        low = ends[0];
+                        high = ends[1];
+                    }
+                    for (int i = 0; i < block; ++i)
+                        keys[i] = pick(pick(order_key(low[2 * i]), order_key(low[2 * i + 1])),
+                                       pick(order_key(high[2 * i]), order_key(high[2 * i + 1])));
+                    float* result = to.row(y) + x;
+                    const int count = to.size.x - x < block ? to.size.x - x : block;
+                    for (int i = 0; i < count; ++i) result[i] = from_order_key(keys[i]);
+                }
+            }
+        });
+    });
+}
+
+}  // namespace detail
+
+/// @param map       depths, any values
+/// @param levels    how many: the first has squares of 2 x 2 texels, each next one of twice the side
+/// @param parallel  cuts the rows into pieces, see parallel.hpp
+/// @return          as many levels; a level of a single element is followed by more of them
+/// @throws std::invalid_argument  empty map, or negative levels
+/// @exactness       A: selects, never computes
+template <class ParallelFor = serial>
+[[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels, ParallelFor&& parallel = {}) {
+    if (map.empty() || levels < 0) throw std::invalid_argument("umbrage::make_min_max_pyramid: empty map or negative levels");
+    std::vector<depth_bounds> pyramid;
+    for (int level = 0; level < levels; ++level) {
+        const image_view<const float> least = level ? pyramid.back().least.view() : map;
+        const image_view<const float> greatest = level ? pyramid.back().greatest.view() : map;
+        const glm::ivec2 size((least.size.x + 1) / 2, (least.size.y + 1) / 2);
+        depth_bounds next{image<float>(size), image<float>(size)};
+        detail::halve(least, next.least.view(), detail::least_of{}, parallel);
+        detail::halve(greatest, next.greatest.view(), detail::greatest_of{}, parallel);
+        pyramid.push_back(std::move(next));
+    }
+    return pyramid;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/hierarchical.hpp
+// The box filter for receivers most of which are wholly lit or wholly in shadow: those ask one number for the whole box.
+// visibility() does it for filters::hierarchical_box; bit for bit what filters::box gives.
+//
+//     umbrage::visibility(map.view(), umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out.view());
+//
+
+namespace umbrage::detail {
+
+/// For every place where a box may start, the bounds of the squares of the pyramid that the box touches. A box of
+/// 2r + 1 texels touches at most `cells` squares of 2^level texels in a row.
+struct box_bounds {
+    int level, cells;
+    glm::ivec2 squares;       ///< of the level; a box starts at square -(cells - 1) .. squares - 1
+    image<glm::vec2> bounds;  ///< least and greatest
+
+    template <class ParallelFor>
+    box_bounds(image_view<const float> map, int radius, ParallelFor&& parallel)
+        : level(radius < 4 ? 1 : 2), cells(((1 << level) - 1 + 2 * radius) / (1 << level) + 1) {
+        const std::vector<depth_bounds> pyramid = make_min_max_pyramid(map, level, parallel);
+        squares = pyramid.back().least.size();
+        const image<float> least = widened(pyramid.back().least, least_of{}, parallel);
+        const image<float> greatest = widened(pyramid.back().greatest, greatest_of{}, parallel);
+        bounds = image<glm::vec2>(squares + (cells - 1));
+        for (int y = 0; y < bounds.size().y; ++y) {
+            const float *a = least.view().row(y), *b = greatest.view().row(y);
+            glm::vec2* to = bounds.view().row(y);
+            for (int x = 0; x < bounds.size().x; ++x) to[x] = {a[x], b[x]};
+        }
+    }
+
+    /// Pick over cells x cells elements, first along rows, then along columns. Rows are filled up to whole blocks.
+    template <class Pick, class ParallelFor>
+    [[nodiscard]] image<float> widened(const image<float>& from, Pick pick, ParallelFor&& parallel) const {
+        const int width = (squares.x + cells - 1 + block - 1) / block * block;
+        image<std::int32_t> rows({width, squares.y});
+        image<float> out({width, squares.y + cells - 1});
+        parallel(squares.y, [&](int first, int last) {
+            std::vector<std::int32_t> keys(static_cast<std::size_t>(width + cells));
+            for (int y = first; y < last; ++y) {
+                const float* row = from.view().row(y);
+                for (int x = 0; x < width + cells; ++x)
+                    keys[static_cast<std::size_t>(x)] = order_key(row[clamp_int(x - (cells - 1), squares.x - 1)]);
+                widen(pick, rows.view().row(y), width, [&](int k) { return keys.data() + k; });
+            }
+        });
+        parallel(out.size().y, [&](int first, int last) {
+            std::vector<std::int32_t> keys(static_cast<std::size_t>(width));
+            for (int y = first; y < last; ++y) {
+                widen(pick, keys.data(), width, [&](int k) {
+                    return std::as_const(rows).view().row(clamp_int(y - (cells - 1) + k, squares.y - 1));
+                });
+                float* row = out.view().row(y);
+                for (int x = 0; x < width; ++x) row[x] = from_order_key(keys[static_cast<std::size_t>(x)]);
+            }
+        });
+        return out;
+    }
+
+    /// to[x] = pick of from(k)[x] over k < cells.
+    template <class Pick, class From>
+    void widen(Pick pick, std::int32_t* to, int width, From&& from) const {
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            for (int x = 0; x < width; x += block) {
+                std::int32_t best[block];
+                const std::int32_t* first = from(0) + x;
+                for (int i = 0; i < block; ++i) best[i] = first[i];
+                for (int k = 1; k < cells; ++k) {
+                    const std::int32_t* other = from(k) + x;
+                    for (int i = 0; i < block; ++i) best[i] = pick(best[i], other[i]);
+                }
+                for (int i = 0; i < block; ++i) to[x + i] = best[i];
+            }
+        });
+    }
+};
+
+struct hierarchical_blocks {
+    const box_bounds& tree;
+    block_filter<filters::box, depth32f> brute_force;
+
+    UMBRAGE_INLINE void prefetch(const receiver_block&) const {}
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa set) const {
+        const int radius = clamp_int(brute_force.filter.radius, max_box_radius);
+        const texel_bytes<const glm::vec2> memory(tree.bounds.view());
+        const int before = tree.cells - 1, level = tree.level;
+        const glm::ivec2 last = tree.bounds.size() - 1;
+        std::int32_t offsets[block], open[block];
+        glm::vec2 bounds[block];
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t in_space = texel_space_mask(r.x[i], r.y[i]);
+            const std::int32_t x = floor_int(masked(r.x[i], in_space)) - radius, y = floor_int(masked(r.y[i], in_space)) - radius;
+            offsets[i] = memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
+            open[i] = in_space;
+        }
+        for (int i = 0; i < block; ++i) bounds[i] = *memory.at(offsets[i]);
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t lit = is_lit(r.z[i], bounds[i].x), dark = std::int32_t(r.z[i] > bounds[i].y);
+            visibility[i] = select(-lit | ~open[i], 1.0f, 0.0f);
+            open[i] &= ~-(lit | dark);
+        }
+
+        receiver_block rest;  // those that need the box
+        float shares[block];
+        int indices[block], found = 0;
+        for (int i = 0; i < count; ++i) {
+            indices[found] = i;
+            rest.x[found] = r.x[i];
+            rest.y[found] = r.y[i];
+            rest.z[found] = r.z[i];
+            found -= open[i];
+        }
+        if (found == 0) return;
+        brute_force(rest, found, shares, set);
+        for (int i = 0; i < found; ++i) visibility[indices[i]] = shares[i];
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/image_ops/triangle_batch.hpp
+// Triangles on the vertex grid, 64 at a time: edges and depth planes set up in loops that vectorise, then spans row by
+// row without a division.
+//
+//     umbrage::triangle_batch batch;
+//     batch.add(p, q, r, id, {{0, 0}, size}, umbrage::cull_mode::none);  // and more, until it is full()
+//     batch.set_up();
+//     for (int i = 0; i < batch.count; ++i)
+//         batch.for_each_row(i, [&](int y, int first, int last) { ... });
+//
+// A sample is inside an edge from a to b where E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0, or > 0 where the
+// edge is neither a top nor a left one. In a row the last such sample is a quotient of integers; from row to row the
+// quotient and its remainder grow by constants, so that it stays exact.
+
+namespace umbrage {
+
+/// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up.
+enum class cull_mode { none, front, back };
+
+/// Depth over a triangle, exact on its grid: z + dx * x + dy * y for texels x, y counted from `first`.
+struct depth_plane {
+    glm::ivec2 first;        ///< a texel within the triangle's bounds
+    double z, dx, dy;        ///< multiples of one power of two, so that no sum of theirs within the bounds is rounded
+    double lowest, highest;  ///< of the vertices; samples never leave it
+
+    [[nodiscard]] UMBRAGE_INLINE double unclamped(int x, int y) const {
+        return z + dx * (x - first.x) + dy * (y - first.y);
+    }
+    [[nodiscard]] UMBRAGE_INLINE double operator()(int x, int y) const {
+        const double depth = unclamped(x, y);
+        return depth > lowest ? (depth < highest ? depth : highest) : lowest;
+    }
+};
+
+/// Texels first <= t < last; y counts from the bottom.
+struct texel_bounds {
+    glm::ivec2 first, last;
+};
+
+namespace detail {
+
+/// A whole number to an integer, anything else to one of its neighbours; |v| < 2^51. AVX2 has no conversion.
+[[nodiscard]] UMBRAGE_INLINE inline std::int64_t to_integer(double v) {
+    constexpr double magic = 0x1.8p52;
+    return std::bit_cast<std::int64_t>(v + magic) - std::bit_cast<std::int64_t>(magic);
+}
+
+/// Towards zero; |v| < 2^63.
+template <isa Set>
+[[nodiscard]] UMBRAGE_INLINE inline double truncate(double v) {
+#if UMBRAGE_HAS_DISPATCH
+    if constexpr (Set == isa::avx2) return __builtin_trunc(v);
+#endif
+    return static_cast<double>(static_cast<std::int64_t>(v));
+}
+
+}  // namespace detail
+
+/// Up to 64 triangles, each coordinate an array of its own.
+class triangle_batch {
+public:
+    int count = 0;
+    unsigned id[detail::block];
+
+    triangle_batch() {  // every lane is set up, used or not
+        for (int i = 0; i < detail::block; ++i) {
+            id[i] = 0;
+            first_[0][i] = first_[1][i] = last_[0][i] = last_[1][i] = 0;
+            for (auto& depth : z_) depth[i] = 0.0;
+            for (int k = 0; k < 3; ++k) x_[k][i] = k == 1, y_[k][i] = k == 2;
+        }
+    }
+
+    /// Rows first <= y < second whose centres are above the lowest corner, the highest included: a bottom edge and
+    /// a corner cover no centre that they meet.
+    [[nodiscard]] static UMBRAGE_INLINE std::pair<int, int> rows(std::int32_t lowest, std::int32_t highest) {
+        return {(lowest + subtexels - centre) >> 8, ((highest - centre) >> 8) + 1};
+    }
+
+    [[nodiscard]] bool full() const { return count == detail::block; }
+
+    /// Takes a triangle unless it faces away, has no area or no sample in its bounds can be within `bounds`.
+    /// There must be room.
+    UMBRAGE_INLINE void add(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c,
+                            unsigned triangle, const texel_bounds& bounds, cull_mode cull) {
+        const auto [lowest, highest] = rows(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}));
+        const int first_y = std::max(lowest, bounds.first.y), last_y = std::min(highest, bounds.last.y) - 1;
+        const int left = std::min({a.x, b.x, c.x}) + subtexels - 1 - centre, right = std::max({a.x, b.x, c.x}) - centre;
+        const int first_x = std::max(left >> 8, bounds.first.x), last_x = std::min(right >> 8, bounds.last.x - 1);
+        if (first_x > last_x || first_y > last_y) return;
+
+        const std::int64_t area =
+            std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
+        if (area == 0 || cull == (area > 0 ? cull_mode::front : cull_mode::back)) return;
+
+        // Counter-clockwise, the smallest vertex first, whatever the order in the mesh was.
+        const snapped_vertex* const around[] = {&a, area > 0 ? &b : &c, area > 0 ? &c : &b, &a, area > 0 ? &b : &c};
+        const auto key = [](const snapped_vertex& v) { return std::int64_t(v.x) * (std::int64_t(1) << 32) + v.y; };
+        const std::int64_t keys[] = {key(*around[0]), key(*around[1]), key(*around[2])};
+        const int second_or_third = keys[1] < keys[2] ? 1 : 2;
+        const int smallest = keys[0] < keys[second_or_third] ? 0 : second_or_third;
+        for (int k = 0; k < 3; ++k) {
+            const snapped_vertex& v = *around[smallest + k];
+            x_[k][count] = v.x, y_[k][count] = v.y, z_[k][count] = v.depth;
+        }
+        first_[0][count] = first_x, first_[1][count] = first_y;
+        last_[0][count] = last_x, last_[1][count] = last_y;
+        id[count++] = triangle;
+    }
+
+    /// Edges and planes of all triangles.
+    ///
+    /// @exactness  edges A: integers. Planes B: the same bits with and without FMA. With n the bounds' larger side in
+    ///             1/256 texel and m the sum of the depth's and the two slopes' magnitudes over the bounds, a sample is
+    ///             within 2^-48 n m of the plane through the snapped vertices
+    void set_up() {
+        detail::on_best_isa([this](auto set) UMBRAGE_INLINE {
+            for (int k = 0; k < 3; ++k) set_up_edges(k);
+            set_up_planes<decltype(set)::value>();
+        });
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE depth_plane plane(int i) const {
+        const double a = z_[0][i], b = z_[1][i], c = z_[2][i];
+        const auto smaller = [](double p, double q) { return p < q ? p : q; };
+        const auto larger = [](double p, double q) { return p < q ? q : p; };
+        return {{first_[0][i], first_[1][i]}, depth_[i], dx_[i], dy_[i], smaller(smaller(a, b), c),
+                larger(larger(a, b), c)};
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE texel_bounds bounds(int i) const {
+        return {{first_[0][i], first_[1][i]}, {last_[0][i] + 1, last_[1][i] + 1}};
+    }
+
+    /// @param row   (int y, int first, int last): texels first <= x < last of row y are covered; there is at least one
+    template <class Row>
+    UMBRAGE_INLINE void for_each_row(int i, const Row& row) const {
+        // One edge bounds the rows on its side alone, the others on theirs.
+        const bool left[] = {is_left(0, i), is_left(1, i), is_left(2, i)};
+        const bool lone_is_left = left[0] + left[1] + left[2] == 1;
+        const int lone = left[0] == lone_is_left ? 0 : left[1] == lone_is_left ? 1 : 2;
+        auto p = edge_at(lone, i), q = edge_at(lone == 2 ? 0 : lone + 1, i), r = edge_at(lone == 0 ? 2 : lone - 1, i);
+        const int x = first_[0][i], last_y = last_[1][i];
+        const std::int64_t width = last_[0][i] - x;
+        for (int y = first_[1][i]; y <= last_y; ++y) {
+            const std::int64_t single = p.quotient, pair = q.quotient < r.quotient ? q.quotient : r.quotient;
+            const std::int64_t before = lone_is_left ? single : pair, behind = lone_is_left ? pair : single;
+            const std::int64_t low = before < 0 ? -before : 0, high = behind < width ? behind : width;
+            if (low <= high) row(y, x + int(low), x + int(high) + 1);
+            p.step(), q.step(), r.step();
+        }
+    }
+
+private:
+    static constexpr int centre = subtexels / 2;
+
+    /// E divided by the magnitude of its step from texel to texel: how many texels further E still is not negative.
+    struct edge {
+        std::int64_t quotient, remainder, quotient_step, remainder_step, divisor;
+
+        UMBRAGE_INLINE void step() {
+            quotient += quotient_step;
+            remainder += remainder_step;
+            const bool carry = remainder >= divisor;
+            quotient += carry;
+            remainder -= carry ? divisor : 0;
+        }
+    };
+    struct edges {
+        std::int64_t quotient[detail::block], remainder[detail::block], quotient_step[detail::block],
+            remainder_step[detail::block], divisor[detail::block];
+    };
+
+    [[nodiscard]] UMBRAGE_INLINE edge edge_at(int k, int i) const {
+        const edges& e = edges_[k];
+        return {e.quotient[i], e.remainder[i], e.quotient_step[i], e.remainder_step[i], e.divisor[i]};
+    }
+    [[nodiscard]] UMBRAGE_INLINE bool is_left(int k, int i) const { return y_[k == 2 ? 0 : k + 1][i] < y_[k][i]; }
+
+    UMBRAGE_INLINE void set_up_edges(int k) {
+        edges& e = edges_[k];
+        const auto &ax = x_[k], &ay = y_[k], &bx = x_[k == 2 ? 0 : k + 1], &by = y_[k == 2 ? 0 : k + 1];
+        for (int i = 0; i < detail::block; ++i) {
+            const std::int32_t up = by[i] - ay[i], level = up == 0, right = (bx[i] - ax[i]) & (level - 1);
+            const std::int32_t from_a_x = first_[0][i] * subtexels + centre - ax[i];
+            const std::int32_t from_a_y = first_[1][i] * subtexels + centre - ay[i];
+            const double value = double(right) * from_a_y + double(-up) * from_a_x - double(up > 0);
+            const double divisor = double((up < 0 ? -up : up) + level) * subtexels, step = double(right) * subtexels;
+            const std::int64_t d = detail::to_integer(divisor);
+            const auto divide = [&](double dividend, std::int64_t& quotient, std::int64_t& remainder) UMBRAGE_INLINE {
+                const std::int64_t q = detail::to_integer(dividend / divisor);  // or one off
+                const std::int64_t rest = detail::to_integer(dividend) - q * d;
+                const std::int64_t below = -std::int64_t(rest < 0), above = -std::int64_t(rest >= d);
+                quotient = q + below - above;
+                remainder = rest + (d & below) - (d & above);
+            };
+            std::int64_t quotient;
+            divide(value, quotient, e.remainder[i]);
+            divide(step, e.quotient_step[i], e.remainder_step[i]);
+            e.quotient[i] = quotient | std::int64_t(level) << 40;  // a level edge bounds no row from the side
+            e.divisor[i] = d;
+        }
+    }
+
+    template <isa Set>
+    UMBRAGE_INLINE void set_up_planes() {
+        using bits = std::int64_t;
+        constexpr bits exponent = 0x7FF0000000000000, magnitude = 0x7FFFFFFFFFFFFFFF, short_digits = ~bits(0x3FFFFFF);
+        constexpr bits tiny = std::bit_cast<bits>(0x1p-200);
+        const auto masked = [](double v, bits mask) UMBRAGE_INLINE {
+            return std::bit_cast<double>(std::bit_cast<bits>(v) & mask);
+        };
+        const auto power_of_two = [](double a, double b, double c) UMBRAGE_INLINE {  // the largest's, rounded down
+            const bits p = std::bit_cast<bits>(a) & exponent, q = std::bit_cast<bits>(b) & exponent;
+            const bits r = std::bit_cast<bits>(c) & exponent;
+            const bits largest = p < q ? q : p, other = r < tiny ? tiny : r;
+            return std::bit_cast<double>(largest < other ? other : largest);
+        };
+        for (int i = 0; i < detail::block; ++i) {
+            const double x1 = x_[1][i] - x_[0][i], y1 = y_[1][i] - y_[0][i];
+            const double x2 = x_[2][i] - x_[0][i], y2 = y_[2][i] - y_[0][i];
+            const std::int32_t left = std::min(std::min(x_[0][i], x_[1][i]), x_[2][i]);
+            const std::int32_t right = std::max(std::max(x_[0][i], x_[1][i]), x_[2][i]);
+            const std::int32_t bottom = std::min(std::min(y_[0][i], y_[1][i]), y_[2][i]);
+            const std::int32_t top = std::max(std::max(y_[0][i], y_[1][i]), y_[2][i]);
+            const double width = right - left, height = top - bottom;
+            const double per_area = 1.0 / (x1 * y2 + x2 * -y1);
+
+            // Depths with so few digits that the products with x1 .. y2 and their differences need no rounding.
+            const double side = std::max(right - left, top - bottom);
+            double unit = power_of_two(z_[0][i], z_[1][i], z_[2][i]) * masked(side, exponent) * 0x1p-49;
+            double units = 1.0 / unit;
+            const double z0 = detail::truncate<Set>(z_[0][i] * units) * unit;
+            const double z1 = detail::truncate<Set>(z_[1][i] * units) * unit;
+            const double z2 = detail::truncate<Set>(z_[2][i] * units) * unit;
+            const double slope_x = ((z1 - z0) * y2 + (z2 - z0) * -y1) * per_area;
+            const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) * per_area;
+
+            // Slopes with so few digits that the same holds for every sample; here for the products.
+            const double reach = masked(z0, magnitude) + masked(slope_x, magnitude & short_digits) * width +
+                                 masked(slope_y, magnitude & short_digits) * height;
+            unit = power_of_two(reach, 0.0, 0.0) * 0x1p-51;
+            units = 1.0 / unit;
+            const double dx = detail::truncate<Set>(slope_x * units) * unit;
+            const double dy = detail::truncate<Set>(slope_y * units) * unit;
+            depth_[i] = detail::truncate<Set>(z0 * units) * unit +
+                        dx * (first_[0][i] * subtexels + centre - x_[0][i]) +
+                        dy * (first_[1][i] * subtexels + centre - y_[0][i]);
+            dx_[i] = dx * subtexels;
+            dy_[i] = dy * subtexels;
+            z_[0][i] = z0, z_[1][i] = z1, z_[2][i] = z2;
+        }
+    }
+
+    std::int32_t x_[3][detail::block], y_[3][detail::block];  // counter-clockwise from the smallest
+    double z_[3][detail::block];
+    std::int32_t first_[2][detail::block], last_[2][detail::block];  // texels whose centres are within the bounds
+    edges edges_[3];
+    double depth_[detail::block], dx_[detail::block], dy_[detail::block];
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/rasterize.hpp
+// The depth pass on the CPU: triangles into a depth image, each sample on a shared edge covered exactly once.
+//
+//     umbrage::image<float> map({1024, 1024}, umbrage::cleared_depth(clip));
+//     umbrage::rasterize_depth(map, {positions, triangles}, world_to_clip, clip);
+//
+// A camera pass keeps the nearest triangle of each texel and interpolates afterwards:
+//
+//     umbrage::rasterize(size, mesh, world_to_clip, clip, [&](glm::ivec2 texel, float z, unsigned triangle) {
+//         if (z <= depth[texel]) depth[texel] = z, visible[texel] = triangle;
+//     });
+//     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, visible[texel]);
+//
+// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left
+// rule (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a
+// grid on which every sample is then computed exactly. So no order of triangles or vertices, no threads, no instruction
+// set and no contraction to FMA changes a bit; of clipped triangles the last may move a cut by 1/256 texel.
+//
+
+namespace umbrage {
+
+/// Triangles that somebody else owns: three indices into the positions each.
+struct mesh_view {
+    std::span<const glm::vec3> positions;
+    std::span<const glm::uvec3> triangles;
+};
+
+namespace detail {
+
+/// The vertices of a mesh on the grid of an image, and its triangles batch by batch.
+class projected_mesh {
+public:
+    /// @throws std::invalid_argument  an index is out of range; a side of the image is above guard_band
+    template <class ParallelFor>
+    projected_mesh(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+                   ParallelFor&& parallel)
+        : mesh_(mesh), project_(world_to_clip, clip, size) {
+        for (const auto& t : mesh.triangles)
+            if (t.x >= mesh.positions.size() || t.y >= mesh.positions.size() || t.z >= mesh.positions.size())
+                throw std::invalid_argument("umbrage::rasterize: a triangle's index is out of range");
+        if (size.x == 0 || size.y == 0 || !is_finite(world_to_clip)) mesh_.triangles = {};
+        if (mesh_.triangles.empty()) return;
+        const std::size_t count = mesh.positions.size();
+        vertices_ = std::make_unique_for_overwrite<snapped_vertex[]>((count + block - 1) / block * block);
+        constexpr std::size_t piece = 64 * block;
+        parallel(static_cast<int>((count + piece - 1) / piece), [&](int first, int last) {
+            for (std::size_t i = std::size_t(first) * piece; i < std::min(std::size_t(last) * piece, count); i += block)
+                project_block(i);
+        });
+    }
+
+    /// Starts to fetch what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh.
+    void expect(std::span<const unsigned> list, std::size_t k) const {
+        constexpr std::size_t soon = 16, later = 32;
+        if (k + later < list.size()) UMBRAGE_PREFETCH(&mesh_.triangles[list[k + later]]);
+        if (k + soon < list.size())
+            for (int corner = 0; corner < 3; ++corner)
+                UMBRAGE_PREFETCH(&vertices_[mesh_.triangles[list[k + soon]][corner]]);
+    }
+
+    [[nodiscard]] unsigned triangle_count() const { return static_cast<unsigned>(mesh_.triangles.size()); }
+
+    /// Rows that a triangle may cover, from the bottom: first <= y < last, of which there may be none.
+    [[nodiscard]] std::pair<int, int> rows(unsigned triangle, int height) const {
+        const auto& t = mesh_.triangles[triangle];
+        const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
+        if (planes_outside(a) | planes_outside(b) | planes_outside(c)) return {0, height};
+        const auto [lowest, highest] = std::minmax({a.y, b.y, c.y});
+        const auto rows = triangle_batch::rows(lowest, highest);
+        return {std::max(rows.first, 0), std::min(rows.second, height)};
+    }
+
+    /// @param triangles  (f): calls f(unsigned triangle) for each
+    /// @param draw       (const triangle_batch&), with the triangles in that order
+    template <class Triangles, class Draw>
+    void for_each_batch(const Triangles& triangles, const texel_bounds& bounds, cull_mode cull,
+                        const Draw& draw) const {
+        triangle_batch batch;
+        const auto flush = [&] {
+            batch.set_up();
+            draw(batch);
+            batch.count = 0;
+        };
+        triangles([&](unsigned i) {
+            const auto& t = mesh_.triangles[i];
+            const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
+            const unsigned crossed = planes_outside(a) | planes_outside(b) | planes_outside(c);
+            if (crossed == 0) {
+                batch.add(a, b, c, i, bounds, cull);
+                if (batch.full()) flush();
+            } else if (!(planes_outside(a) & planes_outside(b) & planes_outside(c)) && !(crossed & nowhere)) {
+                const auto h = [&](unsigned index) { return project_.homogeneous(mesh_.positions[index]); };
+                const auto polygon = clip_triangle(project_, h(t.x), h(t.y), h(t.z), crossed);
+                for (std::size_t k = 1; int(k) + 1 < polygon.count; ++k) {
+                    batch.add(polygon.vertices[0], polygon.vertices[k], polygon.vertices[k + 1], i, bounds, cull);
+                    if (batch.full()) flush();
+                }
+            }
+        });
+        if (batch.count) flush();
+    }
+
+private:
+    static constexpr unsigned nowhere = 1u << projection::planes;
+
+    void project_block(std::size_t first) {
+        glm::vec3 positions[block];
+        for (std::size_t i = 0; i < block; ++i)
+            positions[i] = mesh_.positions[std::min(first + i, mesh_.positions.size() - 1)];
+        bool finite[block];
+        for (std::size_t i = 0; i < block; ++i) {
+            finite[i] = is_finite(positions[i]);
+            if (!finite[i]) positions[i] = glm::vec3(0.0f);
+        }
+        snapped_vertex vertices[block];
+        project_.snap(positions, vertices);
+        for (std::size_t i = 0; i < block; ++i) vertices_[first + i] = finite[i] ? vertices[i] : outside_vertex(nowhere);
+    }
+
+    mesh_view mesh_;
+    projection project_;
+    std::unique_ptr<snapped_vertex[]> vertices_;
+};
+
+/// Which triangles may touch which band of rows, so that a band stays in the cache while it is drawn.
+class banded_triangles {
+public:
+    template <class ParallelFor>
+    banded_triangles(const projected_mesh& mesh, glm::ivec2 size, ParallelFor&& parallel)
+        : mesh_(mesh), rows_(std::clamp(band_texels / std::max(size.x, 1), 1, band_rows)), bands_((size.y + rows_ - 1) / rows_) {
+        const unsigned triangles = mesh.triangle_count(), pieces = (triangles + piece - 1) / piece;
+        lists_.resize(std::size_t(pieces) * std::size_t(bands_));
+        parallel(static_cast<int>(pieces), [&](int first, int last) {
+            for (unsigned i = unsigned(first) * piece; i < std::min(unsigned(last) * piece, triangles); ++i) {
+                const auto [low, high] = mesh.rows(i, size.y);
+                for (int band = low / rows_; band * rows_ < high; ++band)
+                    lists_[std::size_t(i / piece) * std::size_t(bands_) + std::size_t(band)].push_back(i);
+            }
+        });
+    }
+
+    [[nodiscard]] int bands() const { return bands_; }
+    [[nodiscard]] int rows() const { return rows_; }
+
+    /// In the mesh's order.
+    template <class Use>
+    void for_each(int band, const Use& use) const {
+        for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands_))
+            for (std::size_t k = 0; k < lists_[i].size(); ++k) {
+                mesh_.expect(lists_[i], k);
+                use(lists_[i][k]);
+            }
+    }
+
+private:
+    static constexpr int band_texels = 1 << 16, band_rows = 64;
+    static constexpr unsigned piece = 1 << 16;  // triangles that one thread sorts at a time
+
+    const projected_mesh& mesh_;
+    int rows_, bands_;
+    std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band
+};
+
+/// A triangle's depths into an image.
+template <bool Forward>
+class span_writer {
+public:
+    UMBRAGE_INLINE span_writer(image_view<float> depth, bool flipped)
+        : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
+          up_(flipped ? -depth.stride : depth.stride),
+          width_(depth.size.x) {}
+
+    /// Starts to fetch the texels of a triangle, which for a small one takes as long as to draw another.
+    UMBRAGE_INLINE void expect(const triangle_batch& batch, int i) const {
+        const auto bounds = batch.bounds(i);
+        for (int y = bounds.first.y; y < std::min(bounds.last.y, bounds.first.y + 16); ++y)
+            UMBRAGE_PREFETCH(row(y) + bounds.first.x);
+    }
+
+    UMBRAGE_INLINE void draw(const triangle_batch& batch, int i) const {
+        const auto plane = batch.plane(i);
+        // Depths of one sign, and none that is flushed: their bits are in their order.
+        if (plane.lowest >= 0x1p-126 && plane.highest <= 1.0) {
+            const block_writer write(plane);
+            batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
+                float* const texels = row(y);
+                double z = plane.unclamped(first, y);
+                for (; first < last && first + lanes <= width_; first += lanes, z += plane.dx * lanes)
+                    write(texels + first, z, last - first);
+                if (first >= last) return;
+                float copy[lanes]{};
+                for (int x = first; x < last; ++x) copy[x - first] = texels[x];
+                write(copy, z, last - first);
+                for (int x = first; x < last; ++x) texels[x] = copy[x - first];
+            });
+        } else {
+            batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
+                float* const texels = row(y);
+                for (int x = first; x < last; ++x) {
+                    const double z = plane(x, y);
+                    if (!(z >= 0.0 && z <= 1.0)) continue;
+                    const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
+                    if (Forward ? stored <= texels[x] : stored >= texels[x]) texels[x] = stored;
+                }
+            });
+        }
+    }
+
+private:
+    static constexpr int lanes = 8;
+
+    struct block_writer {
+        double ramp[lanes];
+        std::int32_t lowest, highest;
+
+        UMBRAGE_INLINE explicit block_writer(const depth_plane& plane)
+            : lowest(std::bit_cast<std::int32_t>(static_cast<float>(plane.lowest))),
+              highest(std::bit_cast<std::int32_t>(static_cast<float>(plane.highest))) {
+            for (int i = 0; i < lanes; ++i) ramp[i] = plane.dx * i;
+        }
+
+        /// The first `count` of eight texels; what is there can be anything.
+        UMBRAGE_INLINE void operator()(float* texels, double z, int count) const {
+            constexpr std::int32_t infinity = 0x7F800000, sign = std::numeric_limits<std::int32_t>::min();
+            std::int32_t there[lanes], here[lanes];
+            float rounded[lanes];
+            for (int i = 0; i < lanes; ++i) rounded[i] = static_cast<float>(z + ramp[i]);
+            std::memcpy(here, rounded, sizeof here);
+            std::memcpy(there, texels, sizeof there);
+            for (int i = 0; i < lanes; ++i) {
+                const std::int32_t above = here[i] < lowest ? lowest : here[i];
+                const std::int32_t depth = above > highest ? highest : above;
+                const bool nearer = Forward ? depth <= there[i] : depth >= there[i];
+                const bool number = (Forward ? there[i] : there[i] ^ sign) <= infinity;  // or a NaN of the other sign
+                const std::int32_t mask = -std::int32_t(nearer & number & (i < count));
+                there[i] = (depth & mask) | (there[i] & ~mask);
+            }
+            std::memcpy(texels, there, sizeof there);
+        }
+    };
+
+    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const { return reinterpret_cast<float*>(bottom_ + y * up_); }
+
+    std::byte* bottom_;
+    std::ptrdiff_t up_;
+    int width_;
+};
+
+template <bool Forward>
+void draw_batch(image_view<float> depth, bool flipped, const triangle_batch& batch) {
+    on_best_isa([&](auto) UMBRAGE_INLINE {
+        const span_writer<Forward> writer(depth, flipped);
+        for (int i = 0; i < batch.count; ++i) {
+            if (i + 1 < batch.count) writer.expect(batch, i + 1);
+            writer.draw(batch, i);
+        }
+    });
+}
+
+}  // namespace detail
+
+/// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
+///
+/// @param depth          greatest side 16384; row 0 is where clip.origin says; empty: nothing happens
+/// @param mesh           triangles with a NaN or infinite position are left out, as all are if the matrix has one;
+///                       those of no area on the 1/256 texel grid cover nothing
+/// @param world_to_clip  projection * view
+/// @param clip           reversed: greater depths win
+/// @param cull           which faces to leave out
+/// @param parallel       cuts the work into pieces, see parallel.hpp: vertices, triangles, bands of rows
+/// @throws std::invalid_argument  an index is out of range; a side of the image is above 16384
+/// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
+///              the far plane; never -0
+/// @exactness   coverage A from the snapped vertices on; depth B, see triangle_batch::set_up
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {}) {
+    const detail::projected_mesh projected(depth.size, mesh, world_to_clip, clip, parallel);
+    const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
+    const detail::banded_triangles banded(projected, depth.size, parallel);
+    parallel(banded.bands(), [&](int first, int last) {
+        for (int band = first; band < last; ++band) {
+            const texel_bounds bounds{{0, band * banded.rows()},
+                                      {depth.size.x, std::min((band + 1) * banded.rows(), depth.size.y)}};
+            const auto triangles = [&](const auto& use) { banded.for_each(band, use); };
+            projected.for_each_batch(triangles, bounds, cull, [&](const triangle_batch& batch) {
+                if (forward) detail::draw_batch<true>(depth, flipped, batch);
+                else detail::draw_batch<false>(depth, flipped, batch);
+            });
+        }
+    });
+}
+
+/// The general form: one call for each covered sample between the near and the far plane, triangle by triangle.
+///
+/// @param size    of the image in texels, each at most 16384
+/// @param sample  (glm::ivec2 texel, float depth, unsigned triangle); does the depth test. Where depths tie, a callee
+///                that wants results free of the triangles' order compares the triangles too
+/// The rest as for rasterize_depth.
+template <class Sample>
+void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
+               cull_mode cull = cull_mode::none) {
+    const bool flipped = clip.origin == texture_origin::top;
+    const detail::projected_mesh projected(size, mesh, world_to_clip, clip, serial{});
+    const auto triangles = [&](const auto& use) {
+        for (unsigned i = 0; i < projected.triangle_count(); ++i) use(i);
+    };
+    projected.for_each_batch(triangles, {{0, 0}, size}, cull, [&](const triangle_batch& batch) {
+        for (int i = 0; i < batch.count; ++i) {
+            const auto plane = batch.plane(i);
+            batch.for_each_row(i, [&](int y, int first, int last) {
+                for (int x = first; x < last; ++x)
+                    if (const double z = plane(x, y); z >= 0.0 && z <= 1.0)
+                        sample(glm::ivec2(x, flipped ? size.y - 1 - y : y), z > 0.0 ? static_cast<float>(z) : 0.0f,
+                               batch.id[i]);
+            });
+        }
+    });
+}
+
+/// Perspective-correct weights of a triangle's vertices at the centre of a texel.
+///
+/// @param triangle  index into mesh.triangles; its vertices may be behind the camera
+/// @return      weights that are not negative and sum to 1: a texel that snapping moved out of the triangle gets the
+///              weights of the nearest edge; (1, 0, 0) for a triangle seen edge-on or not finite
+/// @formula     b_i ~ (x_j - X w_j)(y_k - Y w_k) - (y_j - Y w_j)(x_k - X w_k), homogeneous texels; no division by w
+/// @cite        Olano, Greer: Triangle Scan Conversion using 2D Homogeneous Coordinates, Graphics Hardware 1997
+[[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
+                                            clip_space clip, glm::ivec2 texel, unsigned triangle) {
+    assert(triangle < mesh.triangles.size());
+    const projection project(world_to_clip, clip, size);
+    const double centre_x = texel.x + 0.5;
+    const double centre_y = clip.origin == texture_origin::top ? size.y - texel.y - 0.5 : texel.y + 0.5;
+    std::array<glm::dvec2, 3> from;  // the centre to each vertex, times w
+    for (int i = 0; i < 3; ++i) {
+        const auto h = project.homogeneous(mesh.positions[mesh.triangles[triangle][i]]);
+        from[std::size_t(i)] = {h.x - centre_x * h.w, h.y - centre_y * h.w};
+    }
+    const auto cross = [](glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; };
+    std::array<double, 3> weights{cross(from[1], from[2]), cross(from[2], from[0]), cross(from[0], from[1])};
+    const double signed_sum = weights[0] + weights[1] + weights[2];
+    double sum = 0.0;
+    for (auto& w : weights) {
+        if (signed_sum < 0.0) w = -w;
+        sum += w = w > 0.0 ? w : 0.0;
+    }
+    if (!is_finite(signed_sum) || sum == 0.0) return {1.0f, 0.0f, 0.0f};
+    return {weights[0] / sum, weights[1] / sum, weights[2] / sum};
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/visibility.hpp
+// A whole image of receivers against a shadow map, with any filter and any encoding.
+//
+//     umbrage::visibility(map.view(), umbrage::rg<11>{}, receivers.view(), umbrage::filters::pcf_2x2{}, out.view());
+//
+// Straight from what a camera saw, with no image of receivers in between:
+//
+//     umbrage::depth_receivers seen{depth.view(), umbrage::receiver_matrix(inverse, to_texels, size, clip), bias};
+//     umbrage::visibility(map.view(), umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out.view());
+//
+// Bit for bit what the filter gives for each receiver alone.
+
+namespace umbrage {
+
+/// Receivers as three images of the same size: x and y in texels of the map, depth, biased.
+struct receiver_planes {
+    image_view<const float> x, y, depth;
+};
+
+/// Receivers as a camera's depth image.
+struct depth_receivers {
+    image_view<const float> depth;  ///< as the depth pass leaves it, in [0, 1]
+    glm::mat4 matrix;               ///< receiver_matrix
+    float bias = 0.0f;              ///< in the map's depth, taken off each receiver's
+};
+
+/// The way from a camera's depth image to the shadow map.
+///
+/// @param clip_to_world    inverse of the camera's projection * view
+/// @param texture_matrix   world to texels of the map
+/// @param size             of the depth image in texels, each >= 1
+/// @param clip             the camera's convention
+/// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
+///                         the camera; the product is taken in double
+/// @throws std::invalid_argument  size below 1
+[[nodiscard]] inline glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
+                                               glm::ivec2 size, clip_space clip) {
+    if (size.x < 1 || size.y < 1) throw std::invalid_argument("umbrage::receiver_matrix: size below 1");
+    const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
+    glm::dmat4 to_clip(1.0);
+    to_clip[0][0] = 2.0 / size.x;
+    to_clip[1][1] = up * 2.0 / size.y;
+    to_clip[3] = {-1.0, -up, 0.0, 1.0};
+    if (clip.range == depth_range::minus_one_to_one) {
+        to_clip[2][2] = 2.0;
+        to_clip[3][2] = -1.0;
+    }
+    return glm::mat4(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
+}
+
+/// One receiver of a camera's depth image.
+/// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), bias taken off its depth
+/// @exactness     C, as project_coordinate
+[[nodiscard]] inline glm::vec3 receiver_at(const depth_receivers& seen, glm::ivec2 texel) {
+    const glm::vec3 at(static_cast<float>(texel.x) + 0.5f, static_cast<float>(texel.y) + 0.5f, seen.depth[texel]);
+    const glm::vec3 p = project_coordinate(shadow_coordinate(seen.matrix, at));
+    return {p.x, p.y, p.z - seen.bias};
+}
+
+namespace detail {
+
+/// Most blocks are whole, and then the compiler knows how much there is to copy.
+UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
+    if (count == block)
+        std::memcpy(to, from, block * sizeof(float));
+    else
+        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
+}
+
+/// Receivers x .. x + count of row y.
+UMBRAGE_INLINE inline void load(const image_view<const glm::vec3>& receivers, int x, int y, int count, receiver_block& r) {
+    const glm::vec3* from = receivers.row(y) + x;
+    const auto copy = [&](int n) UMBRAGE_INLINE {
+        for (int i = 0; i < n; ++i) {
+            r.x[i] = from[i].x;
+            r.y[i] = from[i].y;
+            r.z[i] = from[i].z;
+        }
+    };
+    count == block ? copy(block) : copy(count);
+}
+UMBRAGE_INLINE inline void load(const receiver_planes& receivers, int x, int y, int count, receiver_block& r) {
+    copy_floats(r.x, receivers.x.row(y) + x, count);
+    copy_floats(r.y, receivers.y.row(y) + x, count);
+    copy_floats(r.z, receivers.depth.row(y) + x, count);
+}
+
+/// receiver_at for a block.
+inline void load(const depth_receivers& seen, int first, int row, int count, receiver_block& r) {
+    copy_floats(r.z, seen.depth.row(row) + first, count);
+    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+        const glm::mat4 m = seen.matrix;
+        const float bias = seen.bias;
+        const float y = static_cast<float>(row) + 0.5f;
+        for (int i = 0; i < block; ++i) {
+            const float x = static_cast<float>(first + i) + 0.5f, depth = r.z[i];
+            const auto sum = [&](int k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
+            const float w = sum(3);
+            const auto bits = std::bit_cast<std::int32_t>(w);
+            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
+            r.x[i] = select(in_front, sum(0) / w, 65536.0f);
+            r.y[i] = select(in_front, sum(1) / w, 65536.0f);
+            r.z[i] = masked(sum(2) / w, in_front) - bias;
+        }
+    });
+}
+
+[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
+    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
+        throw std::invalid_argument("umbrage::visibility: sizes differ");
+    return receivers.depth.size;
+}
+
+/// Every receiver through a filter in either form.
+template <class Receivers, class Filter, class ParallelFor>
+void filter_rows(const Receivers& receivers, const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+    const int per_row = (out.size.x + block - 1) / block;
+    parallel(out.size.y, [&](int first, int last) {
+        on_best_isa([&](auto set) UMBRAGE_INLINE {
+            receiver_block receivers_of[2];  // of this block and the next, whose texels are on their way meanwhile
+            float visibility[block];
+            const auto start = [&](int row, int n) UMBRAGE_INLINE {
+                const int x = n * block, count = out.size.x - x < block ? out.size.x - x : block;
+                load(receivers, x, row, count, receivers_of[n & 1]);
+                filter.prefetch(receivers_of[n & 1]);
+                return count;
+            };
+            for (int y = first; y < last; ++y) {
+                int count = start(y, 0);
+                for (int n = 0; n < per_row; ++n) {
+                    const int next = n + 1 < per_row ? start(y, n + 1) : 0;
+                    filter(receivers_of[n & 1], count, visibility, set);
+                    copy_floats(out.row(y) + n * block, visibility, count);
+                    count = next;
+                }
+            }
+        });
+    });
+}
+
+template <class Encoding, class Receivers, class Filter, class ParallelFor>
+void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
+                  const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+    if (size_of(receivers) != out.size) throw std::invalid_argument("umbrage::visibility: sizes differ");
+    if (map.empty()) throw std::invalid_argument("umbrage::visibility: empty map");
+    if (out.empty()) return;
+    constexpr bool hierarchical = std::is_same_v<Filter, filters::hierarchical_box>;
+    if constexpr ((hierarchical || std::is_same_v<Filter, filters::box>) && !std::is_same_v<Encoding, depth32f>) {
+        // As floats, unless that is more work than the boxes.
+        const auto texels = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
+        if (texels(map.size) < 16.0 * texels(out.size)) {
+            image<float> depth(map.size);
+            decode(map, depth.view(), encoding, parallel);
+            return filter_image(image_view<const float>(depth), depth32f{}, receivers, filter, out, parallel);
+        }
+    }
+    if constexpr (hierarchical && std::is_same_v<Encoding, depth32f>)
+        if (texel_bytes<const float>::fits(map)) {
+            const filters::box box{filter.radius};
+            const box_bounds tree(map, clamp_int(box.radius, max_box_radius), parallel);
+            return filter_rows(receivers, hierarchical_blocks{tree, {map, encoding, box}}, out, parallel);
+        }
+    using blocks = block_filter<Filter, Encoding>;
+    if constexpr (blocks::least > 0)
+        if (map.size.x >= blocks::least && map.size.y >= blocks::least &&
+            texel_bytes<const typename Encoding::texel>::fits(map))
+            return filter_rows(receivers, blocks{map, encoding, filter}, out, parallel);
+    filter_rows(receivers, one_by_one<Filter, Encoding>{map, encoding, filter}, out, parallel);
+}
+
+}  // namespace detail
+
+/// @param map         shadow map, texels of the encoding; outside, the nearest texel inside counts
+/// @param encoding    how the map's texels hold depth; its edge decides ties
+/// @param receivers   (x, y) in texels of the map, z depth, biased
+/// @param filter      one of filters::, or any callable (fetch, coord, receiver) -> visibility
+/// @param out         visibility, 1 lit; same size as receivers
+/// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
+/// @throws std::invalid_argument  sizes differ, or the map is empty
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, Encoding encoding,
+                image_view<const glm::vec3> receivers, Filter filter, image_view<float> out,
+                ParallelFor&& parallel = {}) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+}
+
+/// Receivers as a structure of arrays.
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, Encoding encoding, const receiver_planes& receivers,
+                Filter filter, image_view<float> out, ParallelFor&& parallel = {}) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+}
+
+/// Receivers from a camera's depth image: visibility of receiver_at for each of its texels.
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, Encoding encoding, const depth_receivers& receivers,
+                Filter filter, image_view<float> out, ParallelFor&& parallel = {}) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/view/overlay.hpp
+// A shadow map in the corner of the picture it shadowed, stretched in contrast so that people see something.
+//
+//     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
+//     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {
+//         return umbrage::false_colour(s(depth));
+//     });
+//
+
+namespace umbrage {
+
+/// Maps low..high to 0..1; values outside clamp, NaN becomes 1.
+struct contrast_stretch {
+    float low = 0.0f, high = 1.0f;
+
+    [[nodiscard]] float operator()(float v) const {
+        if (is_nan(v) || v >= high) return 1.0f;
+        return v > low ? static_cast<float>((double(v) - low) / (double(high) - low)) : 0.0f;
+    }
+};
+
+/// The range that a map's depths fill, without the texels that nothing was drawn to.
+///
+/// @param cleared   texels of this value are left out, as are NaN and the infinities
+/// @param outliers  share of the depths to give up at either end, 0 <= outliers < 1/2
+/// @return      0..1 when no texel is left
+/// @throws std::invalid_argument  outliers out of range
+[[nodiscard]] inline contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f,
+                                              double outliers = 0.01) {
+    if (!(outliers >= 0.0 && outliers < 0.5)) throw std::invalid_argument("umbrage::stretch: outliers not in [0, 1/2)");
+    std::vector<float> depths;
+    for (int y = 0; y < map.size.y && !map.empty(); ++y)
+        for (int x = 0; x < map.size.x; ++x)
+            if (const float depth = map.row(y)[x]; is_finite(depth) && depth != cleared) depths.push_back(depth);
+    if (depths.empty()) return {};
+    const auto given_up = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(depths.size()));
+    const auto ranked = [&](std::ptrdiff_t rank) {
+        std::nth_element(depths.begin(), depths.begin() + rank, depths.end());
+        return depths[static_cast<std::size_t>(rank)];
+    };
+    return {ranked(given_up), ranked(std::ssize(depths) - 1 - given_up)};
+}
+
+/// Where an overlay goes: the top left corner, as people see it.
+struct overlay_placement {
+    glm::ivec2 size{0, 0};  ///< in texels of the picture; a zero takes the map's own side
+    texture_origin map_origin = texture_origin::bottom;   ///< where row 0 of the map is
+    texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
+};
+
+/// Draws a map into the top left corner of a picture, scaled to the nearest texel. What does not fit is cut off.
+///
+/// @param colour  float -> colour, given the map's texels as they are: a float is a grey, a vec3 red, green and blue,
+///                all in [0, 1]
+/// @throws std::invalid_argument  negative size
+template <class Colour>
+void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
+             Colour&& colour) {
+    if (place.size.x < 0 || place.size.y < 0) throw std::invalid_argument("umbrage::overlay: negative size");
+    if (map.empty()) return;
+    const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
+    const auto nearest = [](int i, int count, int from) {
+        return static_cast<int>((2 * std::int64_t{i} + 1) * from / (2 * std::int64_t{count}));
+    };
+    const auto row_from_top = [](int y, int count, texture_origin origin) {
+        return origin == texture_origin::top ? y : count - 1 - y;
+    };
+    for (int y = 0; y < std::min(size.y, picture.size.y); ++y) {
+        const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
+        glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
+        for (int x = 0; x < std::min(size.x, picture.size.x); ++x)
+            out[x] = store_unorm8(glm::vec3(colour(depths[nearest(x, size.x, map.size.x)])));
+    }
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/registry.hpp
+// Every snippet there is, in the order of the data's way: what tests, tables and tools walk through.
+//
+//     for (const umbrage::glsl::snippet* s : umbrage::glsl::registry) std::puts(umbrage::glsl::text({*s}).c_str());
+//
+
+namespace umbrage::glsl {
+
+inline constexpr std::array registry{
+    // vertex side
+    &shadow_coordinate, &tap_coordinate, &project_coordinate,
+    // kinds of depth
+    &linear_depth, &project_depth, &distance_depth, &reverse_depth, &depth_from_ndc, &view_z_from_depth,
+    &depth_from_view_z,
+    // encodings
+    &saturate, &to_unorm, &from_unorm,
+    &encode_rg<9>, &encode_rg<10>, &encode_rg<11>, &encode_rg<12>, &encode_rg<13>, &encode_rg<14>, &encode_rg<15>,
+    &encode_rg<16>,
+    &encode_rg_table<9>, &encode_rg_table<10>, &encode_rg_table<11>, &encode_rg_table<12>, &encode_rg_table<13>,
+    &encode_rg_table<14>, &encode_rg_table<15>, &encode_rg_table<16>,
+    &decode_rg<9>, &decode_rg<10>, &decode_rg<11>, &decode_rg<12>, &decode_rg<13>, &decode_rg<14>, &decode_rg<15>,
+    &decode_rg<16>,
+    &level_rg<9>, &level_rg<10>, &level_rg<11>, &level_rg<12>, &level_rg<13>, &level_rg<14>, &level_rg<15>,
+    &level_rg<16>,
+    &receiver_rg<9>, &receiver_rg<10>, &receiver_rg<11>, &receiver_rg<12>, &receiver_rg<13>, &receiver_rg<14>,
+    &receiver_rg<15>, &receiver_rg<16>,
+    &decode_ps14, &receiver_ps14,
+    &encode_rgb24, &decode_rgb24,
+    &encode_float_bits, &decode_float_bits,
+    &encode_three_rgba, &decode_three_rgba, &encode_three_rgb, &decode_three_rgb, &encode_three_rg, &decode_three_rg,
+    &encode_three_legacy, &encode_three_legacy_repaired, &decode_three_legacy,
+    &encode_aras, &encode_aras_repaired, &decode_aras,
+    // fetch, compare, filter
+    &fetch_clamped, &fetch_bordered, &fetch_depth, &inside_texel_space, &compare, &compare_dx_sdk, &compare_exercise,
+    &hard, &four_tap, &pcf_2x2, &pcf_2x2_dx_sdk, &box_count, &box_scale, &box,
+    // shade, view
+    &spot_cone, &diffuse_ambient, &false_colour};
+
+}  // namespace umbrage::glsl
+
+// ---- umbrage/images.hpp
+// All of umbrage: the primitives, functions over whole images, the registry of snippets. Includes only.
+
