@@ -202,8 +202,9 @@ TEST_CASE("self_shadowing: the viewer's shadow is the CPU's") {
 
 TEST_CASE("choices: every encoding and filter draws, fine encodings as floats do") {
     const std::string small = "--headless --mask --width 300 --height 200 --system dx_sdk ";
-    for (const auto& [kind, filter] : viewer::filter_names) {
-        const std::string with_filter = small + "--filter " + std::string(filter);
+    for (const auto& named : viewer::filter_names) {
+        const std::string filter(named.second);
+        const std::string with_filter = small + "--filter " + filter;
         const picture floats = viewed(with_filter + " --encoding float");
         CHECK(floats[{138, 86}] != floats[{120, 190}]);  // the ball's shadow on the box, the floor in front
         for (const std::string& encoding : example::encoding_names) {
