@@ -15,6 +15,7 @@ gallery_packages := $(demo_packages) libegl-dev libepoxy-dev libgl1-mesa-dri lib
 node_packages := $(if $(shell command -v npm),,nodejs npm) # npm from wherever it is
 test_packages := $(demo_packages) clang-14 doctest-dev glslang-tools libegl-dev libgl-dev libgl1-mesa-dri libgles-dev \
     libvulkan-dev mesa-vulkan-drivers spirv-tools \
+    libepoxy-dev libglfw3-dev xauth xvfb \
     chromium $(node_packages)
 
 bench_packages := $(test_packages) libbenchmark-dev libopencv-dev
