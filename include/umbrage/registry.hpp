@@ -14,6 +14,7 @@
 #include <umbrage/depth/linear.hpp>
 #include <umbrage/depth/ps14.hpp>
 #include <umbrage/depth/rg.hpp>
+#include <umbrage/depth/rg_level.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/depth/rgb24.hpp>
 #include <umbrage/depth/three.hpp>
@@ -43,6 +44,10 @@ inline constexpr std::array registry{
     &encode_rg_table<14>, &encode_rg_table<15>, &encode_rg_table<16>,
     &decode_rg<9>, &decode_rg<10>, &decode_rg<11>, &decode_rg<12>, &decode_rg<13>, &decode_rg<14>, &decode_rg<15>,
     &decode_rg<16>,
+    &level_rg<9>, &level_rg<10>, &level_rg<11>, &level_rg<12>, &level_rg<13>, &level_rg<14>, &level_rg<15>,
+    &level_rg<16>,
+    &receiver_rg<9>, &receiver_rg<10>, &receiver_rg<11>, &receiver_rg<12>, &receiver_rg<13>, &receiver_rg<14>,
+    &receiver_rg<15>, &receiver_rg<16>,
     &decode_ps14, &receiver_ps14,
     &encode_rgb24, &decode_rgb24,
     &encode_float_bits, &decode_float_bits,

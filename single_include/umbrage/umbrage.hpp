@@ -650,17 +650,18 @@ inline constexpr snippet to_unorm{
     .name = "to_unorm", .summary = "channel 0..255 to the value an 8-bit target stores as it", .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
+// k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
 UMBRAGE_HIGHP float umbrage_to_unorm(UMBRAGE_HIGHP float k) {
-    return k * (257.0 / 65536.0) + (64.0 / 65536.0);
+    return k * 0.0039215087890625 + 0.0009765625;
 }
 UMBRAGE_HIGHP vec2 umbrage_to_unorm(UMBRAGE_HIGHP vec2 k) {
-    return k * (257.0 / 65536.0) + (64.0 / 65536.0);
+    return k * 0.0039215087890625 + 0.0009765625;
 }
 UMBRAGE_HIGHP vec3 umbrage_to_unorm(UMBRAGE_HIGHP vec3 k) {
-    return k * (257.0 / 65536.0) + (64.0 / 65536.0);
+    return k * 0.0039215087890625 + 0.0009765625;
 }
 UMBRAGE_HIGHP vec4 umbrage_to_unorm(UMBRAGE_HIGHP vec4 k) {
-    return k * (257.0 / 65536.0) + (64.0 / 65536.0);
+    return k * 0.0039215087890625 + 0.0009765625;
 }
 )GLSL"};
 

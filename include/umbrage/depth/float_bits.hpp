@@ -78,13 +78,13 @@ UMBRAGE_HIGHP vec4 umbrage_encode_float_bits(UMBRAGE_HIGHP float v) {
 
 inline constexpr snippet decode_float_bits{
     .name = "decode_float_bits", .summary = "four channels, R least significant, to the float they are",
-    .exactness = tier::a, .lowest = version::v300_es, .needs = {&saturate, &from_unorm}, .source = R"GLSL(
+    .exactness = tier::a, .lowest = version::v300_es, .needs = {&saturate}, .source = R"GLSL(
 // umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
 UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
-    UMBRAGE_HIGHP uint r = uint(umbrage_from_unorm(umbrage_saturate(c.x)));
-    UMBRAGE_HIGHP uint g = uint(umbrage_from_unorm(umbrage_saturate(c.y)));
-    UMBRAGE_HIGHP uint b = uint(umbrage_from_unorm(umbrage_saturate(c.z)));
-    UMBRAGE_HIGHP uint a = uint(umbrage_from_unorm(umbrage_saturate(c.w)));
+    UMBRAGE_HIGHP uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);
+    UMBRAGE_HIGHP uint g = uint(umbrage_saturate(c.y) * 255.0 + 0.5);
+    UMBRAGE_HIGHP uint b = uint(umbrage_saturate(c.z) * 255.0 + 0.5);
+    UMBRAGE_HIGHP uint a = uint(umbrage_saturate(c.w) * 255.0 + 0.5);
     return uintBitsToFloat(r | (g << 8) | (b << 16) | (a << 24));
 }
 )GLSL"};

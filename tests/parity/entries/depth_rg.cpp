@@ -2,6 +2,7 @@
 #include <utility>
 
 #include <umbrage/depth/ps14.hpp>
+#include <umbrage/depth/rg_level.hpp>
 #include <umbrage/depth/rg_table.hpp>
 
 #include "entries.hpp"
@@ -39,6 +40,13 @@ void add(std::vector<entry>& all) {
     all.push_back({.primitive = &umbrage::glsl::decode_rg<Bits>, .classes = channels(true), .whole = all_codes(),
                    .twin = [](const sample& s) { return vec4(decode_rg<Bits>(vec2(s.x[0]), s.x[1].x)); },
                    .call = "vec4(umbrage_decode_rg" + std::to_string(Bits) + "(vec2(x0.x, x0.y), x1.x))"});
+    all.push_back({.primitive = &umbrage::glsl::level_rg<Bits>, .classes = channels(), .whole = all_codes(),
+                   .twin = [](const sample& s) { return vec4(level_rg<Bits>(vec2(s.x[0]))); },
+                   .call = "vec4(umbrage_level_rg" + std::to_string(Bits) + "(vec2(x0.x, x0.y)))"});
+    all.push_back({.primitive = &umbrage::glsl::receiver_rg<Bits>,
+                   .classes = spread({{0.0f, 1.0f}, {0.0f, 1.0f}}, depth_values(Bits)), .whole = all_depths(),
+                   .twin = [](const sample& s) { return vec4(receiver_rg<Bits>(s.x[0].x, s.x[0].y)); },
+                   .call = "vec4(umbrage_receiver_rg" + std::to_string(Bits) + "(x0.x, x0.y))"});
 }
 
 }  // namespace
