@@ -115,14 +115,21 @@ std::vector<job> jobs(const std::string& folder) {
     };
     const std::string texel = "umbrage_fetch_clamped(map, size, texel)";
     const std::string rg11 = fetch("umbrage_decode_rg11(" + texel + ".xy, 1.0)");
+    const std::string level = fetch("umbrage_level_rg11(" + texel + ".xy)");
+    const auto by_level = [](const snippet& filter) {
+        return std::vector<snippet>{glsl::level_rg<11>, glsl::receiver_rg<11>, filter};
+    };
     const std::string ps14 = fetch("umbrage_decode_ps14(" + texel + ".xy)");
     const std::string three_rg = text("three") + fetch("unpackRGToDepth(" + texel + ".xy)");
     const std::string three_rgba = text("three") + fetch("unpackRGBAToDepth(" + texel + ")");
     const std::string babylon_rgba = text("babylon") + fetch("unpack(" + texel + ")");
     const std::string playcanvas_rgba = text("playcanvas") + fetch("uint2float(" + texel + ")");
     const std::string pcf = "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, x1.z))";
-    const std::string taps = "vec4(umbrage_four_tap(map, map_size, x1.xy - 0.5, x1.xy + vec2(0.5, -0.5), "
-                             "x1.xy + vec2(-0.5, 0.5), x1.xy + 0.5, x1.z))";
+    const auto taps = [](const std::string& receiver) {
+        return "vec4(umbrage_four_tap(map, map_size, x1.xy - 0.5, x1.xy + vec2(0.5, -0.5), "
+               "x1.xy + vec2(-0.5, 0.5), x1.xy + 0.5, " + receiver + "))";
+    };
+    const std::string receiver = "umbrage_receiver_rg11(x1.z, 1.0)";
 
     return {
         {"nothing", {{us, "nothing", "", {}, "x0"}}},
@@ -163,7 +170,9 @@ std::vector<job> jobs(const std::string& folder) {
          {{us, "float_bits", "", {glsl::decode_float_bits}, "vec4(umbrage_decode_float_bits(x0))"},
           {playcanvas, "uint2float", text("playcanvas"), {}, "vec4(uint2float(x0))"}}},
         {"hard, packed map",
-         {{us, "rg11", rg11, {glsl::decode_rg<11>, glsl::hard}, "vec4(umbrage_hard(map, map_size, x1.xy, x1.z))"},
+         {{us, "rg11 by level", level, by_level(glsl::hard),
+           "vec4(umbrage_hard(map, map_size, x1.xy, " + receiver + "))"},
+          {us, "rg11", rg11, {glsl::decode_rg<11>, glsl::hard}, "vec4(umbrage_hard(map, map_size, x1.xy, x1.z))"},
           {babylon, "computeShadow", babylon_shadow, {},
            "vec4(computeShadow(vec4(x0.xyz, 1.0), x0.z, map, 0.0, 0.0))"}}},
         {"hard, depth map",
@@ -171,11 +180,14 @@ std::vector<job> jobs(const std::string& folder) {
           {three, "getShadow, basic", three_shadow, {},
            "vec4(getShadow(map, map_size, 1.0, 0.0, 1.0, vec4(x0.xyz, 1.0)))"}}},
         {"four taps, packed map",
-         {{us, "rg11", rg11, {glsl::decode_rg<11>, glsl::four_tap}, taps},
+         {{us, "rg11 by level", level, by_level(glsl::four_tap), taps(receiver)},
+          {us, "rg11", rg11, {glsl::decode_rg<11>, glsl::four_tap}, taps("x1.z")},
           {babylon, "computeShadowWithPoissonSampling", babylon_shadow, {},
            "vec4(computeShadowWithPoissonSampling(vec4(x0.xyz, 1.0), x0.z, map, 1.0 / map_size.x, 0.0, 0.0))"}}},
         {"2x2 PCF, packed map",
-         {{us, "rg11", rg11, {glsl::decode_rg<11>, glsl::pcf_2x2}, pcf},
+         {{us, "rg11 by level", level, by_level(glsl::pcf_2x2),
+           "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, " + receiver + "))"},
+          {us, "rg11", rg11, {glsl::decode_rg<11>, glsl::pcf_2x2}, pcf},
           {us, "ps14", ps14, {glsl::decode_ps14, glsl::receiver_ps14, glsl::pcf_2x2},
            "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, umbrage_receiver_ps14(x1.z)))"},
           {three, "unpackRGToDepth in the same filter", three_rg, {glsl::pcf_2x2}, pcf},
@@ -189,7 +201,9 @@ std::vector<job> jobs(const std::string& folder) {
           {playcanvas, "getShadowPCF1x1, by the sampler", playcanvas_shadow, {},
            "vec4(getShadowPCF1x1(depth_map, x0.xyz, x1))"}}},
         {"soft, 3x3 texels and about",
-         {{us, "box, r = 1, rg11", rg11, {glsl::decode_rg<11>, glsl::box},
+         {{us, "box, r = 1, rg11 by level", level, by_level(glsl::box),
+           "vec4(umbrage_box(map, map_size, x1.xy, " + receiver + ", 1))"},
+          {us, "box, r = 1, rg11", rg11, {glsl::decode_rg<11>, glsl::box},
            "vec4(umbrage_box(map, map_size, x1.xy, x1.z, 1))"},
           {three, "getShadow, 5 taps by the sampler", "#define SHADOWMAP_TYPE_PCF\n" + three_shadow, {},
            "vec4(getShadow(depth_map, map_size, 1.0, 0.0, 1.0, vec4(x0.xyz, 1.0)))"},
@@ -198,7 +212,9 @@ std::vector<job> jobs(const std::string& folder) {
           {playcanvas, "getShadowPCF3x3, by the sampler", playcanvas_shadow, {},
            "vec4(getShadowPCF3x3(depth_map, x0.xyz, vec4(map_size, 0.0, 0.0)))"}}},
         {"soft, 5x5 texels",
-         {{us, "box, r = 2, rg11", rg11, {glsl::decode_rg<11>, glsl::box},
+         {{us, "box, r = 2, rg11 by level", level, by_level(glsl::box),
+           "vec4(umbrage_box(map, map_size, x1.xy, " + receiver + ", 2))"},
+          {us, "box, r = 2, rg11", rg11, {glsl::decode_rg<11>, glsl::box},
            "vec4(umbrage_box(map, map_size, x1.xy, x1.z, 2))"},
           {babylon, "computeShadowWithPCF5, by the sampler", babylon_shadow, {},
            "vec4(computeShadowWithPCF5(vec4(x0.xyz, 1.0), x0.z, depth_map, vec2(map_size.x, 1.0 / 2048.0), 0.0, 0.0))"},
