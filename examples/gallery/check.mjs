@@ -104,7 +104,8 @@ try {
   const images = await page.evaluate(async () => {
     const all = [...document.images];
     await Promise.all(all.map(i => i.decode()));
-    return all.map(i => ({ alt: i.alt, width: i.naturalWidth, embedded: i.src.startsWith("data:image/png;base64,") }));
+    const embedded = image => image.src.startsWith("data:image/png;base64,");
+    return all.map(image => ({ alt: image.alt, width: image.naturalWidth, embedded: embedded(image) }));
   });
   check("every picture is in the page, has a size and words", () => {
     assert.ok(images.length >= 4 * 3 + 18 * 2 + 8 * 2, String(images.length));
@@ -113,7 +114,8 @@ try {
   for (const system of ["radeon_8500", "dx_sdk", "exercise", "self_shadowing"]) {
     const folder = join(work, system);
     execFileSync(join(originals, system), ["--size", String(size), "--output", folder], { stdio: "pipe" });
-    const shown = await page.locator(`#${system} img`).evaluateAll(all => all.slice(0, 2).map(i => i.src.split(",")[1]));
+    const shown = await page.locator(`#${system} img`).evaluateAll(
+      images => images.slice(0, 2).map(image => image.src.split(",")[1]));
     check(system + ": picture and visibility are those of its program", () => {
       assert.ok(Buffer.from(shown[0], "base64").equals(readFileSync(join(folder, "picture.png"))), "picture");
       assert.ok(Buffer.from(shown[1], "base64").equals(readFileSync(join(folder, "visibility.png"))), "visibility");
@@ -127,9 +129,11 @@ try {
   await page.setViewportSize({ width: 360, height: 740 });
   const phone = await fits();
   await page.screenshot({ path: join(work, "phone.png") });
-  check("nothing to scroll sideways, on a desktop or on a phone", () => assert.ok(desktop && phone, `${desktop} ${phone}`));
+  check("nothing to scroll sideways, on a desktop or on a phone",
+    () => assert.ok(desktop && phone, `${desktop} ${phone}`));
   check("both screenshots are pictures", () => {
-    for (const name of ["desktop.png", "phone.png"]) assert.ok(readFileSync(join(work, name)).length > 10000, name);
+    for (const name of ["desktop.png", "phone.png"])
+      assert.ok(readFileSync(join(work, name)).length > 10000, name);
   });
   check("the page asks for nothing but itself",
     () => assert.equal(requests.filter(url => !url.startsWith("data:")).length, 1, requests.join(" ")));

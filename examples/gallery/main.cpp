@@ -298,7 +298,9 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
                                                    .z_far = reach,
                                                    .clip = picture_clip});
     auto depth = depth_pass(system, stage.scene, light, system.map_size);
-    for (float& d : depth.texels()) d = umbrage::saturate(d);  // the cleared ones may have come out 1 ulp above 1
+    const float cleared = light.depth(system, umbrage::cleared_depth(light.space.clip));
+    for (float& d : depth.texels())
+        if (d == cleared) d = 1;  // as a target holds it where nothing was drawn
     system.bias = rounding;
     const auto exact = visibility_of(system, stage, light, depth);
 

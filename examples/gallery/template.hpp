@@ -51,7 +51,8 @@ footer { margin: 3rem 0 1rem; color: var(--faint); font-size: .85rem }
 )HTML";
 
 /// The options of the dialects come between these two.
-inline constexpr char box_before_dialects[] = R"HTML(<noscript><p>The snippets need JavaScript to be shown.</p></noscript>
+inline constexpr char box_before_dialects[] = R"HTML(
+<noscript><p>The snippets need JavaScript to be shown.</p></noscript>
 <template id="box">
 <div class="bar">
 <select class="text" aria-label="Snippet"></select>
