@@ -44,7 +44,7 @@ struct settings {
 
 template <class... Values>
 std::string text(const char* format, Values... values) {
-    char out[160];
+    char out[400];
     std::snprintf(out, sizeof out, format, values...);
     return out;
 }
@@ -308,8 +308,7 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
         "encodings", "Encodings",
         text("The same shadow from the same depths, stored in every way there is. The light reaches %g world units, "
              "a hundred times farther than the scene, so that bits are scarce; codes decode to their upper edge. What "
-             "comes "
-             "out otherwise than with exact depth is red.",
+             "comes out otherwise than with exact depth is red.",
              double(reach)));
     for (const std::string& name : encoding_names) {
         float below_depth = 0;
@@ -329,20 +328,20 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
                 shaded.texels()[i] = {230, 20, 40};
             }
         const int edge = std::max(1, shaded.size().y / 2);
-        page.entry(name, name, f.text,
-                   {{page.picture(shaded), "Red: not as with exact depth"},
-                    {page.picture(packed(map, depth, edge)),
-                     map.channels.empty()
-                         ? "The map, stretched"
-                         : "The map's channels: " + std::string("R, G, B, A").substr(0, 3 * map.channels.size() - 2)}},
-                   {{"error, stated", "≤ " + depth_error(f.bound)},
-                    {"error, worst in this map", depth_error(map.error)},
-                    {"codes", f.codes},
-                    {"codes in this map", std::to_string(map.codes)},
-                    {"pixels other than with exact depth", std::to_string(other)},
-                    {"encode " + square(system.map_size) + ", best of 5", text("%.2f ms", map.encode_ms)},
-                    {"decode, best of 5", text("%.2f ms", map.decode_ms)}},
-                   together_and_alone(f.snippets, f.preamble));
+        page.entry(
+            name, name, f.text,
+            {{page.picture(shaded), "Red: not as with exact depth"},
+             {page.picture(packed(map, depth, edge)),
+              map.channels.empty() ? "The map, stretched"
+                                   : text("The map's channels: %.*s", int(3 * map.channels.size()) - 2, "R, G, B, A")}},
+            {{"error, stated", text("≤ %s", depth_error(f.bound).c_str())},
+             {"error, worst in this map", depth_error(map.error)},
+             {"codes", f.codes},
+             {"codes in this map", std::to_string(map.codes)},
+             {"pixels other than with exact depth", std::to_string(other)},
+             {text("encode %s, best of 5", square(system.map_size).c_str()), text("%.2f ms", map.encode_ms)},
+             {"decode, best of 5", text("%.2f ms", map.decode_ms)}},
+            together_and_alone(f.snippets, f.preamble));
     }
 }
 

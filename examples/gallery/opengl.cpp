@@ -35,7 +35,7 @@ std::optional<opengl_pictures> run_viewer(const std::filesystem::path& viewer, s
     opengl_pictures out{.picture = folder / "opengl.png", .mask = folder / "opengl_mask.png"};
     const std::filesystem::path said = folder / "opengl.txt";
     const auto run = [&](const std::string& arguments, const std::filesystem::path& screenshot) {
-        const std::string command = "'" + viewer.string() + "' --headless --system " + std::string(system) +
+        const std::string command = '\'' + viewer.string() + "' --headless --system " + std::string(system) +
                                     " --width " + std::to_string(size.x) + " --height " + std::to_string(size.y) +
                                     " --screenshot '" + screenshot.string() + "' " + arguments + " > '" +
                                     said.string() + "'";

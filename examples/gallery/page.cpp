@@ -127,7 +127,8 @@ void page::entry(std::string_view id, std::string_view title, std::string_view t
     for (const number& n : numbers)
         body_ += "<div><dt>" + escaped(n.name) + "</dt><dd>" + escaped(n.value) + "</dd></div>\n";
     body_ += "</dl>\n<div class=\"code\" data-texts=\"";
-    for (std::size_t i = 0; i < codes.size(); ++i) body_ += (i > 0 ? " " : "") + std::to_string(number_of(codes[i]));
+    for (std::size_t i = 0; i < codes.size(); ++i)
+        body_.append(i > 0 ? " " : "").append(std::to_string(number_of(codes[i])));
     body_ += "\"></div>\n</article>\n";
 }
 
