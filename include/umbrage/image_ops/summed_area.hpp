@@ -15,6 +15,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <type_traits>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
@@ -42,44 +43,97 @@ struct quad {
         std::memcpy(&v, from, sizeof v);
         return v;
     }
-    template <class From>
-    static UMBRAGE_INLINE lanes load(const From* from) {
-        return lanes{static_cast<T>(from[0]), static_cast<T>(from[1]), static_cast<T>(from[2]), static_cast<T>(from[3])};
-    }
     static UMBRAGE_INLINE void store(lanes v, T* to) { std::memcpy(to, &v, sizeof v); }
+
+    /// Past the cache, which a large table would only push everything else out of: half the traffic. Wants a multiple
+    /// of 16 bytes, and finish_streaming() before anybody else looks.
+    static UMBRAGE_INLINE void stream(lanes v, T* to) {
+#if defined(__clang__)
+        __builtin_nontemporal_store(v, reinterpret_cast<lanes*>(to));
+#elif defined(__GNUC__) && defined(__x86_64__)
+        typedef float floats __attribute__((vector_size(16)));
+        __builtin_ia32_movntps(reinterpret_cast<float*>(to), reinterpret_cast<floats>(v));
+#else
+        store(v, to);
+#endif
+    }
 
     /// Each plus those before it.
     static UMBRAGE_INLINE lanes running_sum(lanes v) {
+#if defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12)
+        v = v + __builtin_shufflevector(lanes{}, v, 0, 4, 5, 6);
+        return v + __builtin_shufflevector(lanes{}, v, 0, 1, 4, 5);
+#else
         v = v + lanes{T(0), v[0], v[1], v[2]};
         return v + lanes{T(0), T(0), v[0], v[1]};
+#endif
     }
     static UMBRAGE_INLINE lanes all_last(lanes v) { return lanes{v[3], v[3], v[3], v[3]}; }
 };
 
-/// One row of a table; `above` is the row before it, or null.
-template <bool Add, class From, class Sum>
-UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* above, Sum* to, int count) {
+inline void finish_streaming() {
+#if defined(__GNUC__) && defined(__x86_64__)
+    __builtin_ia32_sfence();
+#endif
+}
+
+enum class table_store { none, plain, streaming };
+
+/// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`.
+template <table_store Store, class From, class Sum>
+UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line, Sum* to, int count) {
     using four = quad<Sum>;
     typename four::lanes carry{};
-    const auto step = [&](const From* values, const Sum* on_top, Sum* result) UMBRAGE_INLINE {
-        const auto group = four::running_sum(four::load(values)), sums = carry + group;
+    const auto sum_four = [&](const Sum* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
+        const auto group = four::running_sum(four::load(values));
+        const auto sums = (carry + group) + four::load(lines);
         carry = carry + four::all_last(group);
-        if constexpr (Add)
-            four::store(sums + four::load(on_top), result);
-        else
-            four::store(sums, result);
+        four::store(sums, lines);
+        if constexpr (Store == table_store::plain) four::store(sums + four::load(under), result);
+        if constexpr (Store == table_store::streaming) four::stream(sums + four::load(under), result);
     };
     int x = 0;
-    for (; x + 4 <= count; x += 4) step(from + x, Add ? above + x : nullptr, to + x);
-    if (x == count) return;
-    From values[4]{};
-    Sum on_top[4]{}, result[4];
-    for (int i = 0; i < count - x; ++i) {
-        values[i] = from[x + i];
-        if constexpr (Add) on_top[i] = above[x + i];
+    for (; x + block <= count; x += block) {
+        Sum wide[block];
+        const Sum* values = wide;
+        if constexpr (std::is_same_v<From, Sum>)
+            values = from + x;
+        else
+            for (int i = 0; i < block; ++i) wide[i] = from[x + i];
+        for (int i = 0; i < block; i += 4) sum_four(values + i, base + x + i, line + x + i, to + x + i);
     }
-    step(values, on_top, result);
-    for (int i = 0; i < count - x; ++i) to[x + i] = result[i];
+    for (; x < count; x += 4) {  // base and line are long enough
+        const int there = count - x < 4 ? count - x : 4;
+        Sum values[4]{};
+        alignas(16) Sum result[4];
+        for (int i = 0; i < there; ++i) values[i] = from[x + i];
+        sum_four(values, base + x, line + x, result);
+        if constexpr (Store != table_store::none)
+            for (int i = 0; i < there; ++i) to[x + i] = result[i];
+    }
+}
+
+inline constexpr int band = 64;  ///< rows of a table that are summed from zero, then put on top of what is before them
+
+/// Rows first <= y < last of one band; `line` becomes the sums of the band down to there.
+template <class From, class Sum>
+void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, int last, const Sum* base, Sum* line, bool store) {
+    constexpr std::ptrdiff_t large = std::ptrdiff_t(1) << 22;  // bytes: beyond what stays in a cache
+    const int width = sums.size.x;
+    const bool is_large = sums.size.y * (width * static_cast<std::ptrdiff_t>(sizeof(Sum))) >= large;
+    on_best_isa([&](auto) UMBRAGE_INLINE {
+        for (int y = first; y < last; ++y) {
+            const From* from = values.row(y);
+            Sum* to = sums.row(y);
+            if (!store)
+                sum_row<table_store::none>(from, base, line, to, width);
+            else if (is_large && reinterpret_cast<std::uintptr_t>(to) % 16 == 0)
+                sum_row<table_store::streaming>(from, base, line, to, width);
+            else
+                sum_row<table_store::plain>(from, base, line, to, width);
+        }
+    });
+    if (is_large && store) finish_streaming();
 }
 
 }  // namespace detail
@@ -88,11 +142,11 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* above, Sum* to, 
 ///
 /// @param values    uint8_t, uint16_t or uint32_t for a table of uint32_t; float for one of floats
 /// @param sums      same size, other pixels
-/// @param parallel  cuts rows, then columns, into pieces, see parallel.hpp; pieces cost a second pass over the table
+/// @param parallel  cuts bands of 64 rows into pieces, see parallel.hpp; the image is then read twice
 /// @throws std::invalid_argument  sizes differ
-/// @exactness   uint32_t A: modulo 2^32. float B: in a row, groups g of four from its start, each summed as
-///              g0, g0+g1, (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to
-///              right; to that the texel above
+/// @exactness   uint32_t A: modulo 2^32. float B. In a row, groups g of four from its start, each summed as g0, g0+g1,
+///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right; to
+///              that the texel above, in bands of 64 rows; to that the last row of the bands before, added up downwards
 template <class From, class Sum, class ParallelFor = serial>
 void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& parallel = {}) {
     using value = std::remove_const_t<From>;
@@ -101,37 +155,34 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
                                                    sizeof(value) <= sizeof(Sum));
     if (values.size != sums.size) throw std::invalid_argument("umbrage::summed_area: sizes differ");
     if (values.empty()) return;
+    const int height = sums.size.y, bands = (height + detail::band - 1) / detail::band;
+    const auto length = (static_cast<std::size_t>(sums.size.x) + 3) / 4 * 4;
+    const auto end_of = [=](int b) { return b + 1 < bands ? (b + 1) * detail::band : height; };
+    const auto add = [=](const Sum* from, Sum* to) {
+        for (std::size_t i = 0; i < length; ++i) to[i] = from[i] + to[i];
+    };
     if constexpr (std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>) {
-        detail::on_best_isa([&](auto) UMBRAGE_INLINE {
-            detail::sum_row<false>(static_cast<const value*>(values.row(0)), static_cast<const Sum*>(nullptr), sums.row(0), sums.size.x);
-            for (int y = 1; y < sums.size.y; ++y)
-                detail::sum_row<true>(static_cast<const value*>(values.row(y)), static_cast<const Sum*>(sums.row(y - 1)),
-                                      sums.row(y), sums.size.x);
-        });
+        std::vector<Sum> base(length), line(length);
+        for (int b = 0; b < bands; ++b) {
+            detail::sum_rows<value, Sum>(values, sums, b * detail::band, end_of(b), base.data(), line.data(), true);
+            add(line.data(), base.data());
+            line.assign(length, Sum(0));
+        }
     } else {
-        parallel(sums.size.y, [&](int first, int last) {
-            detail::on_best_isa([&](auto) UMBRAGE_INLINE {
-                for (int y = first; y < last; ++y)
-                    detail::sum_row<false>(static_cast<const value*>(values.row(y)), static_cast<const Sum*>(nullptr),
-                                           sums.row(y), sums.size.x);
+        // What each band puts under the next one, by itself and then with all before it; then the bands, in any order.
+        std::vector<Sum> bases(length * static_cast<std::size_t>(bands));
+        const auto base = [&](int b) { return bases.data() + length * static_cast<std::size_t>(b); };
+        if (bands > 1)
+            parallel(bands - 1, [&](int first, int last) {
+                for (int b = first; b < last; ++b)
+                    detail::sum_rows<value, Sum>(values, sums, b * detail::band, end_of(b), base(0), base(b + 1), false);
             });
-        });
-        constexpr int columns = 16;  // a cache line: no two pieces share one
-        parallel((sums.size.x + columns - 1) / columns, [&](int first, int last) {
-            const int begin = first * columns, end = last * columns < sums.size.x ? last * columns : sums.size.x;
-            detail::on_best_isa([&](auto) UMBRAGE_INLINE {
-                for (int y = 1; y < sums.size.y; ++y) {
-                    const Sum* above = sums.row(y - 1);
-                    Sum* row = sums.row(y);
-                    int x = begin;
-                    for (; x + columns <= end; x += columns) {
-                        Sum total[columns];
-                        for (int i = 0; i < columns; ++i) total[i] = row[x + i] + above[x + i];
-                        std::memcpy(row + x, total, sizeof total);
-                    }
-                    for (; x < end; ++x) row[x] = row[x] + above[x];
-                }
-            });
+        for (int b = 1; b < bands; ++b) add(base(b - 1), base(b));
+        parallel(bands, [&](int first, int last) {
+            for (int b = first; b < last; ++b) {
+                std::vector<Sum> line(length);
+                detail::sum_rows<value, Sum>(values, sums, b * detail::band, end_of(b), base(b), line.data(), true);
+            }
         });
     }
 }

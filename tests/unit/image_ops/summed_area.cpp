@@ -66,7 +66,8 @@ void for_each_table(image_view<From> values, Use&& use) {
     });
 }
 
-constexpr glm::ivec2 sizes[] = {{1, 1}, {3, 2}, {4, 4}, {1, 37}, {37, 1}, {63, 20}, {64, 3}, {65, 30}, {133, 41}};
+constexpr glm::ivec2 sizes[] = {{1, 1}, {3, 2}, {4, 4}, {1, 37}, {37, 1}, {63, 20}, {64, 3}, {65, 30}, {133, 41},
+                                {2, 64}, {7, 65}, {66, 200}};
 
 template <class T>
 void check_integers(std::uint32_t greatest) {
@@ -123,14 +124,20 @@ TEST_CASE("summed_area: floats, the order that is documented") {
         image<float> wanted(size);
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x) values.view()[{x, y}] = static_cast<float>(engine() >> 8) * 0x1p-24f - 0.25f;
+        std::vector<float> band(static_cast<std::size_t>(size.x)), under = band;
         for (int y = 0; y < size.y; ++y) {
+            if (y % 64 == 0)
+                for (std::size_t x = 0; x < band.size(); ++x) under[x] = under[x] + band[x], band[x] = 0.0f;
             float before = 0.0f;
             for (int x = 0; x < size.x; x += 4) {
                 float g[4];
                 for (int i = 0; i < 4; ++i) g[i] = umbrage::fetch_bordered(values.view(), {x + i, y}, 0.0f);
                 const float sums[4] = {g[0], g[0] + g[1], (g[1] + g[2]) + g[0], (g[2] + g[3]) + (g[0] + g[1])};
-                for (int i = 0; i < 4 && x + i < size.x; ++i)
-                    wanted[{x + i, y}] = y ? (before + sums[i]) + wanted[{x + i, y - 1}] : before + sums[i];
+                for (int i = 0; i < 4 && x + i < size.x; ++i) {
+                    const auto column = static_cast<std::size_t>(x + i);
+                    band[column] = (before + sums[i]) + band[column];
+                    wanted[{x + i, y}] = band[column] + under[column];
+                }
                 before = before + sums[3];
             }
         }
@@ -142,6 +149,25 @@ TEST_CASE("summed_area: floats, the order that is documented") {
             CHECK(wrong == 0);
         });
     }
+}
+
+TEST_CASE("summed_area: large tables, which bypass the cache") {
+    std::mt19937 engine(7);
+    const glm::ivec2 size(1030, 1025);
+    image<std::uint32_t> values(size), sums(size), pieces(size);
+    for (std::uint32_t& v : values.texels()) v = static_cast<std::uint32_t>(engine());
+    umbrage::summed_area(values.view(), sums.view());  // rows on and off multiples of 16 bytes
+    umbrage::summed_area(values.view(), pieces.view(), last_piece_first{5});
+    std::vector<std::uint32_t> columns(1030);
+    int wrong = 0;
+    for (int y = 0; y < size.y; ++y) {
+        std::uint32_t sum = 0;
+        for (int x = 0; x < size.x; ++x) {
+            sum += columns[static_cast<std::size_t>(x)] += values[{x, y}];
+            wrong += sums[{x, y}] != sum || pieces[{x, y}] != sum;
+        }
+    }
+    CHECK(wrong == 0);
 }
 
 TEST_CASE("summed_area: floats that are small whole numbers are exact") {
