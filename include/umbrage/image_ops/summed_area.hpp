@@ -113,7 +113,7 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
     }
 }
 
-inline constexpr int band = 64;  ///< rows of a table that are summed from zero, then put on top of what is before them
+inline constexpr int band_rows = 64;  ///< rows of a table that are summed from zero, then put on top of what is before them
 
 /// Rows first <= y < last of one band; `line` becomes the sums of the band down to there.
 template <class From, class Sum>
@@ -155,16 +155,16 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
                                                    sizeof(value) <= sizeof(Sum));
     if (values.size != sums.size) throw std::invalid_argument("umbrage::summed_area: sizes differ");
     if (values.empty()) return;
-    const int height = sums.size.y, bands = (height + detail::band - 1) / detail::band;
+    const int height = sums.size.y, bands = (height + detail::band_rows - 1) / detail::band_rows;
     const auto length = (static_cast<std::size_t>(sums.size.x) + 3) / 4 * 4;
-    const auto end_of = [=](int b) { return b + 1 < bands ? (b + 1) * detail::band : height; };
+    const auto end_of = [=](int b) { return b + 1 < bands ? (b + 1) * detail::band_rows : height; };
     const auto add = [=](const Sum* from, Sum* to) {
         for (std::size_t i = 0; i < length; ++i) to[i] = from[i] + to[i];
     };
     if constexpr (std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>) {
         std::vector<Sum> base(length), line(length);
         for (int b = 0; b < bands; ++b) {
-            detail::sum_rows<value, Sum>(values, sums, b * detail::band, end_of(b), base.data(), line.data(), true);
+            detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base.data(), line.data(), true);
             add(line.data(), base.data());
             line.assign(length, Sum(0));
         }
@@ -175,13 +175,13 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
         if (bands > 1)
             parallel(bands - 1, [&](int first, int last) {
                 for (int b = first; b < last; ++b)
-                    detail::sum_rows<value, Sum>(values, sums, b * detail::band, end_of(b), base(0), base(b + 1), false);
+                    detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base(0), base(b + 1), false);
             });
         for (int b = 1; b < bands; ++b) add(base(b - 1), base(b));
         parallel(bands, [&](int first, int last) {
             for (int b = first; b < last; ++b) {
                 std::vector<Sum> line(length);
-                detail::sum_rows<value, Sum>(values, sums, b * detail::band, end_of(b), base(b), line.data(), true);
+                detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base(b), line.data(), true);
             }
         });
     }
