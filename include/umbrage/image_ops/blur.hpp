@@ -69,96 +69,89 @@ inline constexpr int float_channels = static_cast<int>(sizeof(T) / sizeof(float)
 
 /// 64 sums of taps; tap(i) is where those at distance i begin, i from -radius to radius.
 template <class Tap, std::size_t... I>
-UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, float* to, std::index_sequence<I...>) {
-    // One pointer a tap, known before the loop: what follows is a single pass that leaves nothing in memory.
+UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, float* __restrict to, std::index_sequence<I...>) {
+    // Pointers and weights as locals: then one loop holds all taps, and nothing waits in memory.
     const float* const centre = tap(0);
     const std::array<const float*, sizeof...(I)> before{tap(-static_cast<int>(I) - 1)...}, after{tap(static_cast<int>(I) + 1)...};
     const std::array<float, sizeof...(I)> w{weights[I + 1]...};
     const float w0 = weights[0];
-    float sums[block];
     for (int x = 0; x < block; ++x) {
         float sum = w0 * centre[x];
         ((sum = sum + w[I] * (before[I][x] + after[I][x])), ...);
-        sums[x] = sum;
+        to[x] = sum;
     }
-    std::memcpy(to, sums, sizeof sums);
 }
 
-/// The same for any radius.
+/// The same for any number of sums.
 template <class Tap>
-UMBRAGE_INLINE inline void blur_block(const float* weights, int radius, const Tap& tap, float* to) {
-    switch (radius) {
-        case 1: return blur_block(weights, tap, to, std::make_index_sequence<1>{});
-        case 2: return blur_block(weights, tap, to, std::make_index_sequence<2>{});
-        case 3: return blur_block(weights, tap, to, std::make_index_sequence<3>{});
-        case 4: return blur_block(weights, tap, to, std::make_index_sequence<4>{});
-    }
-    float sums[block];
-    const float* centre = tap(0);
-    for (int x = 0; x < block; ++x) sums[x] = weights[0] * centre[x];
+UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap& tap, float* to, int count) {
+    const float* const centre = tap(0);
+    for (int x = 0; x < count; ++x) to[x] = weights[0] * centre[x];
     for (int i = 1; i <= radius; ++i) {
         const float *before = tap(-i), *after = tap(i), w = weights[i];
-        for (int x = 0; x < block; ++x) sums[x] = sums[x] + w * (before[x] + after[x]);
+        for (int x = 0; x < count; ++x) to[x] = to[x] + w * (before[x] + after[x]);
     }
-    std::memcpy(to, sums, sizeof sums);
 }
 
-/// Rows first <= y < last. Rows blurred along x are kept while a row of the result needs them.
+/// A row; tap(i) is where the row at distance i begins.
+template <class Tap>
+UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width) {
+    if (width < block) return blur_some(weights, radius, tap, to, width);
+    const auto each = [&](auto&& blur_at) UMBRAGE_INLINE {
+        for (int x = 0; x + block <= width; x += block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
+        if (const int x = width - block; width % block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
+    };
+    const auto with_radius = [&](auto taps) UMBRAGE_INLINE {
+        each([&](const auto& at, float* result) UMBRAGE_INLINE { blur_block(weights, at, result, taps); });
+    };
+    switch (radius) {
+        case 1: return with_radius(std::make_index_sequence<1>{});
+        case 2: return with_radius(std::make_index_sequence<2>{});
+        case 3: return with_radius(std::make_index_sequence<3>{});
+        case 4: return with_radius(std::make_index_sequence<4>{});
+        case 5: return with_radius(std::make_index_sequence<5>{});
+    }
+    each([&](const auto& at, float* result) UMBRAGE_INLINE {
+        float sums[block];
+        blur_some(weights, radius, at, sums, block);
+        std::memcpy(result, sums, sizeof sums);
+    });
+}
+
+/// Rows first <= y < last: each along y into a line, and that along x.
 template <int Channels>
 void blur_rows(image_view<const float> from, image_view<float> to, const blur_kernel& kernel, int first, int last) {
     const int radius = static_cast<int>(kernel.weights.size()) - 1, width = from.size.x, height = from.size.y;
-    const int length = (width + block - 1) / block * block, kept = 2 * radius + 1;
-    std::vector<float> padded(static_cast<std::size_t>(length + 2 * radius * Channels));
-    std::vector<float> lines(static_cast<std::size_t>(length) * static_cast<std::size_t>(kept));
-    std::vector<const float*> taps(static_cast<std::size_t>(kept));
-    const float* weights = kernel.weights.data();
-    const auto line = [&](int y) UMBRAGE_INLINE { return lines.data() + std::ptrdiff_t(y % kept) * length; };
-
+    const int border = radius * Channels;
+    std::vector<float> padded(static_cast<std::size_t>(width + 2 * border));
+    std::vector<const float*> rows(2 * kernel.weights.size() - 1);
     on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
-        int done = first - radius < 0 ? 0 : first - radius;  // rows before it are blurred along x
+        const float* const weights = kernel.weights.data();
+        const float** const around = rows.data() + radius;
+        float* const line = padded.data() + border;
         for (int y = first; y < last; ++y) {
-            for (; done <= y + radius && done < height; ++done) {
-                const float* row = from.row(done);
-                float* centre = padded.data() + radius * Channels;
-                std::memcpy(centre, row, static_cast<std::size_t>(width) * sizeof(float));
-                for (int i = 0; i < radius * Channels; ++i) {
-                    padded[static_cast<std::size_t>(i)] = row[i % Channels];
-                    centre[width + i] = row[width - Channels + i % Channels];
-                }
-                float* result = line(done);
-                for (int x = 0; x < width; x += block)
-                    blur_block(weights, radius, [&](int i) UMBRAGE_INLINE { return centre + x + i * Channels; }, result + x);
+            for (int i = -radius; i <= radius; ++i)
+                around[i] = from.row(y + i < 0 ? 0 : (y + i < height ? y + i : height - 1));
+            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return around[i]; }, line, width);
+            for (int i = 0; i < border; ++i) {
+                line[i - border] = line[i % Channels];
+                line[width + i] = line[width - Channels + i % Channels];
             }
-            for (int i = -radius; i <= radius; ++i) {
-                const int k = y + i < 0 ? 0 : (y + i < height ? y + i : height - 1);
-                taps[static_cast<std::size_t>(i + radius)] = line(k);
-            }
-            const float* const* at = taps.data() + radius;
-            float* result = to.row(y);
-            for (int x = 0; x < width; x += block) {
-                const auto tap = [&](int i) UMBRAGE_INLINE { return at[i] + x; };
-                if (x + block <= width) {
-                    blur_block(weights, radius, tap, result + x);
-                } else {
-                    float end[block];
-                    blur_block(weights, radius, tap, end);
-                    std::memcpy(result + x, end, static_cast<std::size_t>(width - x) * sizeof(float));
-                }
-            }
+            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return static_cast<const float*>(line) + i * Channels; }, to.row(y), width);
         }
     });
 }
 
 }  // namespace detail
 
-/// Blurs along x, then along y. Outside the image, its border goes on.
+/// Blurs along y, then along x. Outside the image, its border goes on.
 ///
 /// @param from      texels of float, vec2, vec3 or vec4
 /// @param to        same size and type, other pixels
 /// @param kernel    1 weight at least
 /// @param parallel  cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ, same pixels, or no weights
-/// @formula         w0 c + w1 (before1 + after1) + w2 (before2 + after2) + ..., in this order, along x and then along y
+/// @formula         w0 c + w1 (before1 + after1) + w2 (before2 + after2) + ..., in this order, along y and then along x
 /// @exactness       B: every instruction set and any pieces give the bits of the written order, as long as the compiler is
 ///                  not told that it may fuse a multiplication and an addition (-march with FMA without -ffp-contract=off)
 template <class From, class T, class ParallelFor = serial>

@@ -62,7 +62,7 @@ void check() {
             CAPTURE(channels);
             CAPTURE(size.x);
             CAPTURE(kernel.weights.size());
-            const image<T> wanted = plain(plain(from, kernel, {1, 0}), kernel, {0, 1});
+            const image<T> wanted = plain(plain(from, kernel, {0, 1}), kernel, {1, 0});
             const umbrage::isa best = umbrage::detail::isa_in_use;
             for (umbrage::isa set : {umbrage::isa::base, umbrage::isa::avx2, umbrage::isa::avx512}) {
                 if (umbrage::best_isa() < set) continue;
