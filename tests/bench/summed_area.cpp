@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <random>
+#include <thread>
+
+#include <umbrage/image_ops/summed_area.hpp>
+
+#include "bench.hpp"
+#include "data.hpp"
+#ifdef UMBRAGE_BENCH_OPENCV
+#include "peers/opencv.hpp"
+#endif
+
+namespace {
+
+using bench::map_size;
+using umbrage::image;
+
+struct state {
+    image<std::uint32_t> words{map_size}, sums{map_size}, byte_sums{map_size}, their_sums{map_size + 1};
+    image<std::uint8_t> bytes{map_size};
+    image<float> floats{map_size}, float_sums{map_size}, their_float_sums{map_size + 1};
+    state() {
+        std::mt19937 engine(9);
+        for (int y = 0; y < map_size.y; ++y)
+            for (int x = 0; x < map_size.x; ++x) {
+                bytes[{x, y}] = static_cast<std::uint8_t>(engine() >> 24);
+                words[{x, y}] = bytes[{x, y}];
+                floats[{x, y}] = bytes[{x, y}];
+            }
+    }
+    template <class Ours, class Theirs, class Close>
+    static bool agree(const image<Ours>& ours, const image<Theirs>& theirs, Close close) {
+        for (int y = 0; y < map_size.y; ++y)
+            for (int x = 0; x < map_size.x; ++x)
+                if (!close(ours[{x, y}], theirs[{x + 1, y + 1}])) return false;
+        return true;
+    }
+};
+
+const auto two_threads = [](int count, auto&& piece) {
+    std::thread other([&] { piece(count / 2, count); });
+    piece(0, count / 2);
+    other.join();
+};
+
+const bench::registration rows([] {
+    const auto s = std::make_shared<state>();
+    const auto copy = [s] { std::memcpy(s->their_sums.texels().data(), s->words.texels().data(), sizeof(std::uint32_t) << 22); };
+    const auto words = [s] { umbrage::summed_area(s->words.view(), s->sums.view()); };
+    const auto floats = [s] { umbrage::summed_area(s->floats.view(), s->float_sums.view()); };
+    bench::add({.work = "summed-area table of uint32, 2048 x 2048", .peer = "memcpy", .at_least = 0.75, .items = bench::map_texels,
+                .ours = words, .theirs = copy, .agree = {}});
+    bench::add({.work = "summed-area table of floats, 2048 x 2048", .peer = "memcpy", .items = bench::map_texels,
+                .ours = floats, .theirs = copy, .agree = {}});
+    bench::add({.work = "summed-area table of uint32, two threads", .peer = "ours, one thread", .items = bench::map_texels,
+                .ours = [s] { umbrage::summed_area(s->words.view(), s->sums.view(), two_threads); }, .theirs = words, .agree = {},
+                .measured = bench::clock::wall});
+#ifdef UMBRAGE_BENCH_OPENCV
+    // OpenCV takes no integers wider than bytes: against our words its floats, of the same size.
+    const auto their_floats = [s] { peers::opencv::integral(s->floats, s->their_float_sums); };
+    const auto near = [](float a, float b) { return std::abs(a - b) <= 1e-3f * b; };
+    bench::add({.work = "summed-area table of uint32, 2048 x 2048", .peer = "OpenCV integral, float", .at_least = 1.6,
+                .items = bench::map_texels, .ours = words, .theirs = their_floats,
+                .agree = [s] {
+                    return state::agree(s->sums, s->their_float_sums, [](std::uint32_t a, float b) {
+                        return std::abs(static_cast<float>(a) - b) <= 1e-3f * b;  // floats stop counting at 2^24
+                    });
+                }});
+    bench::add({.work = "summed-area table of floats, 2048 x 2048", .peer = "OpenCV integral, float", .items = bench::map_texels,
+                .ours = floats, .theirs = their_floats,
+                .agree = [s, near] { return state::agree(s->float_sums, s->their_float_sums, near); }});
+    bench::add({.work = "summed-area table of bytes, 2048 x 2048", .peer = "OpenCV integral, bytes", .items = bench::map_texels,
+                .ours = [s] { umbrage::summed_area(s->bytes.view(), s->byte_sums.view()); },
+                .theirs = [s] { peers::opencv::integral(s->bytes, s->their_sums); },
+                .agree = [s] { return state::agree(s->byte_sums, s->their_sums, std::equal_to<>()); }});
+#endif
+});
+
+}  // namespace
