@@ -18,7 +18,7 @@ test_packages := $(demo_packages) clang-14 doctest-dev glslang-tools libegl-dev 
     libepoxy-dev libglfw3-dev xauth xvfb \
     chromium $(node_packages)
 
-bench_packages := $(test_packages) libbenchmark-dev libopencv-dev
+bench_packages := $(test_packages) libbenchmark-dev libembree-dev libopencv-dev
 
 # $(call install,packages): what is missing of them; elsewhere than on Debian, says what is needed and goes on.
 define install

@@ -5,6 +5,7 @@
 
 #include <umbrage/umbrage.hpp>
 
+#include <umbrage/image_ops/blur.hpp>
 #include <umbrage/image_ops/box_blocks.hpp>
 #include <umbrage/image_ops/clip.hpp>
 #include <umbrage/image_ops/encode.hpp>
@@ -14,6 +15,7 @@
 #include <umbrage/image_ops/parallel.hpp>
 #include <umbrage/image_ops/pyramid.hpp>
 #include <umbrage/image_ops/rasterize.hpp>
+#include <umbrage/image_ops/summed_area.hpp>
 #include <umbrage/image_ops/triangle_batch.hpp>
 #include <umbrage/image_ops/visibility.hpp>
 #include <umbrage/image_ops/visibility_blocks.hpp>

@@ -33,6 +33,7 @@
 #include <array>
 #include <bit>
 #include <cassert>
+#include <cmath>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -173,6 +174,160 @@ struct serial {
         if (count > 0) piece(0, count);
     }
 };
+
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/blur.hpp
+// Separable blur of images of one to four floats a texel, such as moments.
+//
+//     umbrage::blur(moments.view(), blurred.view(), umbrage::make_gaussian_kernel(7, 1.5f));
+//
+
+namespace umbrage {
+
+/// A symmetric row of weights. Taps are odd: 2 * weights.size() - 1.
+struct blur_kernel {
+    std::vector<float> weights;  ///< that of the centre, then those at distance 1, 2, ... on both sides
+};
+
+/// Row Taps - 1 of Pascal's triangle, divided by its sum: weights are exact.
+/// @formula       weights[i] = C(Taps - 1, (Taps - 1) / 2 + i) / 2^(Taps - 1)
+/// @exactness     A
+template <int Taps>
+[[nodiscard]] blur_kernel make_binomial_kernel() {
+    static_assert(Taps >= 1 && Taps <= 25 && Taps % 2 == 1, "an odd number up to 25: beyond, floats do not hold the weights");
+    blur_kernel kernel{std::vector<float>(Taps / 2 + 1)};
+    double weight = std::ldexp(1.0, 1 - Taps);  // that of the outermost tap
+    for (int i = 0; i <= Taps / 2; ++i) {
+        kernel.weights[static_cast<std::size_t>(Taps / 2 - i)] = static_cast<float>(weight);
+        weight = weight * (Taps - 1 - i) / (i + 1);
+    }
+    return kernel;
+}
+
+/// A Gaussian bell, sampled at the texels and divided by its sum.
+/// @param taps    odd, >= 1
+/// @param sigma   standard deviation in texels, > 0; infinity gives equal weights
+/// @throws std::invalid_argument  otherwise
+/// @formula       weights[i] = exp(-i^2 / (2 sigma^2)) / sum, in double
+/// @exactness     C: exp
+[[nodiscard]] inline blur_kernel make_gaussian_kernel(int taps, float sigma) {
+    if (taps < 1 || taps % 2 == 0 || !(sigma > 0.0f))
+        throw std::invalid_argument("umbrage::make_gaussian_kernel: taps even or below 1, or sigma not above 0");
+    const auto bell = [s = static_cast<double>(sigma)](int i) { return std::exp(-0.5 * (i / s) * (i / s)); };
+    double sum = 1.0;
+    for (int i = 1; i <= taps / 2; ++i) sum += 2.0 * bell(i);
+    blur_kernel kernel;
+    for (int i = 0; i <= taps / 2; ++i) kernel.weights.push_back(static_cast<float>(bell(i) / sum));
+    return kernel;
+}
+
+namespace detail {
+
+template <class T>
+inline constexpr int float_channels = static_cast<int>(sizeof(T) / sizeof(float));
+
+/// 64 sums of taps; tap(i) is where those at distance i begin, i from -radius to radius.
+template <class Tap, std::size_t... I>
+UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, float* __restrict to, std::index_sequence<I...>) {
+    // Pointers and weights as locals: then one loop holds all taps, and nothing waits in memory.
+    const float* const centre = tap(0);
+    const std::array<const float*, sizeof...(I)> before{tap(-static_cast<int>(I) - 1)...}, after{tap(static_cast<int>(I) + 1)...};
+    const std::array<float, sizeof...(I)> w{weights[I + 1]...};
+    const float w0 = weights[0];
+    for (int x = 0; x < block; ++x) {
+        float sum = w0 * centre[x];
+        ((sum = sum + w[I] * (before[I][x] + after[I][x])), ...);
+        to[x] = sum;
+    }
+}
+
+/// The same for any number of sums.
+template <class Tap>
+UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap& tap, float* to, int count) {
+    const float* const centre = tap(0);
+    for (int x = 0; x < count; ++x) to[x] = weights[0] * centre[x];
+    for (int i = 1; i <= radius; ++i) {
+        const float *before = tap(-i), *after = tap(i), w = weights[i];
+        for (int x = 0; x < count; ++x) to[x] = to[x] + w * (before[x] + after[x]);
+    }
+}
+
+/// A row; tap(i) is where the row at distance i begins.
+template <class Tap>
+UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width) {
+    if (width < block) return blur_some(weights, radius, tap, to, width);
+    const auto each = [&](auto&& blur_at) UMBRAGE_INLINE {
+        for (int x = 0; x + block <= width; x += block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
+        if (const int x = width - block; width % block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
+    };
+    const auto with_radius = [&](auto taps) UMBRAGE_INLINE {
+        each([&](const auto& at, float* result) UMBRAGE_INLINE { blur_block(weights, at, result, taps); });
+    };
+    switch (radius) {
+        case 1: return with_radius(std::make_index_sequence<1>{});
+        case 2: return with_radius(std::make_index_sequence<2>{});
+        case 3: return with_radius(std::make_index_sequence<3>{});
+        case 4: return with_radius(std::make_index_sequence<4>{});
+        case 5: return with_radius(std::make_index_sequence<5>{});
+    }
+    each([&](const auto& at, float* result) UMBRAGE_INLINE {
+        float sums[block];
+        blur_some(weights, radius, at, sums, block);
+        std::memcpy(result, sums, sizeof sums);
+    });
+}
+
+/// Rows first <= y < last: each along y into a line, and that along x.
+template <int Channels>
+void blur_rows(image_view<const float> from, image_view<float> to, const blur_kernel& kernel, int first, int last) {
+    const int radius = static_cast<int>(kernel.weights.size()) - 1, width = from.size.x, height = from.size.y;
+    const int border = radius * Channels;
+    std::vector<float> padded(static_cast<std::size_t>(width + 2 * border));
+    std::vector<const float*> rows(2 * kernel.weights.size() - 1);
+    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+        const float* const weights = kernel.weights.data();
+        const float** const around = rows.data() + radius;
+        float* const line = padded.data() + border;
+        for (int y = first; y < last; ++y) {
+            for (int i = -radius; i <= radius; ++i)
+                around[i] = from.row(y + i < 0 ? 0 : (y + i < height ? y + i : height - 1));
+            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return around[i]; }, line, width);
+            for (int i = 0; i < border; ++i) {
+                line[i - border] = line[i % Channels];
+                line[width + i] = line[width - Channels + i % Channels];
+            }
+            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return static_cast<const float*>(line) + i * Channels; }, to.row(y), width);
+        }
+    });
+}
+
+}  // namespace detail
+
+/// Blurs along y, then along x. Outside the image, its border goes on.
+///
+/// @param from      texels of float, vec2, vec3 or vec4
+/// @param to        same size and type, other pixels
+/// @param kernel    1 weight at least
+/// @param parallel  cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ, same pixels, or no weights
+/// @formula         w0 c + w1 (before1 + after1) + w2 (before2 + after2) + ..., in this order, along y and then along x
+/// @exactness       B: every instruction set and any pieces give the bits of the written order, as long as the compiler is
+///                  not told that it may fuse a multiplication and an addition (-march with FMA without -ffp-contract=off)
+template <class From, class T, class ParallelFor = serial>
+void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, ParallelFor&& parallel = {}) {
+    constexpr int channels = detail::float_channels<T>;
+    static_assert(std::is_same_v<std::remove_const_t<From>, T> && sizeof(T) == channels * sizeof(float) && alignof(T) == alignof(float) &&
+                  (std::is_same_v<T, float> || std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::vec3> || std::is_same_v<T, glm::vec4>));
+    if (from.size != to.size) throw std::invalid_argument("umbrage::blur: sizes differ");
+    if (kernel.weights.empty()) throw std::invalid_argument("umbrage::blur: no weights");
+    if (from.empty()) return;
+    if (from.data == to.data) throw std::invalid_argument("umbrage::blur: same pixels");
+    const glm::ivec2 size(from.size.x * channels, from.size.y);
+    const image_view<const float> floats_from(reinterpret_cast<const float*>(from.data), size, from.stride);
+    const image_view<float> floats_to(reinterpret_cast<float*>(to.data), size, to.stride);
+    parallel(size.y, [&](int first, int last) { detail::blur_rows<channels>(floats_from, floats_to, kernel, first, last); });
+}
 
 }  // namespace umbrage
 
@@ -1852,6 +2007,200 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
     }
     if (!is_finite(signed_sum) || sum == 0.0) return {1.0f, 0.0f, 0.0f};
     return {weights[0] / sum, weights[1] / sum, weights[2] / sum};
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/summed_area.hpp
+// Summed-area tables: the sum over any rectangle of an image from four texels.
+//
+//     umbrage::image<std::uint32_t> sums(values.size());
+//     umbrage::summed_area(values.view(), sums.view());
+//     std::uint32_t sum = umbrage::box_sum(sums.view(), {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
+//
+// Prefer integers: quantise depths or moments first. Their tables are exact, whatever the order; a table of floats
+// loses bits as it grows, and its differences lose more.
+
+namespace umbrage {
+namespace detail {
+
+/// Four neighbours in a row, and the steps of a running sum over them.
+template <class T>
+struct quad {
+#if defined(__GNUC__) || defined(__clang__)
+    typedef T lanes __attribute__((vector_size(4 * sizeof(T))));
+#else
+    struct lanes {
+        T at[4];
+        T& operator[](int i) { return at[i]; }
+        friend lanes operator+(lanes a, lanes b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]}; }
+    };
+#endif
+    static UMBRAGE_INLINE lanes load(const T* from) {
+        lanes v;
+        std::memcpy(&v, from, sizeof v);
+        return v;
+    }
+    static UMBRAGE_INLINE void store(lanes v, T* to) { std::memcpy(to, &v, sizeof v); }
+
+    /// Past the cache, which a large table would only push everything else out of: half the traffic. Wants a multiple
+    /// of 16 bytes, and finish_streaming() before anybody else looks.
+    static UMBRAGE_INLINE void stream(lanes v, T* to) {
+#if defined(__clang__)
+        __builtin_nontemporal_store(v, reinterpret_cast<lanes*>(to));
+#elif defined(__GNUC__) && defined(__x86_64__)
+        typedef float floats __attribute__((vector_size(16)));
+        __builtin_ia32_movntps(reinterpret_cast<float*>(to), reinterpret_cast<floats>(v));
+#else
+        store(v, to);
+#endif
+    }
+
+    /// Each plus those before it.
+    static UMBRAGE_INLINE lanes running_sum(lanes v) {
+#if defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12)
+        v = v + __builtin_shufflevector(lanes{}, v, 0, 4, 5, 6);
+        return v + __builtin_shufflevector(lanes{}, v, 0, 1, 4, 5);
+#else
+        v = v + lanes{T(0), v[0], v[1], v[2]};
+        return v + lanes{T(0), T(0), v[0], v[1]};
+#endif
+    }
+    static UMBRAGE_INLINE lanes all_last(lanes v) { return lanes{v[3], v[3], v[3], v[3]}; }
+};
+
+inline void finish_streaming() {
+#if defined(__GNUC__) && defined(__x86_64__)
+    __builtin_ia32_sfence();
+#endif
+}
+
+enum class table_store { none, plain, streaming };
+
+/// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`.
+template <table_store Store, class From, class Sum>
+UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line, Sum* to, int count) {
+    using four = quad<Sum>;
+    typename four::lanes carry{};
+    const auto sum_four = [&](const Sum* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
+        const auto group = four::running_sum(four::load(values));
+        const auto sums = (carry + group) + four::load(lines);
+        carry = carry + four::all_last(group);
+        four::store(sums, lines);
+        if constexpr (Store == table_store::plain) four::store(sums + four::load(under), result);
+        if constexpr (Store == table_store::streaming) four::stream(sums + four::load(under), result);
+    };
+    int x = 0;
+    for (; x + block <= count; x += block) {
+        Sum wide[block];
+        const Sum* values = wide;
+        if constexpr (std::is_same_v<From, Sum>)
+            values = from + x;
+        else
+            for (int i = 0; i < block; ++i) wide[i] = from[x + i];
+        for (int i = 0; i < block; i += 4) sum_four(values + i, base + x + i, line + x + i, to + x + i);
+    }
+    for (; x < count; x += 4) {  // base and line are long enough
+        const int there = count - x < 4 ? count - x : 4;
+        Sum values[4]{};
+        alignas(16) Sum result[4];
+        for (int i = 0; i < there; ++i) values[i] = from[x + i];
+        sum_four(values, base + x, line + x, result);
+        if constexpr (Store != table_store::none)
+            for (int i = 0; i < there; ++i) to[x + i] = result[i];
+    }
+}
+
+inline constexpr int band_rows = 64;  ///< rows of a table that are summed from zero, then put on top of what is before them
+
+/// Rows first <= y < last of one band; `line` becomes the sums of the band down to there.
+template <class From, class Sum>
+void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, int last, const Sum* base, Sum* line, bool store) {
+    constexpr std::ptrdiff_t large = std::ptrdiff_t(1) << 22;  // bytes: beyond what stays in a cache
+    const int width = sums.size.x;
+    const bool is_large = sums.size.y * (width * static_cast<std::ptrdiff_t>(sizeof(Sum))) >= large;
+    on_best_isa([&](auto) UMBRAGE_INLINE {
+        for (int y = first; y < last; ++y) {
+            const From* from = values.row(y);
+            Sum* to = sums.row(y);
+            if (!store)
+                sum_row<table_store::none>(from, base, line, to, width);
+            else if (is_large && reinterpret_cast<std::uintptr_t>(to) % 16 == 0)
+                sum_row<table_store::streaming>(from, base, line, to, width);
+            else
+                sum_row<table_store::plain>(from, base, line, to, width);
+        }
+    });
+    if (is_large && store) finish_streaming();
+}
+
+}  // namespace detail
+
+/// Each texel: the sum of all in its row and the rows before, up to and including its column.
+///
+/// @param values    uint8_t, uint16_t or uint32_t for a table of uint32_t; float for one of floats
+/// @param sums      same size, other pixels
+/// @param parallel  cuts bands of 64 rows into pieces, see parallel.hpp; the image is then read twice
+/// @throws std::invalid_argument  sizes differ
+/// @exactness   uint32_t A: modulo 2^32. float B. In a row, groups g of four from its start, each summed as g0, g0+g1,
+///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right; to
+///              that the texel above, in bands of 64 rows; to that the last row of the bands before, added up downwards
+template <class From, class Sum, class ParallelFor = serial>
+void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& parallel = {}) {
+    using value = std::remove_const_t<From>;
+    static_assert(std::is_same_v<Sum, float> ? std::is_same_v<value, float>
+                                             : std::is_same_v<Sum, std::uint32_t> && std::is_unsigned_v<value> &&
+                                                   sizeof(value) <= sizeof(Sum));
+    if (values.size != sums.size) throw std::invalid_argument("umbrage::summed_area: sizes differ");
+    if (values.empty()) return;
+    const int height = sums.size.y, bands = (height + detail::band_rows - 1) / detail::band_rows;
+    const auto length = (static_cast<std::size_t>(sums.size.x) + 3) / 4 * 4;
+    const auto end_of = [=](int b) { return b + 1 < bands ? (b + 1) * detail::band_rows : height; };
+    const auto add = [=](const Sum* from, Sum* to) {
+        for (std::size_t i = 0; i < length; ++i) to[i] = from[i] + to[i];
+    };
+    if constexpr (std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>) {
+        std::vector<Sum> base(length), line(length);
+        for (int b = 0; b < bands; ++b) {
+            detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base.data(), line.data(), true);
+            add(line.data(), base.data());
+            line.assign(length, Sum(0));
+        }
+    } else {
+        // What each band puts under the next one, by itself and then with all before it; then the bands, in any order.
+        std::vector<Sum> bases(length * static_cast<std::size_t>(bands));
+        const auto base = [&](int b) { return bases.data() + length * static_cast<std::size_t>(b); };
+        if (bands > 1)
+            parallel(bands - 1, [&](int first, int last) {
+                for (int b = first; b < last; ++b)
+                    detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base(0), base(b + 1), false);
+            });
+        for (int b = 1; b < bands; ++b) add(base(b - 1), base(b));
+        parallel(bands, [&](int first, int last) {
+            for (int b = first; b < last; ++b) {
+                std::vector<Sum> line(length);
+                detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base(b), line.data(), true);
+            }
+        });
+    }
+}
+
+/// Sum over a rectangle of the image that a table was made of.
+///
+/// @param sums     a table from summed_area
+/// @param first    lowest column and row
+/// @param last     highest column and row, they count too
+/// @return         what lies outside the image counts as 0, as does a rectangle with last < first
+/// @formula        S(last) - S(first.x - 1, last.y) - S(last.x, first.y - 1) + S(first - 1)
+/// @exactness      uint32_t A: exact while the rectangle's area times the greatest value < 2^32, even where sums of the
+///                 table have wrapped around. float B
+template <class T>
+[[nodiscard]] std::remove_const_t<T> box_sum(image_view<T> sums, glm::ivec2 first, glm::ivec2 last) {
+    const int left = first.x > 0 ? first.x : 0, right = last.x < sums.size.x ? last.x : sums.size.x - 1;
+    const int low = first.y > 0 ? first.y : 0, high = last.y < sums.size.y ? last.y : sums.size.y - 1;
+    if (left > right || low > high) return 0;
+    const auto at = [&](int x, int y) { return x < 0 || y < 0 ? std::remove_const_t<T>(0) : sums.row(y)[x]; };
+    return ((at(right, high) - at(left - 1, high)) - at(right, low - 1)) + at(left - 1, low - 1);
 }
 
 }  // namespace umbrage
