@@ -29,7 +29,7 @@ namespace {
 
 using picture = umbrage::image<glm::u8vec3>;
 
-const std::filesystem::path folder = std::filesystem::path(WORK_DIR) / "check";
+const std::filesystem::path folder = std::filesystem::current_path();  // each test's own: they run side by side
 
 std::string quoted(const std::filesystem::path& path) { return std::string("'").append(path.string()).append("' "); }
 
@@ -39,7 +39,6 @@ struct result {
 };
 
 result run(const std::string& command) {
-    std::filesystem::create_directories(folder);
     FILE* pipe = popen((command + " 2>&1").c_str(), "r");
     REQUIRE(pipe);
     result out{0, {}};
@@ -222,7 +221,6 @@ TEST_CASE("choices: every encoding and filter draws, fine encodings as floats do
 }
 
 TEST_CASE("choices: a mesh from a file, a finer map, a bias that lights everything") {
-    std::filesystem::create_directories(folder);
     std::ofstream(folder / "tent.obj") << "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0.3 1 0.3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
     const std::string small = "--headless --mask --width 300 --height 200 ";
     const picture usual = viewed(small);

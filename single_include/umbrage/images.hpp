@@ -45,7 +45,6 @@
 #include <glm/vec4.hpp>
 #include <iterator>
 #include <limits>
-#include <memory>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
@@ -1688,6 +1687,23 @@ struct mesh_view {
 
 namespace detail {
 
+/// Room for vertices, each written before it is read: a vector would write them twice. (<memory>, which has a class
+/// for this, brings the streams along.)
+class unwritten_vertices {
+public:
+    unwritten_vertices() = default;
+    unwritten_vertices(const unwritten_vertices&) = delete;
+    unwritten_vertices& operator=(const unwritten_vertices&) = delete;
+    ~unwritten_vertices() { delete[] data_; }
+
+    void make(std::size_t count) { data_ = new snapped_vertex[count]; }
+    [[nodiscard]] snapped_vertex& operator[](std::size_t i) { return data_[i]; }
+    [[nodiscard]] const snapped_vertex& operator[](std::size_t i) const { return data_[i]; }
+
+private:
+    snapped_vertex* data_ = nullptr;
+};
+
 /// The vertices of a mesh on the grid of an image, and its triangles batch by batch.
 class projected_mesh {
 public:
@@ -1702,7 +1718,7 @@ public:
         if (size.x == 0 || size.y == 0 || !is_finite(world_to_clip)) mesh_.triangles = {};
         if (mesh_.triangles.empty()) return;
         const std::size_t count = mesh.positions.size();
-        vertices_ = std::make_unique_for_overwrite<snapped_vertex[]>((count + block - 1) / block * block);
+        vertices_.make((count + block - 1) / block * block);
         constexpr std::size_t piece = 64 * block;
         parallel(static_cast<int>((count + piece - 1) / piece), [&](int first, int last) {
             for (std::size_t i = std::size_t(first) * piece; i < std::min(std::size_t(last) * piece, count); i += block)
@@ -1780,7 +1796,7 @@ private:
 
     mesh_view mesh_;
     projection project_;
-    std::unique_ptr<snapped_vertex[]> vertices_;
+    unwritten_vertices vertices_;
 };
 
 /// Which triangles may touch which band of rows, so that a band stays in the cache while it is drawn.
