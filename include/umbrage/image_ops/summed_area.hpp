@@ -94,14 +94,10 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
     };
     int x = 0;
     for (; x + block <= count; x += block) {
-        Sum wide[block];
-        const Sum* values = wide;
+        Sum values[block];  // all before the first store: stores hold up loads from a like address in another page
         for (int i = 0; i < block; i += 64 / static_cast<int>(sizeof(From)))  // measured: what the machine does itself is too late
             UMBRAGE_PREFETCH(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(from + x + i) + 1536));
-        if constexpr (std::is_same_v<From, Sum>)
-            values = from + x;
-        else
-            for (int i = 0; i < block; ++i) wide[i] = from[x + i];
+        for (int i = 0; i < block; ++i) values[i] = from[x + i];
         for (int i = 0; i < block; i += 4) sum_four(values + i, base + x + i, line + x + i, to + x + i);
     }
     for (; x < count; x += 4) {  // base and line are long enough
