@@ -13,6 +13,7 @@
 #include <umbrage/image_ops/hierarchical.hpp>
 #include <umbrage/image_ops/isa.hpp>
 #include <umbrage/image_ops/parallel.hpp>
+#include <umbrage/image_ops/projected_mesh.hpp>
 #include <umbrage/image_ops/pyramid.hpp>
 #include <umbrage/image_ops/rasterize.hpp>
 #include <umbrage/image_ops/summed_area.hpp>

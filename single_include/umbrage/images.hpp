@@ -1658,23 +1658,11 @@ private:
 
 }  // namespace umbrage
 
-// ---- umbrage/image_ops/rasterize.hpp
-// The depth pass on the CPU: triangles into a depth image, each sample on a shared edge covered exactly once.
+// ---- umbrage/image_ops/projected_mesh.hpp
+// A mesh on the grid of an image: its vertices projected and snapped in blocks, its triangles handed out in batches.
+// The rasterizer's middle, between clip.hpp and the spans of triangle_batch.hpp.
 //
-//     umbrage::image<float> map({1024, 1024}, umbrage::cleared_depth(clip));
-//     umbrage::rasterize_depth(map, {positions, triangles}, world_to_clip, clip);
-//
-// A camera pass keeps the nearest triangle of each texel and interpolates afterwards:
-//
-//     umbrage::rasterize(size, mesh, world_to_clip, clip, [&](glm::ivec2 texel, float z, unsigned triangle) {
-//         if (z <= depth[texel]) depth[texel] = z, visible[texel] = triangle;
-//     });
-//     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, visible[texel]);
-//
-// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left
-// rule (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a
-// grid on which every sample is then computed exactly. So no order of triangles or vertices, no threads, no instruction
-// set and no contraction to FMA changes a bit; of clipped triangles the last may move a cut by 1/256 texel.
+//     umbrage::mesh_view mesh{positions, triangles};
 //
 
 namespace umbrage {
@@ -1798,6 +1786,31 @@ private:
     projection project_;
     unwritten_vertices vertices_;
 };
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/image_ops/rasterize.hpp
+// The depth pass on the CPU: triangles into a depth image, each sample on a shared edge covered exactly once.
+//
+//     umbrage::image<float> map({1024, 1024}, umbrage::cleared_depth(clip));
+//     umbrage::rasterize_depth(map, {positions, triangles}, world_to_clip, clip);
+//
+// A camera pass keeps the nearest triangle of each texel and interpolates afterwards:
+//
+//     umbrage::rasterize(size, mesh, world_to_clip, clip, [&](glm::ivec2 texel, float z, unsigned triangle) {
+//         if (z <= depth[texel]) depth[texel] = z, visible[texel] = triangle;
+//     });
+//     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, visible[texel]);
+//
+// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left
+// rule (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a
+// grid on which every sample is then computed exactly. So no order of triangles or vertices, no threads, no instruction
+// set and no contraction to FMA changes a bit; of clipped triangles the last may move a cut by 1/256 texel.
+//
+
+namespace umbrage {
+namespace detail {
 
 /// Which triangles may touch which band of rows, so that a band stays in the cache while it is drawn.
 class banded_triangles {
