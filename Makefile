@@ -59,7 +59,8 @@ test:
 
 demo:
 	$(call install,$(demo_packages))
-	cmake --workflow --preset examples
+	cmake --preset examples
+	cmake --build --preset examples --target shadow_render
 	build/examples/examples/shadow_render/shadow_render --output build/demo
 
 gallery:
