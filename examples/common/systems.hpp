@@ -52,7 +52,7 @@ enum class test_kind {
 };
 enum class shading_kind {
     diffuse_ambient,  ///< shadow takes the diffuse light away
-    darken,           ///< shadow multiplies the lit picture by `ambient`
+    darken,           ///< shadow multiplies the lit picture by `ambient`, and so does turning away from the light
 };
 
 struct shadow_system {
@@ -237,7 +237,8 @@ struct light {
     const float n_dot_l = glm::dot(normal, to_light);
     if (s.shading == shading_kind::diffuse_ambient)
         return umbrage::diffuse_ambient(colour, s.ambient, n_dot_l, visibility);
-    return umbrage::diffuse_ambient(colour, s.ambient, n_dot_l, 1.0f) * (s.ambient + (1 - s.ambient) * visibility);
+    const float facing = glm::clamp(4 * n_dot_l, 0.0f, 1.0f);  // ps.1.x: mul_x4_sat; hides the map's teeth where light grazes
+    return umbrage::diffuse_ambient(colour, s.ambient, n_dot_l, 1.0f) * (s.ambient + (1 - s.ambient) * facing * visibility);
 }
 
 }  // namespace example

@@ -155,7 +155,8 @@ stages camera_stages(const shadow_system& s, version v, bool mask) {
     const filter filter = filter_of(s);
     const std::string lit = s.shading == example::shading_kind::diffuse_ambient
         ? "umbrage_diffuse_ambient(albedo, ambient, n_dot_l, visibility)"
-        : "umbrage_diffuse_ambient(albedo, ambient, n_dot_l, 1.0) * (ambient + (1.0 - ambient) * visibility)";
+        : "umbrage_diffuse_ambient(albedo, ambient, n_dot_l, 1.0) * "
+          "(ambient + (1.0 - ambient) * clamp(4.0 * n_dot_l, 0.0, 1.0) * visibility)";
 
     stages out;
     out.vertex = vertex(v, {}, R"GLSL(
