@@ -3,7 +3,7 @@
 #     make demo    makes pictures in build/demo
 #     make gallery   every system, encoding and filter on one page: build/gallery/index.html
 #     make test    builds and runs every test
-#     make prove   every float and every code through every encoding: minutes
+#     make prove   every float and every code, on every implementation here: about an hour on two cores
 #     make bench-packing   depth packing of three.js, Babylon.js and PlayCanvas beside ours
 #     make bench-shaders   what the snippets cost on a GPU, and those peers' shaders beside ours
 #
