@@ -25,8 +25,10 @@
 
 #include <umbrage/clip_space.hpp>
 #include <umbrage/image_ops/isa.hpp>
+#include <umbrage/image_ops/strict_math.hpp>
 #include <umbrage/scalar.hpp>
 
+UMBRAGE_STRICT_MATH
 namespace umbrage {
 
 /// Steps of the vertex grid in a texel.
@@ -237,3 +239,4 @@ struct clipped_polygon {
 }
 
 }  // namespace umbrage
+UMBRAGE_END_STRICT_MATH

@@ -22,8 +22,10 @@
 #include <umbrage/image_ops/clip.hpp>
 #include <umbrage/image_ops/isa.hpp>
 #include <umbrage/image_ops/parallel.hpp>
+#include <umbrage/image_ops/strict_math.hpp>
 #include <umbrage/image_ops/triangle_batch.hpp>
 
+UMBRAGE_STRICT_MATH
 namespace umbrage {
 
 /// Triangles that somebody else owns: three indices into the positions each.
@@ -148,3 +150,4 @@ private:
 
 }  // namespace detail
 }  // namespace umbrage
+UMBRAGE_END_STRICT_MATH

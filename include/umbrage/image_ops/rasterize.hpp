@@ -40,9 +40,11 @@
 #include <umbrage/image_ops/isa.hpp>
 #include <umbrage/image_ops/parallel.hpp>
 #include <umbrage/image_ops/projected_mesh.hpp>
+#include <umbrage/image_ops/strict_math.hpp>
 #include <umbrage/image_ops/triangle_batch.hpp>
 #include <umbrage/scalar.hpp>
 
+UMBRAGE_STRICT_MATH
 namespace umbrage {
 namespace detail {
 
@@ -124,7 +126,7 @@ public:
                     const double z = plane(x, y);
                     if (!(z >= 0.0 && z <= 1.0)) continue;
                     const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
-                    if (Forward ? stored <= texels[x] : stored >= texels[x]) texels[x] = stored;
+                    if (!is_nan(texels[x]) && (Forward ? stored <= texels[x] : stored >= texels[x])) texels[x] = stored;
                 }
             });
         }
@@ -273,3 +275,4 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
 }
 
 }  // namespace umbrage
+UMBRAGE_END_STRICT_MATH

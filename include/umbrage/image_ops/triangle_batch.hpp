@@ -23,7 +23,9 @@
 
 #include <umbrage/image_ops/clip.hpp>
 #include <umbrage/image_ops/isa.hpp>
+#include <umbrage/image_ops/strict_math.hpp>
 
+UMBRAGE_STRICT_MATH
 namespace umbrage {
 
 /// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up.
@@ -272,3 +274,4 @@ private:
 };
 
 }  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
