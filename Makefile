@@ -4,6 +4,7 @@
 #     make gallery   every system, encoding and filter on one page: build/gallery/index.html
 #     make test    builds and runs every test
 #     make prove   every float and every code, on every implementation here: about an hour on two cores
+#     make bench   ours against memcpy, GLM code, llvmpipe, Embree and OpenCV: a table, and plots in build/plots
 #     make bench-packing   depth packing of three.js, Babylon.js and PlayCanvas beside ours
 #     make bench-shaders   what the snippets cost on a GPU, and those peers' shaders beside ours
 #
@@ -18,7 +19,7 @@ test_packages := $(demo_packages) clang-14 doctest-dev glslang-tools libegl-dev 
     libepoxy-dev libglfw3-dev xauth xvfb \
     chromium $(node_packages)
 
-bench_packages := $(test_packages) libbenchmark-dev libembree-dev libopencv-dev
+bench_packages := $(test_packages) gnuplot-nox libbenchmark-dev libembree-dev libopencv-dev
 
 # $(call install,packages): what is missing of them; elsewhere than on Debian, says what is needed and goes on.
 define install
@@ -95,12 +96,14 @@ asan:
 	$(call install,$(test_packages))
 	cmake --workflow --preset asan
 
-# Ours against what else there is: a table, and build/bench.json.
+# Ours against what else there is: a table and build/bench.json; then curves over map size, kernel size, triangles and
+# threads: build/plots/*.svg, their points in build/bench-series.tsv.
 bench:
 	$(call install,$(bench_packages))
-	cmake -G Ninja -S . -B build/bench -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_BENCHMARKS=ON -D UMBRAGE_BUILD_EXAMPLES=OFF
-	cmake --build build/bench --target bench
-	build/bench/tests/bench/bench build/bench.json
+	cmake -G Ninja -S . -B build/bench -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_BENCHMARKS=ON -D UMBRAGE_BUILD_EXAMPLES=OFF \
+	    -D UMBRAGE_BENCH_OUTPUT=$(CURDIR)/build
+	cmake --build build/bench --target bench_table
+	cmake --build build/bench --target bench_plots
 
 # Makes single_include/umbrage/umbrage.hpp anew.
 single-header:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "glm.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -15,6 +16,18 @@ float fetch(const float_map& map, glm::ivec2 texel) {
 }
 
 float lit(const float_map& map, glm::ivec2 texel, float receiver) { return glm::step(receiver, fetch(map, texel)); }
+
+// The radius is known, as in code written for one kernel.
+template <int Radius>
+void box(const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility) {
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+        const glm::ivec2 texel(glm::floor(glm::vec2(receivers[i])));
+        float sum = 0.0f;
+        for (int y = -Radius; y <= Radius; ++y)
+            for (int x = -Radius; x <= Radius; ++x) sum += lit(map, texel + glm::ivec2(x, y), receivers[i].z);
+        visibility[i] = sum / static_cast<float>((2 * Radius + 1) * (2 * Radius + 1));
+    }
+}
 
 }  // namespace
 
@@ -45,14 +58,13 @@ void pcf_2x2(const float_map& map, const std::vector<glm::vec3>& receivers, std:
     }
 }
 
+void pcf_box(int radius, const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility) {
+    constexpr std::array boxes{&box<0>, &box<1>, &box<2>, &box<3>, &box<4>, &box<5>, &box<6>, &box<7>, &box<8>};
+    boxes.at(static_cast<std::size_t>(radius))(map, receivers, visibility);
+}
+
 void pcf_5x5(const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility) {
-    for (std::size_t i = 0; i < receivers.size(); ++i) {
-        const glm::ivec2 texel(glm::floor(glm::vec2(receivers[i])));
-        float sum = 0.0f;
-        for (int y = -2; y <= 2; ++y)
-            for (int x = -2; x <= 2; ++x) sum += lit(map, texel + glm::ivec2(x, y), receivers[i].z);
-        visibility[i] = sum / 25.0f;
-    }
+    box<2>(map, receivers, visibility);
 }
 
 }  // namespace peers::glm_code

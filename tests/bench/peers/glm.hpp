@@ -22,7 +22,8 @@ void decode(const std::vector<glm::u8vec2>& texels, std::vector<float>& depth);
 
 /// Visibility by 2x2 comparisons, bilinear weights in floats.
 void pcf_2x2(const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility);
-/// Visibility by 5x5 comparisons of equal weight.
+/// Visibility by comparisons of equal weight, 2 radius + 1 in a row, radius 0 .. 8; one function for each radius.
+void pcf_box(int radius, const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility);
 void pcf_5x5(const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility);
 
 }  // namespace peers::glm_code
