@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <random>
 #include <string>
 #include <thread>
 #include <vector>
@@ -15,47 +14,13 @@
 #include "bench.hpp"
 #include "data.hpp"
 #include "peers/depth_pass.hpp"
+#include "scenes.hpp"
 
 namespace {
 
-struct mesh {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::uvec3> triangles;
-    operator umbrage::mesh_view() const { return {positions, triangles}; }
-};
-
-/// Triangles of half a square with that side, anywhere on the screen, from back to front so that all of them are drawn.
-mesh scattered(int count, float side) {
-    std::mt19937 engine(7);
-    const auto random = [&] { return static_cast<float>(engine() >> 8) * 0x1p-24f; };
-    mesh m;
-    for (int i = 0; i < count; ++i) {
-        const float x = random() * (1920.0f - side), y = random() * (1080.0f - side);
-        const float z = 0.9f - 0.8f * static_cast<float>(i) / static_cast<float>(count);
-        for (const auto& corner : {glm::vec2(x, y), glm::vec2(x + side, y), glm::vec2(x, y + side)})
-            m.positions.emplace_back(corner.x / 960.0f - 1.0f, corner.y / 540.0f - 1.0f, z);
-        m.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
-    }
-    return m;
-}
-
-/// Hills over [-1, 1] x [-1, 1] of 2 n n triangles.
-mesh hills(int n) {
-    mesh m;
-    for (int y = 0; y <= n; ++y)
-        for (int x = 0; x <= n; ++x) {
-            const glm::vec2 p(2.0f * static_cast<float>(x) / static_cast<float>(n) - 1.0f,
-                              2.0f * static_cast<float>(y) / static_cast<float>(n) - 1.0f);
-            m.positions.emplace_back(p.x, p.y, 0.1f * std::sin(12.0f * p.x) * std::cos(9.0f * p.y));
-        }
-    for (int y = 0; y < n; ++y)
-        for (int x = 0; x < n; ++x) {
-            const auto i = static_cast<unsigned>(y * (n + 1) + x), above = i + static_cast<unsigned>(n) + 1;
-            m.triangles.emplace_back(i, i + 1, above);
-            m.triangles.emplace_back(i + 1, above + 1, above);
-        }
-    return m;
-}
+using bench::hills;
+using bench::mesh;
+using bench::scattered;
 
 #ifdef UMBRAGE_BENCH_LLVMPIPE_DEPTH
 void add_pass(int count, float side, double at_least, const std::string& work) {
@@ -91,41 +56,11 @@ void add_pass(int count, float side, double at_least, const std::string& work) {
 #endif
 
 #ifdef UMBRAGE_BENCH_EMBREE
-struct mask_state {
-    mesh scene = hills(724);
-    glm::vec3 to_light = glm::vec3(0.8f, 0.3f, 0.5f) / std::sqrt(0.98f);
-    glm::mat4 world_to_light{0.0f};
-    umbrage::image<float> map{bench::map_size};
-    umbrage::image<glm::vec3> receivers{bench::screen};
-    umbrage::image<float> ours{bench::screen};
-    std::vector<glm::vec3> points = std::vector<glm::vec3>(receivers.texels().size());
+struct mask_state : bench::lit_hills {
+    umbrage::image<float> map{bench::map_size}, ours{bench::screen};
     std::vector<float> theirs = std::vector<float>(points.size());
     peers::embree_scene embree;
-
-    mask_state() {
-        const glm::vec3 right = glm::vec3(-0.3f, 0.8f, 0.0f) / std::sqrt(0.73f);
-        const glm::vec3 up(to_light.y * right.z - to_light.z * right.y, to_light.z * right.x - to_light.x * right.z,
-                           to_light.x * right.y - to_light.y * right.x);
-        for (int i = 0; i < 3; ++i) {
-            world_to_light[i][0] = right[i] / 1.5f, world_to_light[i][1] = up[i] / 1.5f;
-            world_to_light[i][2] = -to_light[i] / 4.0f;
-        }
-        world_to_light[3] = {0.0f, 0.0f, 0.5f, 1.0f};
-
-        glm::mat4 from_above(1.0f);
-        from_above[2][2] = -1.0f, from_above[3][2] = 0.5f;  // depth 1/2 - height
-        umbrage::rasterize(bench::screen, scene, from_above, {}, [&](glm::ivec2 texel, float z, unsigned) {
-            const glm::vec3 p((static_cast<float>(texel.x) + 0.5f) / 960.0f - 1.0f,
-                              (static_cast<float>(texel.y) + 0.5f) / 540.0f - 1.0f, 0.5f - z);
-            const glm::vec4 c = world_to_light * glm::vec4(p, 1.0f);
-            receivers[texel] = {(c.x + 1.0f) * 1024.0f, (c.y + 1.0f) * 1024.0f, c.z - 0.004f};
-            points[std::size_t(texel.y) * 1920 + std::size_t(texel.x)] = p + to_light * 0.016f;
-        });
-    }
-    void draw() {
-        std::ranges::fill(map.texels(), 1.0f);
-        umbrage::rasterize_depth(map, scene, world_to_light, {});
-    }
+    mask_state() : lit_hills(724) {}
 };
 #endif
 
@@ -139,7 +74,7 @@ const bench::registration rows([] {
     bench::add({.work = "shadow mask 1920 x 1080, a million triangles", .peer = "Embree, build and rays", .at_least = 3,
                 .items = bench::pixels,
                 .ours = [s] {
-                    s->draw();
+                    s->draw(s->map);
                     umbrage::visibility(s->map.view(), umbrage::depth32f{}, s->receivers.view(),
                                         umbrage::filters::pcf_2x2{}, s->ours.view());
                 },
