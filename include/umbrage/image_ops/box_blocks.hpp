@@ -6,6 +6,7 @@
 //
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -36,13 +37,22 @@ struct vectors<8> {
     typedef std::int32_t ints __attribute__((vector_size(32)));
 };
 
+/// less_equal for texels that lie side by side: all bits of a lane, or none.
+template <int Lanes>
+UMBRAGE_INLINE inline void compare_lanes(const float* texels, float receiver, typename vectors<Lanes>::ints& lit) {
+    const typename vectors<Lanes>::floats stored = *reinterpret_cast<const typename vectors<Lanes>::unaligned*>(texels);
+    lit = receiver <= stored;
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+    lit &= ((typename vectors<Lanes>::ints)stored & 0x7FFFFFFF) <= 0x7F800000;
+#endif
+}
+
 /// Lit texels of boxes that lie inside a map at least as wide as a register.
 /// @tparam Lanes   of a register;   Whole  registers that a row of the box fills
 template <int Lanes, int Whole>
 struct box_rows {
-    using floats = typename vectors<Lanes>::floats;
-    using unaligned = typename vectors<Lanes>::unaligned;
     using ints = typename vectors<Lanes>::ints;
+    static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
     std::ptrdiff_t stride;
     int width;
     std::int32_t window[3 * Lanes]{};  ///< lanes that the rest of a row has in a register, slid to where they are
@@ -57,8 +67,13 @@ struct box_rows {
         ints lit{}, rest{};
         for (int j = 0; j < width; ++j, row += stride) {
             const float* texels = reinterpret_cast<const float*>(row);
-            for (int i = 0; i < Whole; ++i) add(texels + i * Lanes, receiver, lit);
-            add(texels + Whole * Lanes - moved, receiver, rest);
+            ints lanes;
+            for (int i = 0; i < Whole; ++i) {
+                compare_lanes<Lanes>(texels + i * Lanes, receiver, lanes);
+                lit -= lanes;
+            }
+            compare_lanes<Lanes>(texels + Whole * Lanes - moved, receiver, lanes);
+            rest -= lanes;
         }
         ints wanted;
         std::memcpy(&wanted, window + Lanes - moved, sizeof wanted);
@@ -67,84 +82,133 @@ struct box_rows {
         for (int i = 0; i < Lanes; ++i) sum += lit[i];
         return sum;
     }
+};
 
-    static UMBRAGE_INLINE void add(const float* texels, float receiver, ints& lit) {
-        const floats stored = *reinterpret_cast<const unaligned*>(texels);
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-        lit -= (receiver <= stored) & (((ints)stored & 0x7FFFFFFF) <= 0x7F800000);
-#else
-        lit -= receiver <= stored;
-#endif
+#if UMBRAGE_HAS_DISPATCH
+/// The same for small boxes where AVX2 is: a row is a byte of bits, and all rows are one word, whose bits are counted.
+template <int Width>
+struct box_bits {
+    static_assert(Width <= 8);
+    static constexpr int reach = 8;
+    std::ptrdiff_t stride;
+
+    UMBRAGE_INLINE box_bits(std::ptrdiff_t bytes, int) : stride(bytes) {}
+
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
+        std::uint64_t bits = 0, row_of_ones = ((std::uint64_t(1) << Width) - 1) << moved;
+#pragma GCC unroll 8
+        for (int j = 0; j < Width; ++j, row += stride) {
+            vectors<8>::ints lit;
+            compare_lanes<8>(reinterpret_cast<const float*>(row) - moved, receiver, lit);
+            bits = bits << 8 | static_cast<std::uint64_t>(__builtin_ia32_movmskps256((vectors<8>::floats)lit));
+        }
+        return static_cast<std::int32_t>(__builtin_popcountll(bits & row_of_ones * 0x0101010101010101u));
     }
 };
+#endif
 #else
 #define UMBRAGE_HAS_VECTORS 0
+
+/// The same texel by texel.
+struct box_texels {
+    static constexpr int reach = 1;
+    std::ptrdiff_t stride;
+    int width;
+
+    [[nodiscard]] std::int32_t count(const std::byte* row, std::ptrdiff_t, float receiver) const {
+        std::int32_t lit = 0;
+        for (int j = 0; j < width; ++j, row += stride)
+            for (int i = 0; i < width; ++i) lit += is_lit(receiver, reinterpret_cast<const float*>(row)[i]);
+        return lit;
+    }
+};
 #endif
 
 /// Only maps of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
 template <>
 struct block_filter<filters::box, depth32f> {
     static constexpr int least = 1;
+    struct placed {
+        std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
+        std::int32_t inside[block], in_space[block];
+        float z[block];
+    };
     image_view<const float> map;
     const depth32f& encoding;
     const filters::box& filter;
 
-    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa set) const {
-#if UMBRAGE_HAS_VECTORS
-        constexpr int lanes = Isa::value == isa::base ? 4 : 8;
-        const int whole = (2 * clamp_int(filter.radius, max_box_radius) + 1) / lanes;
-        if (map.size.x >= lanes * (whole + 1)) {
-            if (whole == 0) return rows<lanes, 0>(r, count, visibility);
-            if (whole == 1) return rows<lanes, 1>(r, count, visibility);
-            if (whole == 2) return rows<lanes, 2>(r, count, visibility);
-            if (lanes == 4 && whole == 3) return rows<4, 3>(r, count, visibility);
-            if (lanes == 4) return rows<4, 4>(r, count, visibility);
+    [[nodiscard]] UMBRAGE_INLINE int radius() const { return clamp_int(filter.radius, max_box_radius); }
+
+    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
+        const texel_bytes memory(map);
+        const int before = radius(), width = 2 * before + 1, last_x = map.size.x - width, last_y = map.size.y - width;
+        for (int i = 0; i < block; ++i) {
+            at.in_space[i] = texel_space_mask(r.x[i], r.y[i]);
+            const std::int32_t x = floor_int(masked(r.x[i], at.in_space[i])) - before;
+            const std::int32_t y = floor_int(masked(r.y[i], at.in_space[i])) - before;
+            at.inside[i] = -(std::int32_t(x >= 0) & std::int32_t(x <= last_x) & std::int32_t(y >= 0) & std::int32_t(y <= last_y));
+            at.offsets[i] = memory.offset(x, y) & at.inside[i];
+            at.x[i] = x;
+            at.y[i] = y;
+            at.z[i] = r.z[i];
         }
-#endif
-        one_by_one<filters::box, depth32f>{map, encoding, filter}(r, count, visibility, set);
+        prefetch(memory, at.offsets, last_y < 0 ? 1 : width);
     }
 
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
+        const int width = 2 * radius() + 1;
 #if UMBRAGE_HAS_VECTORS
-    template <int Lanes, int Whole>
-    UMBRAGE_INLINE void rows(const receiver_block& r, int count, float* visibility) const {
-        const int radius = clamp_int(filter.radius, max_box_radius), width = 2 * radius + 1;
-        const box_rows<Lanes, Whole> box(map.stride, width);
+        constexpr int lanes = Isa::value == isa::base ? 4 : 8;
+#if UMBRAGE_HAS_DISPATCH
+        if constexpr (lanes == 8) {
+            if (width == 3) return count_with<box_bits<3>>(at, count, visibility);
+            if (width == 5) return count_with<box_bits<5>>(at, count, visibility);
+            if (width == 7) return count_with<box_bits<7>>(at, count, visibility);
+        }
+#endif
+        if (width / lanes == 0) return count_with<box_rows<lanes, 0>>(at, count, visibility);
+        if (width / lanes == 1) return count_with<box_rows<lanes, 1>>(at, count, visibility);
+        if (width / lanes == 2) return count_with<box_rows<lanes, 2>>(at, count, visibility);
+        if constexpr (lanes == 4) {
+            if (width / lanes == 3) return count_with<box_rows<4, 3>>(at, count, visibility);
+            count_with<box_rows<4, 4>>(at, count, visibility);
+        }
+#else
+        count_with<box_texels>(at, count, visibility);
+#endif
+    }
+
+private:
+    template <class Boxes>
+    UMBRAGE_INLINE void count_with(const placed& at, int count, float* visibility) const {
+        const int width = 2 * radius() + 1, last_load = map.size.x - Boxes::reach;
+        const Boxes boxes(map.stride, width);
         const texel_bytes memory(map);
-        const int last_x = map.size.x - width, last_y = map.size.y - width, last_load = map.size.x - Lanes * (Whole + 1);
-        std::int32_t xs[block], ys[block], offsets[block], moved[block], inside[block], in_space[block], lit[block]{};
-        for (int i = 0; i < block; ++i) {
-            in_space[i] = texel_space_mask(r.x[i], r.y[i]);
-            const std::int32_t x = floor_int(masked(r.x[i], in_space[i])) - radius;
-            const std::int32_t y = floor_int(masked(r.y[i], in_space[i])) - radius;
-            inside[i] = std::int32_t(x >= 0) & std::int32_t(x <= last_x) & std::int32_t(y >= 0) & std::int32_t(y <= last_y);
-            offsets[i] = memory.offset(x, y);
-            moved[i] = x > last_load ? x - last_load : 0;
-            xs[i] = x;
-            ys[i] = y;
-        }
+        std::int32_t moved[block], lit[block]{};
+        for (int i = 0; i < block; ++i) moved[i] = at.x[i] > last_load ? at.x[i] - last_load : 0;
         for (int i = 0; i < count; ++i) {
-            if (is_nan(r.z[i]) || !in_space[i]) continue;
-            lit[i] = inside[i] ? box.count(memory.data + offsets[i], moved[i], r.z[i])
-                               : count_at_border<Lanes, Whole>({xs[i], ys[i]}, width, r.z[i]);
+            if (is_nan(at.z[i]) || !at.in_space[i]) continue;
+            lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved[i], at.z[i])
+                                                    : count_at_border<Boxes>({at.x[i], at.y[i]}, width, at.z[i]);
         }
-        const float scale = box_scale<float>(radius);
+        const float scale = box_scale<float>(radius());
         for (int i = 0; i < block; ++i)
-            visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~in_space[i], 1.0f, static_cast<float>(lit[i]) * scale);
+            visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~at.in_space[i], 1.0f,
+                                   static_cast<float>(lit[i]) * scale);
     }
 
     /// The same from a copy of the box, the map's border texels repeated.
-    template <int Lanes, int Whole>
+    template <class Boxes>
     std::int32_t count_at_border(glm::ivec2 first, int width, float receiver) const {
-        float texels[2 * max_box_radius + 1][(Whole + 1) * Lanes]{};
+        constexpr int widest = 2 * max_box_radius + 1;
+        float texels[widest][Boxes::reach > widest ? Boxes::reach : widest]{};
         for (int j = 0; j < width; ++j) {
             const float* row = texel_at(map, 0, clamp_int(first.y + j, map.size.y - 1));
             for (int i = 0; i < width; ++i) texels[j][i] = row[clamp_int(first.x + i, map.size.x - 1)];
         }
-        return box_rows<Lanes, Whole>(sizeof texels[0], width).count(reinterpret_cast<const std::byte*>(texels), 0, receiver);
+        return Boxes(sizeof texels[0], width).count(reinterpret_cast<const std::byte*>(texels), 0, receiver);
     }
-#endif
 };
 
 }  // namespace umbrage::detail

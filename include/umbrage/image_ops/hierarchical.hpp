@@ -87,30 +87,39 @@ struct box_bounds {
 };
 
 struct hierarchical_blocks {
+    struct placed {
+        receiver_block r;
+        std::int32_t offsets[block], in_space[block];
+    };
     const box_bounds& tree;
     block_filter<filters::box, depth32f> brute_force;
 
-    UMBRAGE_INLINE void prefetch(const receiver_block&) const {}
-
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa set) const {
-        const int radius = clamp_int(brute_force.filter.radius, max_box_radius);
-        const texel_bytes<const glm::vec2> memory(tree.bounds.view());
+    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
+        const int radius = brute_force.radius();
+        const texel_bytes memory(tree.bounds.view());
         const int before = tree.cells - 1, level = tree.level;
         const glm::ivec2 last = tree.bounds.size() - 1;
-        std::int32_t offsets[block], open[block];
-        glm::vec2 bounds[block];
         for (int i = 0; i < block; ++i) {
             const std::int32_t in_space = texel_space_mask(r.x[i], r.y[i]);
             const std::int32_t x = floor_int(masked(r.x[i], in_space)) - radius, y = floor_int(masked(r.y[i], in_space)) - radius;
-            offsets[i] = memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
-            open[i] = in_space;
+            at.offsets[i] = memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
+            at.in_space[i] = in_space;
         }
-        for (int i = 0; i < block; ++i) bounds[i] = *memory.at(offsets[i]);
+        prefetch(memory, at.offsets, 1);
+        at.r = r;
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+        const texel_bytes memory(tree.bounds.view());
+        const receiver_block& r = at.r;
+        std::int32_t open[block];
+        glm::vec2 bounds[block];
+        for (int i = 0; i < block; ++i) bounds[i] = *memory.at(at.offsets[i]);
         for (int i = 0; i < block; ++i) {
             const std::int32_t lit = is_lit(r.z[i], bounds[i].x), dark = std::int32_t(r.z[i] > bounds[i].y);
-            visibility[i] = select(-lit | ~open[i], 1.0f, 0.0f);
-            open[i] &= ~-(lit | dark);
+            visibility[i] = select(-lit | ~at.in_space[i], 1.0f, 0.0f);
+            open[i] = at.in_space[i] & ~-(lit | dark);
         }
 
         receiver_block rest;  // those that need the box
@@ -124,7 +133,9 @@ struct hierarchical_blocks {
             found -= open[i];
         }
         if (found == 0) return;
-        brute_force(rest, found, shares, set);
+        block_filter<filters::box, depth32f>::placed boxes;
+        brute_force.place(rest, boxes);
+        brute_force(boxes, found, shares, set);
         for (int i = 0; i < found; ++i) visibility[indices[i]] = shares[i];
     }
 };

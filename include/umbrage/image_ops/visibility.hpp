@@ -132,28 +132,39 @@ inline void load(const depth_receivers& seen, int first, int row, int count, rec
     return receivers.depth.size;
 }
 
+/// A walk over the blocks of some rows.
+struct block_walk {
+    int x, y, width;
+
+    [[nodiscard]] UMBRAGE_INLINE int count() const { return width - x < block ? width - x : block; }
+    UMBRAGE_INLINE void step() {
+        x += block;
+        if (x < width) return;
+        x = 0;
+        ++y;
+    }
+};
+
 /// Every receiver through a filter in either form.
 template <class Receivers, class Filter, class ParallelFor>
 void filter_rows(const Receivers& receivers, const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
-    const int per_row = (out.size.x + block - 1) / block;
     parallel(out.size.y, [&](int first, int last) {
         on_best_isa([&](auto set) UMBRAGE_INLINE {
-            receiver_block receivers_of[2];  // of this block and the next, whose texels are on their way meanwhile
+            constexpr unsigned ring = 4;  // blocks on their way
+            typename Filter::placed placed[ring];
+            receiver_block r;
             float visibility[block];
-            const auto start = [&](int row, int n) UMBRAGE_INLINE {
-                const int x = n * block, count = out.size.x - x < block ? out.size.x - x : block;
-                load(receivers, x, row, count, receivers_of[n & 1]);
-                filter.prefetch(receivers_of[n & 1]);
-                return count;
-            };
-            for (int y = first; y < last; ++y) {
-                int count = start(y, 0);
-                for (int n = 0; n < per_row; ++n) {
-                    const int next = n + 1 < per_row ? start(y, n + 1) : 0;
-                    filter(receivers_of[n & 1], count, visibility, set);
-                    copy_floats(out.row(y) + n * block, visibility, count);
-                    count = next;
+            block_walk ahead{0, first, out.size.x}, at = ahead;
+            for (unsigned n = 0; at.y < last; ++n) {
+                if (ahead.y < last) {
+                    load(receivers, ahead.x, ahead.y, ahead.count(), r);
+                    filter.place(r, placed[n % ring]);
+                    ahead.step();
                 }
+                if (n + 1 < ring) continue;
+                filter(placed[(n + 1) % ring], at.count(), visibility, set);
+                copy_floats(out.row(at.y) + at.x, visibility, at.count());
+                at.step();
             }
         });
     });

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The filters over blocks of 64 receivers: what visibility() is made of. Each does a filter in three loops: where to
-// look (vectorised), the loads (one for two neighbours), and compare and weigh (vectorised).
+// The filters over blocks of 64 receivers: what visibility() is made of. Each works in two steps, some blocks apart, so
+// that texels have come from memory when they are needed: place() says where to look and starts to fetch what is there;
+// the second step loads it (two neighbours at a time), compares and weighs. All but the loads vectorises.
 //
-//     umbrage::detail::receiver_block r;
-//     umbrage::detail::block_filter<umbrage::filters::pcf_2x2, umbrage::rg<11>>{map, {}, {}}(r, visibility, isa);
+//     umbrage::detail::block_filter<umbrage::filters::pcf_2x2, umbrage::rg<11>> filter{map, {}, {}};
+//     filter.place(receivers, placed);
+//     filter(placed, count, visibility, isa);
 //
 #pragma once
 
@@ -56,6 +58,14 @@ struct receiver_block {
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t clamp_int(std::int32_t v, std::int32_t highest) {
     v = v > 0 ? v : 0;
     return v < highest ? v : highest;
+}
+
+/// floor of v clamped to 0 .. highest <= 2^24; NaN gives one of the ends. In bits: a float that is not negative truncates
+/// to its floor, and is ordered as its bits are.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_within(float v, float highest) {
+    const auto bits = std::bit_cast<std::int32_t>(v), top = std::bit_cast<std::int32_t>(highest);
+    const std::int32_t positive = bits > 0 ? bits : 0;
+    return static_cast<std::int32_t>(std::bit_cast<float>(positive < top ? positive : top));
 }
 
 /// What is loaded for a block of receivers: a texel each, or two neighbours. The depths in them and the
@@ -141,57 +151,57 @@ template <class T>
     return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
 }
 
-/// Asks for the texels around some of a block's receivers. Where a block starts on another row of the map than the one
-/// before, the machine cannot guess them, and would wait for memory at every block.
+/// Starts to fetch the texels of a block, of which neighbours mostly share a line of the cache. Where a block starts on
+/// another row of the map than the one before, the machine cannot guess them.
 template <class T>
-UMBRAGE_INLINE inline void prefetch_texels([[maybe_unused]] const image_view<T>& map, [[maybe_unused]] const receiver_block& r) {
-#if defined(__GNUC__) || defined(__clang__)
-    std::int32_t x[block / 16], y[block / 16];
-    for (int i = 0; i < block / 16; ++i) {
-        const float u = r.x[i * 16], v = r.y[i * 16];
-        const std::int32_t inside = texel_space_mask(u, v);
-        x[i] = clamp_int(floor_int(masked(u, inside)), map.size.x - 1);
-        y[i] = clamp_int(floor_int(masked(v, inside)), map.size.y - 1);
-    }
-    for (int i = 0; i < block / 16; ++i) {
-        __builtin_prefetch(texel_at(map, x[i], y[i]));
-        __builtin_prefetch(texel_at(map, x[i], y[i] < map.size.y - 1 ? y[i] + 1 : y[i]));
-    }
-#endif
+UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
+    for (int row = 0; row < rows; ++row)
+        for (int i = 0; i < block; i += 16) UMBRAGE_PREFETCH(memory.data + offsets[i] + row * memory.stride);
 }
 
 /// Any filter, one receiver after the other.
 template <class Filter, class Encoding>
 struct one_by_one {
+    using placed = receiver_block;
     image_view<const typename Encoding::texel> map;
     const Encoding& encoding;
     const Filter& filter;
 
-    UMBRAGE_INLINE void prefetch(const receiver_block&) const {}
+    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const { at = r; }
     template <class Isa>
-    UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa) const {
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
         const auto fetch = decoded(map, encoding);
-        for (int i = 0; i < count; ++i) visibility[i] = filter(fetch, glm::vec2(r.x[i], r.y[i]), r.z[i]);
+        for (int i = 0; i < count; ++i) visibility[i] = filter(fetch, glm::vec2(at.x[i], at.y[i]), at.z[i]);
     }
 };
 
-/// A receiver's own texel, clamped to the map, and the test against it, added to `count`.
-template <class Encoding>
-UMBRAGE_INLINE inline void add_hard(image_view<const typename Encoding::texel> map, const Encoding& encoding,
-                                    const receiver_block& r, glm::vec2 offset, std::int32_t* count) {
-    const texel_bytes memory(map);
-    const int last_x = map.size.x - 1, last_y = map.size.y - 1;
+/// Taps that are receivers' own texels, clamped to the map.
+struct placed_tap {
     std::int32_t offsets[block], inside[block];
-    loaded_texels<Encoding> texels(encoding);
-    for (int i = 0; i < block; ++i) {
-        const float x = r.x[i] + offset.x, y = r.y[i] + offset.y;
-        inside[i] = texel_space_mask(x, y);
-        offsets[i] = memory.offset(clamp_int(floor_int(masked(x, inside[i])), last_x),
-                                   clamp_int(floor_int(masked(y, inside[i])), last_y));
+
+    template <class T>
+    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& r, glm::vec2 offset) {
+        const texel_bytes memory(map);
+        const auto last_x = static_cast<float>(map.size.x - 1), last_y = static_cast<float>(map.size.y - 1);
+        for (int i = 0; i < block; ++i) {
+            const float x = r.x[i] + offset.x, y = r.y[i] + offset.y;
+            inside[i] = texel_space_mask(x, y);
+            offsets[i] = memory.offset(floor_within(x, last_x), floor_within(y, last_y));
+        }
+        prefetch(memory, offsets, 1);
     }
-    for (int i = 0; i < block; ++i) texels.load_one(i, memory.at(offsets[i]));
-    for (int i = 0; i < block; ++i) count[i] += (is_lit(texels.receiver(r.z[i]), texels.one(i)) & inside[i]) | (1 & ~inside[i]);
-}
+
+    /// Adds 1 for each receiver that is lit.
+    template <class Encoding>
+    UMBRAGE_INLINE void count(image_view<const typename Encoding::texel> map, const Encoding& encoding, const float* z,
+                              std::int32_t* lit) const {
+        const texel_bytes memory(map);
+        loaded_texels<Encoding> texels(encoding);
+        for (int i = 0; i < block; ++i) texels.load_one(i, memory.at(offsets[i]));
+        for (int i = 0; i < block; ++i)
+            lit[i] += (is_lit(texels.receiver(z[i]), texels.one(i)) & inside[i]) | (1 & ~inside[i]);
+    }
+};
 
 /// The filters that have a form for blocks; `least` is the side of the smallest map that it can take.
 template <class Filter, class Encoding>
@@ -202,15 +212,22 @@ struct block_filter {
 template <class Encoding>
 struct block_filter<filters::hard, Encoding> {
     static constexpr int least = 1;
+    struct placed {
+        placed_tap tap;
+        float z[block];
+    };
     image_view<const typename Encoding::texel> map;
     const Encoding& encoding;
     const filters::hard& filter;
 
-    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
+    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
+        at.tap.place(map, r, glm::vec2(0.0f));
+        std::memcpy(at.z, r.z, sizeof at.z);
+    }
     template <class Isa>
-    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         std::int32_t lit[block]{};
-        add_hard(map, encoding, r, glm::vec2(0.0f), lit);
+        at.tap.count(map, encoding, at.z, lit);
         for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
     }
 };
@@ -218,15 +235,22 @@ struct block_filter<filters::hard, Encoding> {
 template <class Encoding>
 struct block_filter<filters::four_tap, Encoding> {
     static constexpr int least = 1;
+    struct placed {
+        placed_tap taps[4];
+        float z[block];
+    };
     image_view<const typename Encoding::texel> map;
     const Encoding& encoding;
     const filters::four_tap& filter;
 
-    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
+    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
+        for (int tap = 0; tap < 4; ++tap) at.taps[tap].place(map, r, filter.offsets[static_cast<std::size_t>(tap)]);
+        std::memcpy(at.z, r.z, sizeof at.z);
+    }
     template <class Isa>
-    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         std::int32_t lit[block]{};
-        for (const glm::vec2 offset : filter.offsets) add_hard(map, encoding, r, offset, lit);
+        for (const placed_tap& tap : at.taps) tap.count(map, encoding, at.z, lit);
         for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]) * 0.25f;
     }
 };
@@ -236,41 +260,46 @@ struct block_filter<filters::four_tap, Encoding> {
 template <class Encoding>
 struct block_filter<filters::pcf_2x2, Encoding> {
     static constexpr int least = 2;
+    struct placed {
+        std::int32_t offsets[block], inside[block];
+        float hi_x[block], hi_y[block], z[block];
+    };
     image_view<const typename Encoding::texel> map;
     const Encoding& encoding;
     const filters::pcf_2x2& filter;
 
-    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
         const texel_bytes memory(map);
         constexpr int far = 1 << 15;  // no position is farther
         const int last_x = (map.size.x < far ? map.size.x : far) - 1, last_y = (map.size.y < far ? map.size.y : far) - 1;
-        std::int32_t offsets[block], inside[block];
-        float hi_x[block], hi_y[block];
-        loaded_texels<Encoding> low(encoding), high(encoding);
-        const auto place = [](float coord, int last, float& hi) UMBRAGE_INLINE {
-            const std::int32_t position = clamp_int(floor_int(coord * 256.0f) - 128, last * 256);
+        const auto axis = [](float coord, int last, float& hi) UMBRAGE_INLINE {
+            const std::int32_t position = floor_within(coord * 256.0f - 128.0f, static_cast<float>(last * 256));
             const std::int32_t texel = (position >> 8) < last ? position >> 8 : last - 1;
             hi = static_cast<float>(position - texel * 256);
             return texel;
         };
         for (int i = 0; i < block; ++i) {
-            inside[i] = texel_space_mask(r.x[i], r.y[i]);
-            offsets[i] = memory.offset(place(masked(r.x[i], inside[i]), last_x, hi_x[i]),
-                                       place(masked(r.y[i], inside[i]), last_y, hi_y[i]));
+            at.inside[i] = texel_space_mask(r.x[i], r.y[i]);
+            at.offsets[i] = memory.offset(axis(r.x[i], last_x, at.hi_x[i]), axis(r.y[i], last_y, at.hi_y[i]));
+            at.z[i] = r.z[i];
+        }
+        prefetch(memory, at.offsets, 2);
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
+        const texel_bytes memory(map);
+        loaded_texels<Encoding> low(encoding), high(encoding);
+        for (int i = 0; i < block; ++i) {
+            low.load_two(i, memory.at(at.offsets[i]));
+            high.load_two(i, memory.below(at.offsets[i]));
         }
         for (int i = 0; i < block; ++i) {
-            low.load_two(i, memory.at(offsets[i]));
-            high.load_two(i, memory.below(offsets[i]));
-        }
-        for (int i = 0; i < block; ++i) {
-            const float z = low.receiver(r.z[i]), lo_x = 256.0f - hi_x[i], lo_y = 256.0f - hi_y[i];
+            const float z = low.receiver(at.z[i]), lo_x = 256.0f - at.hi_x[i], lo_y = 256.0f - at.hi_y[i];
             const auto weigh = [&](const auto& row) UMBRAGE_INLINE {
-                return masked(lo_x, -is_lit(z, row.first(i))) + masked(hi_x[i], -is_lit(z, row.second(i)));
+                return masked(lo_x, -is_lit(z, row.first(i))) + masked(at.hi_x[i], -is_lit(z, row.second(i)));
             };
-            const float sum = lo_y * weigh(low) + hi_y[i] * weigh(high);
-            visibility[i] = select(inside[i], sum * (1.0f / 65536.0f), 1.0f);
+            const float sum = lo_y * weigh(low) + at.hi_y[i] * weigh(high);
+            visibility[i] = select(at.inside[i], sum * (1.0f / 65536.0f), 1.0f);
         }
     }
 };
