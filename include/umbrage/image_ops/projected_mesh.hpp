@@ -75,8 +75,9 @@ public:
         });
     }
 
-    /// Starts to fetch what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh.
-    void expect(std::span<const unsigned> list, std::size_t k) const {
+    /// Starts to fetch what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh. Inlined:
+    /// for GCC a function that only fetches has no effect, and a call of it is left out.
+    UMBRAGE_INLINE void expect(std::span<const unsigned> list, std::size_t k) const {
         constexpr std::size_t soon = 16, later = 32;
         if (k + later < list.size()) UMBRAGE_PREFETCH(&mesh_.triangles[list[k + later]]);
         if (k + soon < list.size())
