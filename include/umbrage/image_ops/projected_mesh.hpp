@@ -91,8 +91,16 @@ public:
     [[nodiscard]] std::pair<int, int> rows(unsigned triangle, int height) const {
         const auto& t = mesh_.triangles[triangle];
         const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
-        if (planes_outside(a) | planes_outside(b) | planes_outside(c)) return {0, height};
-        const auto [lowest, highest] = std::minmax({a.y, b.y, c.y});
+        auto [lowest, highest] = std::minmax({a.y, b.y, c.y});
+        if (const unsigned crossed = planes_crossed(a, b, c)) {
+            const auto polygon = clipped(t, a, b, c, crossed);
+            if (polygon.count == 0) return {0, 0};
+            lowest = highest = polygon.vertices[0].y;
+            for (std::size_t i = 1; int(i) < polygon.count; ++i) {
+                lowest = std::min(lowest, polygon.vertices[i].y);
+                highest = std::max(highest, polygon.vertices[i].y);
+            }
+        }
         const auto rows = triangle_batch::rows(lowest, highest);
         return {std::max(rows.first, 0), std::min(rows.second, height)};
     }
@@ -111,17 +119,16 @@ public:
         triangles([&](unsigned i) {
             const auto& t = mesh_.triangles[i];
             const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
-            const unsigned crossed = planes_outside(a) | planes_outside(b) | planes_outside(c);
+            const unsigned crossed = planes_crossed(a, b, c);
             if (crossed == 0) {
                 batch.add(a, b, c, i, bounds, cull);
                 if (batch.full()) flush();
-            } else if (!(planes_outside(a) & planes_outside(b) & planes_outside(c)) && !(crossed & nowhere)) {
-                const auto h = [&](unsigned index) { return project_.homogeneous(mesh_.positions[index]); };
-                const auto polygon = clip_triangle(project_, h(t.x), h(t.y), h(t.z), crossed);
-                for (std::size_t k = 1; int(k) + 1 < polygon.count; ++k) {
-                    batch.add(polygon.vertices[0], polygon.vertices[k], polygon.vertices[k + 1], i, bounds, cull);
-                    if (batch.full()) flush();
-                }
+                return;
+            }
+            const auto polygon = clipped(t, a, b, c, crossed);
+            for (std::size_t k = 1; int(k) + 1 < polygon.count; ++k) {
+                batch.add(polygon.vertices[0], polygon.vertices[k], polygon.vertices[k + 1], i, bounds, cull);
+                if (batch.full()) flush();
             }
         });
         if (batch.count) flush();
@@ -129,6 +136,18 @@ public:
 
 private:
     static constexpr unsigned nowhere = 1u << projection::planes;
+
+    [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c) {
+        return planes_outside(a) | planes_outside(b) | planes_outside(c);
+    }
+
+    /// Of a triangle that crosses planes; empty where it is outside of one, or not finite.
+    [[nodiscard]] clipped_polygon clipped(const glm::uvec3& t, const snapped_vertex& a, const snapped_vertex& b,
+                                          const snapped_vertex& c, unsigned crossed) const {
+        if ((planes_outside(a) & planes_outside(b) & planes_outside(c)) || (crossed & nowhere)) return {};
+        const auto h = [&](unsigned index) { return project_.homogeneous(mesh_.positions[index]); };
+        return clip_triangle(project_, h(t.x), h(t.y), h(t.z), crossed);
+    }
 
     void project_block(std::size_t first) {
         glm::vec3 positions[block];

@@ -87,14 +87,14 @@ private:
     std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band
 };
 
-/// A triangle's depths into an image.
-template <bool Forward>
+/// A triangle's depths into an image, that many texels of a row at a time.
+template <bool Forward, int Lanes>
 class span_writer {
 public:
     UMBRAGE_INLINE span_writer(image_view<float> depth, bool flipped)
         : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
           up_(flipped ? -depth.stride : depth.stride),
-          width_(depth.size.x) {}
+          last_block_(depth.size.x - Lanes) {}
 
     /// Starts to fetch the texels of a triangle, which for a small one takes as long as to draw another.
     UMBRAGE_INLINE void expect(const triangle_batch& batch, int i) const {
@@ -108,16 +108,14 @@ public:
         // Depths of one sign, and none that is flushed: their bits are in their order.
         if (plane.lowest >= 0x1p-126 && plane.highest <= 1.0) {
             const block_writer write(plane);
+            const double step = plane.dx * Lanes;
             batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
                 float* const texels = row(y);
                 double z = plane.unclamped(first, y);
-                for (; first < last && first + lanes <= width_; first += lanes, z += plane.dx * lanes)
+                for (; first < last; first += Lanes, z += step) {
+                    if (first > last_block_) return write.at_border(texels + first, z, last - first);
                     write(texels + first, z, last - first);
-                if (first >= last) return;
-                float copy[lanes]{};
-                for (int x = first; x < last; ++x) copy[x - first] = texels[x];
-                write(copy, z, last - first);
-                for (int x = first; x < last; ++x) texels[x] = copy[x - first];
+                }
             });
         } else {
             batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
@@ -133,27 +131,25 @@ public:
     }
 
 private:
-    static constexpr int lanes = 8;
-
     struct block_writer {
-        double ramp[lanes];
+        double ramp[Lanes];
         std::int32_t lowest, highest;
 
         UMBRAGE_INLINE explicit block_writer(const depth_plane& plane)
             : lowest(std::bit_cast<std::int32_t>(static_cast<float>(plane.lowest))),
               highest(std::bit_cast<std::int32_t>(static_cast<float>(plane.highest))) {
-            for (int i = 0; i < lanes; ++i) ramp[i] = plane.dx * i;
+            for (int i = 0; i < Lanes; ++i) ramp[i] = plane.dx * i;
         }
 
-        /// The first `count` of eight texels; what is there can be anything.
+        /// The first `count` of a block's texels; what is there can be anything.
         UMBRAGE_INLINE void operator()(float* texels, double z, int count) const {
             constexpr std::int32_t infinity = 0x7F800000, sign = std::numeric_limits<std::int32_t>::min();
-            std::int32_t there[lanes], here[lanes];
-            float rounded[lanes];
-            for (int i = 0; i < lanes; ++i) rounded[i] = static_cast<float>(z + ramp[i]);
+            std::int32_t there[Lanes], here[Lanes];
+            float rounded[Lanes];
+            for (int i = 0; i < Lanes; ++i) rounded[i] = static_cast<float>(z + ramp[i]);
             std::memcpy(here, rounded, sizeof here);
             std::memcpy(there, texels, sizeof there);
-            for (int i = 0; i < lanes; ++i) {
+            for (int i = 0; i < Lanes; ++i) {
                 const std::int32_t above = here[i] < lowest ? lowest : here[i];
                 const std::int32_t depth = above > highest ? highest : above;
                 const bool nearer = Forward ? depth <= there[i] : depth >= there[i];
@@ -163,19 +159,27 @@ private:
             }
             std::memcpy(texels, there, sizeof there);
         }
+
+        /// The same where the row ends before the block.
+        void at_border(float* texels, double z, int count) const {
+            float copy[Lanes]{};
+            for (int i = 0; i < count; ++i) copy[i] = texels[i];
+            (*this)(copy, z, count);
+            for (int i = 0; i < count; ++i) texels[i] = copy[i];
+        }
     };
 
     [[nodiscard]] UMBRAGE_INLINE float* row(int y) const { return reinterpret_cast<float*>(bottom_ + y * up_); }
 
     std::byte* bottom_;
     std::ptrdiff_t up_;
-    int width_;
+    int last_block_;
 };
 
 template <bool Forward>
 void draw_batch(image_view<float> depth, bool flipped, const triangle_batch& batch) {
-    on_best_isa([&](auto) UMBRAGE_INLINE {
-        const span_writer<Forward> writer(depth, flipped);
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        const span_writer<Forward, decltype(set)::value == isa::avx512 ? 8 : 4> writer(depth, flipped);
         for (int i = 0; i < batch.count; ++i) {
             if (i + 1 < batch.count) writer.expect(batch, i + 1);
             writer.draw(batch, i);
