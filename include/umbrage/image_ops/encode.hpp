@@ -24,12 +24,10 @@
 namespace umbrage {
 namespace detail {
 
-/// depth_code() in a form that vectorises.
+/// depth_code() in a form that vectorises: what is 1 or more has the code of the last float below 1.
 template <int Bits>
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t depth_code_bits(float depth) {
-    constexpr std::int32_t codes = std::int32_t(1) << Bits;
-    const auto x = static_cast<std::int32_t>(saturate_bits(depth) * float(codes));
-    return x < codes ? x : codes - 1;
+    return static_cast<std::int32_t>(saturate_bits(depth, 0x1.fffffep-1f) * float(std::int32_t(1) << Bits));
 }
 
 /// A block of 64 depths to texels and back; this general one leaves the work to the encoding.
@@ -44,26 +42,32 @@ struct block_codec {
     }
 };
 
-/// Texels as 16-bit words: R is where this machine has the first byte.
+/// Texels as 16-bit words, so that twice as many fit a register.
 template <int Bits>
 struct block_codec<rg<Bits>> {
-    static constexpr int r = std::endian::native == std::endian::little ? 0 : 8, g = 8 - r;
+    /// R | G << 8 to what this machine has in memory, and back.
+    static UMBRAGE_INLINE std::uint16_t in_memory(std::uint16_t word) {
+        if constexpr (std::endian::native == std::endian::little) return word;
+        else return static_cast<std::uint16_t>(word << 8 | word >> 8);
+    }
     static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec2* texels, const rg<Bits>&) {
-        std::uint16_t words[block];
+        UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
-            const std::int32_t x = depth_code_bits<Bits>(depth[i]);
-            words[i] = static_cast<std::uint16_t>((x & 0xFF) << r | (x >> 8) << (16 - Bits) << g);
+            const auto x = static_cast<std::uint16_t>(depth_code_bits<Bits>(depth[i]));
+            const std::uint16_t word = in_memory(static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) << (16 - Bits)));
+            std::memcpy(static_cast<void*>(texels + i), &word, sizeof word);
         }
-        std::memcpy(static_cast<void*>(texels), words, sizeof words);
     }
     static UMBRAGE_INLINE void decode(const glm::u8vec2* texels, float* depth, const rg<Bits>& encoding) {
-        std::uint16_t words[block];
-        std::memcpy(words, texels, sizeof words);
         const float edge = encoding.edge;  // a copy: as far as a compiler knows, depth may overwrite the other
-        for (int i = 0; i < block; ++i) depth[i] = decode(words[i], edge);
-    }
-    static UMBRAGE_INLINE float decode(std::int32_t word, float edge) {
-        return code_depth<Bits>(float((word >> r & 0xFF) + ((word >> g & 0xFF) << (Bits - 8))), edge);
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            std::uint16_t word;
+            std::memcpy(&word, texels + i, sizeof word);
+            word = in_memory(word);
+            const auto x = static_cast<std::uint16_t>((word & 0xFF) + (word >> (16 - Bits) & 0xFF << (Bits - 8)));
+            depth[i] = code_depth<Bits>(float(x), edge);
+        }
     }
 };
 
@@ -128,7 +132,7 @@ UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, cons
 }  // namespace detail
 
 /// @param depth      any values; what the encoding makes of them
-/// @param texels     same size
+/// @param texels     same size, in memory of its own
 /// @param encoding   rg<Bits>, rgb24, float_bits, depth32f, or a type like them
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ
@@ -149,7 +153,7 @@ void encode(image_view<const float> depth, image_view<typename Encoding::texel> 
 }
 
 /// @param texels     any texels of the encoding
-/// @param depth      same size
+/// @param depth      same size, in memory of its own
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ
 template <class Encoding, class ParallelFor = serial>

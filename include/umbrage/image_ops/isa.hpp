@@ -24,6 +24,13 @@
 #define UMBRAGE_PREFETCH(address) static_cast<void>(address)
 #endif
 
+// Before a loop that writes memory which nothing it reads lies in: GCC does not check that at run time at -O2.
+#if defined(__GNUC__) && !defined(__clang__)
+#define UMBRAGE_NO_OVERLAP _Pragma("GCC ivdep")
+#else
+#define UMBRAGE_NO_OVERLAP
+#endif
+
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
 #define UMBRAGE_HAS_DISPATCH 1
 #define UMBRAGE_AVX2 __attribute__((target("avx2"), noinline))
@@ -94,12 +101,12 @@ void on_best_isa_without_fma(const Body& body) {
 
 inline constexpr int block = 64;  ///< elements of a loop whose count the compiler knows
 
-/// saturate() on the bits: the magnitude up to 1, or 0 for what is negative and not a NaN.
-[[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v) {
-    constexpr auto one = std::bit_cast<std::int32_t>(1.0f), minus_infinity = static_cast<std::int32_t>(0xFF800000u);
-    const auto bits = std::bit_cast<std::int32_t>(v);
+/// saturate() on the bits: the magnitude up to `highest`, or 0 for what is negative and not a NaN.
+[[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v, float highest = 1.0f) {
+    constexpr auto minus_infinity = static_cast<std::int32_t>(0xFF800000u);
+    const auto bits = std::bit_cast<std::int32_t>(v), top = std::bit_cast<std::int32_t>(highest);
     const std::int32_t magnitude = bits & 0x7FFFFFFF, kept = -std::int32_t(bits > minus_infinity);
-    return std::bit_cast<float>((magnitude < one ? magnitude : one) & kept);
+    return std::bit_cast<float>((magnitude < top ? magnitude : top) & kept);
 }
 
 }  // namespace detail
