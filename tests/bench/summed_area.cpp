@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -21,7 +22,7 @@ using bench::map_size;
 using umbrage::image;
 
 struct state {
-    image<std::uint32_t> words{map_size}, sums{map_size}, byte_sums{map_size}, their_sums{map_size + 1};
+    image<std::uint32_t> words{map_size}, sums{map_size}, sums_of_two{map_size}, byte_sums{map_size}, their_sums{map_size + 1};
     image<std::uint8_t> bytes{map_size};
     image<float> floats{map_size}, float_sums{map_size}, their_float_sums{map_size + 1};
     state() {
@@ -58,7 +59,8 @@ const bench::registration rows([] {
     bench::add({.work = "summed-area table of floats, 2048 x 2048", .peer = "memcpy", .items = bench::map_texels,
                 .ours = floats, .theirs = copy, .agree = {}});
     bench::add({.work = "summed-area table of uint32, two threads", .peer = "ours, one thread", .items = bench::map_texels,
-                .ours = [s] { umbrage::summed_area(s->words.view(), s->sums.view(), two_threads); }, .theirs = words, .agree = {},
+                .ours = [s] { umbrage::summed_area(s->words.view(), s->sums_of_two.view(), two_threads); }, .theirs = words,
+                .agree = [s] { return std::ranges::equal(s->sums.texels(), s->sums_of_two.texels()); },
                 .measured = bench::clock::wall});
 #ifdef UMBRAGE_BENCH_OPENCV
     // OpenCV takes no integers wider than bytes: against our words its floats, of the same size.

@@ -26,50 +26,79 @@
 namespace umbrage {
 namespace detail {
 
-/// Four neighbours in a row, and the steps of a running sum over them.
-template <class T>
-struct quad {
+#if defined(__GNUC__) && __GNUC__ >= 12  // clang 14 is slower with eight lanes than with four
+#define UMBRAGE_HAS_EIGHT_LANES 1
+#else
+#define UMBRAGE_HAS_EIGHT_LANES 0
+#endif
+#if defined(__clang__) || UMBRAGE_HAS_EIGHT_LANES
+#define UMBRAGE_HAS_SHUFFLES 1
+#else
+#define UMBRAGE_HAS_SHUFFLES 0
+#endif
+
+/// Neighbours in a row, and the steps of a running sum over them.
+template <class T, int Lanes>
+struct group {
 #if defined(__GNUC__) || defined(__clang__)
-    typedef T lanes __attribute__((vector_size(4 * sizeof(T))));
+    typedef T lanes __attribute__((vector_size(Lanes * sizeof(T))));
 #else
     struct lanes {
-        T at[4];
+        T at[Lanes];
         T& operator[](int i) { return at[i]; }
-        friend lanes operator+(lanes a, lanes b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]}; }
+        friend lanes operator+(lanes a, const lanes& b) {
+            for (int i = 0; i < Lanes; ++i) a[i] += b.at[i];
+            return a;
+        }
     };
 #endif
-    static UMBRAGE_INLINE lanes load(const T* from) {
-        lanes v;
-        std::memcpy(&v, from, sizeof v);
-        return v;
-    }
-    static UMBRAGE_INLINE void store(lanes v, T* to) { std::memcpy(to, &v, sizeof v); }
+    static UMBRAGE_INLINE void load(const T* from, lanes& v) { std::memcpy(&v, from, sizeof v); }
+    static UMBRAGE_INLINE void store(const lanes& v, T* to) { std::memcpy(to, &v, sizeof v); }
 
     /// Past the cache, which a large table would only push everything else out of: half the traffic. Wants a multiple
-    /// of 16 bytes, and finish_streaming() before anybody else looks.
-    static UMBRAGE_INLINE void stream(lanes v, T* to) {
+    /// of the group's bytes, and finish_streaming() before anybody else looks.
+    static UMBRAGE_INLINE void stream(const lanes& v, T* to) {
 #if defined(__clang__)
         __builtin_nontemporal_store(v, reinterpret_cast<lanes*>(to));
 #elif defined(__GNUC__) && defined(__x86_64__)
-        typedef float floats __attribute__((vector_size(16)));
-        __builtin_ia32_movntps(reinterpret_cast<float*>(to), reinterpret_cast<floats>(v));
+        typedef float four __attribute__((vector_size(16)));
+        typedef float eight __attribute__((vector_size(32)));
+        if constexpr (Lanes == 8) __builtin_ia32_movntps256(reinterpret_cast<float*>(to), (eight)v);
+        else __builtin_ia32_movntps(reinterpret_cast<float*>(to), (four)v);
 #else
         store(v, to);
 #endif
     }
 
     /// Each plus those before it.
-    static UMBRAGE_INLINE lanes running_sum(lanes v) {
-#if defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12)
-        v = v + __builtin_shufflevector(lanes{}, v, 0, 4, 5, 6);
-        return v + __builtin_shufflevector(lanes{}, v, 0, 1, 4, 5);
+    static UMBRAGE_INLINE void running_sum(lanes& v) {
+#if UMBRAGE_HAS_SHUFFLES
+        if constexpr (Lanes == 8) {
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 8, 9, 10, 11, 12, 13, 14);
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 8, 9, 10, 11, 12, 13);
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 2, 3, 8, 9, 10, 11);
+        } else {
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 4, 5, 6);
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 4, 5);
+        }
 #else
         v = v + lanes{T(0), v[0], v[1], v[2]};
-        return v + lanes{T(0), T(0), v[0], v[1]};
+        v = v + lanes{T(0), T(0), v[0], v[1]};
 #endif
     }
-    static UMBRAGE_INLINE lanes all_last(lanes v) { return lanes{v[3], v[3], v[3], v[3]}; }
+    static UMBRAGE_INLINE void all_last(lanes& v) {
+#if UMBRAGE_HAS_SHUFFLES
+        if constexpr (Lanes == 8) v = __builtin_shufflevector(v, v, 7, 7, 7, 7, 7, 7, 7, 7);
+        else v = __builtin_shufflevector(v, v, 3, 3, 3, 3);
+#else
+        v = lanes{v[3], v[3], v[3], v[3]};
+#endif
+    }
 };
+
+/// Floats are always added in fours, in the order that summed_area states; integers in any.
+template <class T, isa Set>
+inline constexpr int group_lanes = std::is_integral_v<T> && UMBRAGE_HAS_EIGHT_LANES && Set != isa::base ? 8 : 4;
 
 inline void finish_streaming() {
 #if defined(__GNUC__) && defined(__x86_64__)
@@ -80,17 +109,23 @@ inline void finish_streaming() {
 enum class table_store { none, plain, streaming };
 
 /// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`.
-template <table_store Store, class From, class Sum>
+template <table_store Store, int Lanes, class From, class Sum>
 UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line, Sum* to, int count) {
-    using four = quad<Sum>;
-    typename four::lanes carry{};
-    const auto sum_four = [&](const Sum* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
-        const auto group = four::running_sum(four::load(values));
-        const auto sums = (carry + group) + four::load(lines);
-        carry = carry + four::all_last(group);
-        four::store(sums, lines);
-        if constexpr (Store == table_store::plain) four::store(sums + four::load(under), result);
-        if constexpr (Store == table_store::streaming) four::stream(sums + four::load(under), result);
+    using few = group<Sum, Lanes>;
+    typename few::lanes carry{};
+    const auto sum_few = [&](const Sum* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
+        typename few::lanes sums, there, together;
+        few::load(values, together);
+        few::load(lines, there);
+        few::running_sum(together);
+        sums = (carry + together) + there;
+        few::all_last(together);
+        carry = carry + together;
+        few::store(sums, lines);
+        if constexpr (Store == table_store::none) return;
+        few::load(under, there);
+        if constexpr (Store == table_store::plain) few::store(sums + there, result);
+        if constexpr (Store == table_store::streaming) few::stream(sums + there, result);
     };
     int x = 0;
     for (; x + block <= count; x += block) {
@@ -98,14 +133,14 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         for (int i = 0; i < block; i += 64 / static_cast<int>(sizeof(From)))  // measured: what the machine does itself is too late
             UMBRAGE_PREFETCH(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(from + x + i) + 1536));
         for (int i = 0; i < block; ++i) values[i] = from[x + i];
-        for (int i = 0; i < block; i += 4) sum_four(values + i, base + x + i, line + x + i, to + x + i);
+        for (int i = 0; i < block; i += Lanes) sum_few(values + i, base + x + i, line + x + i, to + x + i);
     }
-    for (; x < count; x += 4) {  // base and line are long enough
-        const int there = count - x < 4 ? count - x : 4;
-        Sum values[4]{};
-        alignas(16) Sum result[4];
+    for (; x < count; x += Lanes) {  // base and line are long enough
+        const int there = count - x < Lanes ? count - x : Lanes;
+        Sum values[Lanes]{};
+        alignas(Lanes * sizeof(Sum)) Sum result[Lanes];
         for (int i = 0; i < there; ++i) values[i] = from[x + i];
-        sum_four(values, base + x, line + x, result);
+        sum_few(values, base + x, line + x, result);
         if constexpr (Store != table_store::none)
             for (int i = 0; i < there; ++i) to[x + i] = result[i];
     }
@@ -119,16 +154,17 @@ void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, in
     constexpr std::ptrdiff_t large = std::ptrdiff_t(1) << 22;  // bytes: beyond what stays in a cache
     const int width = sums.size.x;
     const bool is_large = sums.size.y * (width * static_cast<std::ptrdiff_t>(sizeof(Sum))) >= large;
-    on_best_isa([&](auto) UMBRAGE_INLINE {
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        constexpr int lanes = group_lanes<Sum, decltype(set)::value>;
         for (int y = first; y < last; ++y) {
             const From* from = values.row(y);
             Sum* to = sums.row(y);
             if (!store)
-                sum_row<table_store::none>(from, base, line, to, width);
-            else if (is_large && reinterpret_cast<std::uintptr_t>(to) % 16 == 0)
-                sum_row<table_store::streaming>(from, base, line, to, width);
+                sum_row<table_store::none, lanes>(from, base, line, to, width);
+            else if (is_large && reinterpret_cast<std::uintptr_t>(to) % (lanes * sizeof(Sum)) == 0)
+                sum_row<table_store::streaming, lanes>(from, base, line, to, width);
             else
-                sum_row<table_store::plain>(from, base, line, to, width);
+                sum_row<table_store::plain, lanes>(from, base, line, to, width);
         }
     });
     if (is_large && store) finish_streaming();
@@ -154,7 +190,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
     if (values.size != sums.size) throw std::invalid_argument("umbrage::summed_area: sizes differ");
     if (values.empty()) return;
     const int height = sums.size.y, bands = (height + detail::band_rows - 1) / detail::band_rows;
-    const auto length = (static_cast<std::size_t>(sums.size.x) + 3) / 4 * 4;
+    const auto length = (static_cast<std::size_t>(sums.size.x) + 7) / 8 * 8;
     const auto end_of = [=](int b) { return b + 1 < bands ? (b + 1) * detail::band_rows : height; };
     const auto add = [=](const Sum* from, Sum* to) {
         for (std::size_t i = 0; i < length; ++i) to[i] = from[i] + to[i];
