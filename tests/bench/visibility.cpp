@@ -9,6 +9,7 @@
 
 #include "bench.hpp"
 #include "data.hpp"
+#include "default_scene.hpp"
 #include "peers/glm.hpp"
 #ifdef UMBRAGE_BENCH_LLVMPIPE
 #include "peers/llvmpipe.hpp"
@@ -72,10 +73,11 @@ const bench::registration rows([] {
                 .theirs = [=] { umbrage::visibility(s->map, f32, s->coherent, box{2}, s->other); },
                 .agree = [s] { return std::ranges::equal(s->ours.texels(), s->other.texels()); },
                 .measured = bench::clock::wall});
-    bench::add({.work = "box 17 x 17, hierarchical, bounds included", .peer = "ours, brute force", .at_least = 6,
+    const auto scene = std::make_shared<bench::shadowed_scene>(bench::default_scene(8));
+    bench::add({.work = "box 17 x 17, hierarchical, default scene, bounds too", .peer = "ours, brute force", .at_least = 6,
                 .items = bench::pixels,
-                .ours = [=] { umbrage::visibility(s->map, f32, s->coherent, umbrage::filters::hierarchical_box{8}, s->ours); },
-                .theirs = [=] { umbrage::visibility(s->map, f32, s->coherent, box{8}, s->other); },
+                .ours = [=] { umbrage::visibility(scene->map, f32, scene->receivers, umbrage::filters::hierarchical_box{8}, s->ours); },
+                .theirs = [=] { umbrage::visibility(scene->map, f32, scene->receivers, box{8}, s->other); },
                 .agree = [s] { return std::ranges::equal(s->ours.texels(), s->other.texels()); }});
 #ifdef UMBRAGE_BENCH_LLVMPIPE
     if (const auto pipe = peers::llvmpipe::start(s->map, s->packed, s->coherent)) {

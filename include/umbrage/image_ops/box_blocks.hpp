@@ -124,6 +124,11 @@ struct box_texels {
 };
 #endif
 
+/// Rows that lie a multiple of 4096 bytes apart share their places in a first-level cache, which has few for each.
+[[nodiscard]] inline bool rows_collide(std::ptrdiff_t stride, int radius) { return radius > 3 && stride % 2048 == 0; }
+/// What to make rows of floats longer by, in texels, for their places to differ.
+[[nodiscard]] inline int row_padding(int width) { return rows_collide(width * std::ptrdiff_t(sizeof(float)), max_box_radius) ? 16 : 0; }
+
 /// Only maps of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
 template <>
 struct block_filter<filters::box, depth32f> {

@@ -7,8 +7,9 @@
 //
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <utility>
+#include <cstring>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -22,67 +23,66 @@ namespace umbrage::detail {
 /// 2r + 1 texels touches at most `cells` squares of 2^level texels in a row.
 struct box_bounds {
     int level, cells;
-    glm::ivec2 squares;       ///< of the level; a box starts at square -(cells - 1) .. squares - 1
-    image<glm::vec2> bounds;  ///< least and greatest
+    glm::ivec2 last;          ///< of the starts, which begin cells - 1 squares in front of the map
+    image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
 
     template <class ParallelFor>
     box_bounds(image_view<const float> map, int radius, ParallelFor&& parallel)
         : level(radius < 4 ? 1 : 2), cells(((1 << level) - 1 + 2 * radius) / (1 << level) + 1) {
         const std::vector<depth_bounds> pyramid = make_min_max_pyramid(map, level, parallel);
-        squares = pyramid.back().least.size();
-        const image<float> least = widened(pyramid.back().least, least_of{}, parallel);
-        const image<float> greatest = widened(pyramid.back().greatest, greatest_of{}, parallel);
-        bounds = image<glm::vec2>(squares + (cells - 1));
-        for (int y = 0; y < bounds.size().y; ++y) {
-            const float *a = least.view().row(y), *b = greatest.view().row(y);
-            glm::vec2* to = bounds.view().row(y);
-            for (int x = 0; x < bounds.size().x; ++x) to[x] = {a[x], b[x]};
-        }
-    }
-
-    /// Pick over cells x cells elements, first along rows, then along columns. Rows are filled up to whole blocks.
-    template <class Pick, class ParallelFor>
-    [[nodiscard]] image<float> widened(const image<float>& from, Pick pick, ParallelFor&& parallel) const {
-        const int width = (squares.x + cells - 1 + block - 1) / block * block;
-        image<std::int32_t> rows({width, squares.y});
-        image<float> out({width, squares.y + cells - 1});
-        parallel(squares.y, [&](int first, int last) {
-            std::vector<std::int32_t> keys(static_cast<std::size_t>(width + cells));
-            for (int y = first; y < last; ++y) {
-                const float* row = from.view().row(y);
-                for (int x = 0; x < width + cells; ++x)
-                    keys[static_cast<std::size_t>(x)] = order_key(row[clamp_int(x - (cells - 1), squares.x - 1)]);
-                widen(pick, rows.view().row(y), width, [&](int k) { return keys.data() + k; });
+        const glm::ivec2 squares = pyramid.back().least.size();
+        last = squares + (cells - 2);
+        bounds = image<glm::vec2>({(last.x + block) / block * block, last.y + 1});
+        image<std::int32_t> least({bounds.size().x, squares.y}), greatest(least.size());
+        parallel(squares.y, [&](int from, int to) {
+            std::vector<std::int32_t> keys(static_cast<std::size_t>(bounds.size().x + cells));
+            for (int y = from; y < to; ++y) {
+                along_row(pyramid.back().least.view().row(y), squares.x, keys, least_of{}, least.view().row(y));
+                along_row(pyramid.back().greatest.view().row(y), squares.x, keys, greatest_of{}, greatest.view().row(y));
             }
         });
-        parallel(out.size().y, [&](int first, int last) {
-            std::vector<std::int32_t> keys(static_cast<std::size_t>(width));
-            for (int y = first; y < last; ++y) {
-                widen(pick, keys.data(), width, [&](int k) {
-                    return std::as_const(rows).view().row(clamp_int(y - (cells - 1) + k, squares.y - 1));
-                });
-                float* row = out.view().row(y);
-                for (int x = 0; x < width; ++x) row[x] = from_order_key(keys[static_cast<std::size_t>(x)]);
-            }
+        parallel(bounds.size().y, [&](int from, int to) {
+            const auto row = [&](const image<std::int32_t>& of, int y) { return of.view().row(clamp_int(y - (cells - 1), squares.y - 1)); };
+            on_best_isa([&](auto) UMBRAGE_INLINE {
+                for (int y = from; y < to; ++y)
+                    for (int x = 0; x < bounds.size().x; x += block) {
+                        std::int32_t low[block], high[block];
+                        widen(least_of{}, low, [&](int k) UMBRAGE_INLINE { return row(least, y + k) + x; });
+                        widen(greatest_of{}, high, [&](int k) UMBRAGE_INLINE { return row(greatest, y + k) + x; });
+                        glm::vec2* out = bounds.view().row(y) + x;
+                        for (int i = 0; i < block; ++i) out[i] = {from_order_key(low[i]), from_order_key(high[i])};
+                    }
+            });
         });
-        return out;
     }
 
-    /// to[x] = pick of from(k)[x] over k < cells.
-    template <class Pick, class From>
-    void widen(Pick pick, std::int32_t* to, int width, From&& from) const {
+private:
+    /// to[x] = pick over the `cells` squares from x - (cells - 1) on, those at the border repeated.
+    template <class Pick>
+    void along_row(const float* from, int count, std::vector<std::int32_t>& keys, Pick pick, std::int32_t* to) const {
+        const auto before = keys.begin() + (cells - 1);
+        std::fill(keys.begin(), before, order_key(from[0]));
+        std::fill(before + count, keys.end(), order_key(from[count - 1]));
         on_best_isa([&](auto) UMBRAGE_INLINE {
-            for (int x = 0; x < width; x += block) {
-                std::int32_t best[block];
-                const std::int32_t* first = from(0) + x;
-                for (int i = 0; i < block; ++i) best[i] = first[i];
-                for (int k = 1; k < cells; ++k) {
-                    const std::int32_t* other = from(k) + x;
-                    for (int i = 0; i < block; ++i) best[i] = pick(best[i], other[i]);
-                }
-                for (int i = 0; i < block; ++i) to[x + i] = best[i];
-            }
+            convert_row(from, &*before, count, [](const float* depths, std::int32_t* result) UMBRAGE_INLINE {
+                UMBRAGE_NO_OVERLAP
+                for (int i = 0; i < block; ++i) result[i] = order_key(depths[i]);
+            });
+            for (int x = 0; x < bounds.size().x; x += block)
+                widen(pick, to + x, [&](int k) UMBRAGE_INLINE { return keys.data() + k + x; });
         });
+    }
+
+    /// to[i] = pick of from(k)[i] over k < cells, for a block.
+    template <class Pick, class From>
+    UMBRAGE_INLINE void widen(Pick pick, std::int32_t* to, const From& from) const {
+        std::int32_t best[block];
+        std::memcpy(best, from(0), sizeof best);
+        for (int k = 1; k < cells; ++k) {
+            const std::int32_t* other = from(k);
+            for (int i = 0; i < block; ++i) best[i] = pick(best[i], other[i]);
+        }
+        std::memcpy(to, best, sizeof best);
     }
 };
 
@@ -98,7 +98,7 @@ struct hierarchical_blocks {
         const int radius = brute_force.radius();
         const texel_bytes memory(tree.bounds.view());
         const int before = tree.cells - 1, level = tree.level;
-        const glm::ivec2 last = tree.bounds.size() - 1;
+        const glm::ivec2 last = tree.last;
         for (int i = 0; i < block; ++i) {
             const std::int32_t in_space = texel_space_mask(r.x[i], r.y[i]);
             const std::int32_t x = floor_int(masked(r.x[i], in_space)) - radius, y = floor_int(masked(r.y[i], in_space)) - radius;
@@ -113,14 +113,16 @@ struct hierarchical_blocks {
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
         const texel_bytes memory(tree.bounds.view());
         const receiver_block& r = at.r;
-        std::int32_t open[block];
+        std::int32_t open[block], any = 0;
         glm::vec2 bounds[block];
         for (int i = 0; i < block; ++i) bounds[i] = *memory.at(at.offsets[i]);
         for (int i = 0; i < block; ++i) {
             const std::int32_t lit = is_lit(r.z[i], bounds[i].x), dark = std::int32_t(r.z[i] > bounds[i].y);
             visibility[i] = select(-lit | ~at.in_space[i], 1.0f, 0.0f);
             open[i] = at.in_space[i] & ~-(lit | dark);
+            any |= open[i];
         }
+        if (!any) return;
 
         receiver_block rest;  // those that need the box
         float shares[block];
@@ -132,7 +134,6 @@ struct hierarchical_blocks {
             rest.z[found] = r.z[i];
             found -= open[i];
         }
-        if (found == 0) return;
         block_filter<filters::box, depth32f>::placed boxes;
         brute_force.place(rest, boxes);
         brute_force(boxes, found, shares, set);

@@ -14,6 +14,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 #if defined(__GNUC__) || defined(__clang__)
@@ -107,6 +108,14 @@ inline constexpr int block = 64;  ///< elements of a loop whose count the compil
     const auto bits = std::bit_cast<std::int32_t>(v), top = std::bit_cast<std::int32_t>(highest);
     const std::int32_t magnitude = bits & 0x7FFFFFFF, kept = -std::int32_t(bits > minus_infinity);
     return std::bit_cast<float>((magnitude < top ? magnitude : top) & kept);
+}
+
+/// Most blocks are whole, and then the compiler knows how much there is to copy.
+UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
+    if (count == block)
+        std::memcpy(to, from, block * sizeof(float));
+    else
+        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
 }
 
 }  // namespace detail

@@ -44,34 +44,48 @@ struct greatest_of {
     UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a > b ? a : b; }
 };
 
-/// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it.
-template <class Pick, class ParallelFor>
-void halve(image_view<const float> from, image_view<float> to, Pick pick, ParallelFor&& parallel) {
-    parallel(to.size.y, [&](int first, int last) {
+/// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it. The two images may be one.
+template <class ParallelFor>
+void halve(image_view<const float> least, image_view<const float> greatest, depth_bounds& to, ParallelFor&& parallel) {
+    const glm::ivec2 size = to.least.size();
+    parallel(size.y, [&](int first, int last) {
         on_best_isa([&](auto) UMBRAGE_INLINE {
-            std::int32_t keys[block];
+            const bool both = least.data != greatest.data;
+            std::int32_t keys[4][block];
             float ends[2][2 * block];
-            for (int y = first; y < last; ++y) {
-                const float* rows[2] = {from.row(2 * y), from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y)};
-                for (int x = 0; x < to.size.x; x += block) {
-                    const float *low = rows[0] + 2 * x, *high = rows[1] + 2 * x;
-                    if (const int there = from.size.x - 2 * x; there < 2 * block) {
-                        for (int i = 0; i < 2 * block; ++i) {
-                            const int k = i < there ? i : there - 1;
-                            ends[0][i] = low[k];
-                            ends[1][i] = high[k];
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < size.x; x += block) {
+                    const int count = size.x - x < block ? size.x - x : block;
+                    const auto load = [&](const image_view<const float>& from) UMBRAGE_INLINE {
+                        const float *low = from.row(2 * y) + 2 * x;
+                        const float *high = from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y) + 2 * x;
+                        if (const int there = from.size.x - 2 * x; there < 2 * block) {
+                            for (int i = 0; i < 2 * block; ++i) {
+                                const int k = i < there ? i : there - 1;
+                                ends[0][i] = low[k];
+                                ends[1][i] = high[k];
+                            }
+                            low = ends[0];
+                            high = ends[1];
                         }
-                        low = ends[0];
-                        high = ends[1];
-                    }
-                    for (int i = 0; i < block; ++i)
-                        keys[i] = pick(pick(order_key(low[2 * i]), order_key(low[2 * i + 1])),
-                                       pick(order_key(high[2 * i]), order_key(high[2 * i + 1])));
-                    float* result = to.row(y) + x;
-                    const int count = to.size.x - x < block ? to.size.x - x : block;
-                    for (int i = 0; i < count; ++i) result[i] = from_order_key(keys[i]);
+                        for (int i = 0; i < block; ++i) {
+                            keys[0][i] = order_key(low[2 * i]);
+                            keys[1][i] = order_key(low[2 * i + 1]);
+                            keys[2][i] = order_key(high[2 * i]);
+                            keys[3][i] = order_key(high[2 * i + 1]);
+                        }
+                    };
+                    const auto store = [&](auto pick, float* result) UMBRAGE_INLINE {
+                        float depths[block];
+                        for (int i = 0; i < block; ++i)
+                            depths[i] = from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
+                        copy_floats(result + x, depths, count);
+                    };
+                    load(least);
+                    store(least_of{}, to.least.view().row(y));
+                    if (both) load(greatest);
+                    store(greatest_of{}, to.greatest.view().row(y));
                 }
-            }
         });
     });
 }
@@ -93,8 +107,7 @@ template <class ParallelFor = serial>
         const image_view<const float> greatest = level ? pyramid.back().greatest.view() : map;
         const glm::ivec2 size((least.size.x + 1) / 2, (least.size.y + 1) / 2);
         depth_bounds next{image<float>(size), image<float>(size)};
-        detail::halve(least, next.least.view(), detail::least_of{}, parallel);
-        detail::halve(greatest, next.greatest.view(), detail::greatest_of{}, parallel);
+        detail::halve(least, greatest, next, parallel);
         pyramid.push_back(std::move(next));
     }
     return pyramid;

@@ -78,14 +78,6 @@ struct depth_receivers {
 
 namespace detail {
 
-/// Most blocks are whole, and then the compiler knows how much there is to copy.
-UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
-    if (count == block)
-        std::memcpy(to, from, block * sizeof(float));
-    else
-        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
-}
-
 /// Receivers x .. x + count of row y.
 UMBRAGE_INLINE inline void load(const image_view<const glm::vec3>& receivers, int x, int y, int count, receiver_block& r) {
     const glm::vec3* from = receivers.row(y) + x;
@@ -177,12 +169,14 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     if (map.empty()) throw std::invalid_argument("umbrage::visibility: empty map");
     if (out.empty()) return;
     constexpr bool hierarchical = std::is_same_v<Filter, filters::hierarchical_box>;
-    if constexpr ((hierarchical || std::is_same_v<Filter, filters::box>) && !std::is_same_v<Encoding, depth32f>) {
-        // As floats, unless that is more work than the boxes.
+    if constexpr (hierarchical || std::is_same_v<Filter, filters::box>) {
+        // Boxes want floats, in rows that do not push each other out of the cache; unless that is more work than the boxes.
         const auto texels = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
-        if (texels(map.size) < 16.0 * texels(out.size)) {
-            image<float> depth(map.size);
-            decode(map, depth.view(), encoding, parallel);
+        const bool as_it_is = std::is_same_v<Encoding, depth32f> && !rows_collide(map.stride, filter.radius);
+        if (!as_it_is && texels(map.size) < 16.0 * texels(out.size)) {
+            image<float> copy({map.size.x + row_padding(map.size.x), map.size.y});
+            const image_view<float> depth(copy.view().data, map.size, copy.view().stride);
+            decode(map, depth, encoding, parallel);
             return filter_image(image_view<const float>(depth), depth32f{}, receivers, filter, out, parallel);
         }
     }

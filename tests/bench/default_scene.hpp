@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// The scene that shadow_render draws by itself, as its light and its camera see it.
+//
+//     const bench::shadowed_scene scene = bench::default_scene(8);
+//
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <umbrage/image.hpp>
+
+namespace bench {
+
+struct shadowed_scene {
+    umbrage::image<float> map;           ///< bench::map_size
+    umbrage::image<glm::vec3> receivers;  ///< bench::screen; where nothing is seen, lit in any map
+};
+
+/// @param radius   of the box that the receivers are biased for
+[[nodiscard]] shadowed_scene default_scene(int radius);
+
+}  // namespace bench
