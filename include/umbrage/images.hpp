@@ -16,6 +16,7 @@
 #include <umbrage/image_ops/projected_mesh.hpp>
 #include <umbrage/image_ops/pyramid.hpp>
 #include <umbrage/image_ops/rasterize.hpp>
+#include <umbrage/image_ops/strict_math.hpp>
 #include <umbrage/image_ops/summed_area.hpp>
 #include <umbrage/image_ops/triangle_batch.hpp>
 #include <umbrage/image_ops/visibility.hpp>
