@@ -86,6 +86,7 @@ struct box_rows {
 
 #if UMBRAGE_HAS_DISPATCH
 /// The same for small boxes where AVX2 is: a row is a byte of bits, and all rows are one word, whose bits are counted.
+/// By what every x86-64 has: compilers refuse instructions of a wider set in a function that does not name the set.
 template <int Width>
 struct box_bits {
     static_assert(Width <= 8);
@@ -95,12 +96,21 @@ struct box_bits {
     UMBRAGE_INLINE box_bits(std::ptrdiff_t bytes, int) : stride(bytes) {}
 
     [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
+        typedef short shorts __attribute__((vector_size(16)));
+        typedef char chars __attribute__((vector_size(16)));
         std::uint64_t bits = 0, row_of_ones = ((std::uint64_t(1) << Width) - 1) << moved;
+        shorts rows[2];
 #pragma GCC unroll 8
         for (int j = 0; j < Width; ++j, row += stride) {
             vectors<8>::ints lit;
+            vectors<4>::ints halves[2];
             compare_lanes<8>(reinterpret_cast<const float*>(row) - moved, receiver, lit);
-            bits = bits << 8 | static_cast<std::uint64_t>(__builtin_ia32_movmskps256((vectors<8>::floats)lit));
+            std::memcpy(halves, &lit, sizeof lit);
+            rows[j % 2] = __builtin_ia32_packssdw128(halves[0], halves[1]);
+            if (j % 2 == 0 && j + 1 < Width) continue;
+            if (j % 2 == 0) rows[1] = shorts{};
+            const chars two = (chars)__builtin_ia32_packsswb128(rows[0], rows[1]);
+            bits = bits << 16 | static_cast<std::uint64_t>(static_cast<unsigned>(__builtin_ia32_pmovmskb128(two)));
         }
         return static_cast<std::int32_t>(__builtin_popcountll(bits & row_of_ones * 0x0101010101010101u));
     }
@@ -190,13 +200,20 @@ private:
         const int width = 2 * radius() + 1, last_load = map.size.x - Boxes::reach;
         const Boxes boxes(map.stride, width);
         const texel_bytes memory(map);
-        std::int32_t moved[block], lit[block]{};
-        for (int i = 0; i < block; ++i) moved[i] = at.x[i] > last_load ? at.x[i] - last_load : 0;
-        for (int i = 0; i < count; ++i) {
-            if (is_nan(at.z[i]) || !at.in_space[i]) continue;
-            lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved[i], at.z[i])
-                                                    : count_at_border<Boxes>({at.x[i], at.y[i]}, width, at.z[i]);
+        std::int32_t moved[block], lit[block]{}, plain = last_load >= 0 && count == block ? -1 : 0;
+        for (int i = 0; i < block; ++i) {
+            moved[i] = at.x[i] > last_load ? at.x[i] - last_load : 0;
+            plain &= -std::int32_t(moved[i] == 0) & at.inside[i] & at.in_space[i];
+            plain &= -std::int32_t((std::bit_cast<std::int32_t>(at.z[i]) & 0x7FFFFFFF) <= 0x7F800000);
         }
+        if (plain)  // as nearly all are
+            for (int i = 0; i < block; ++i) lit[i] = boxes.count(memory.data + at.offsets[i], 0, at.z[i]);
+        else
+            for (int i = 0; i < count; ++i) {
+                if (is_nan(at.z[i]) || !at.in_space[i]) continue;
+                lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved[i], at.z[i])
+                                                        : count_at_border<Boxes>({at.x[i], at.y[i]}, width, at.z[i]);
+            }
         const float scale = box_scale<float>(radius());
         for (int i = 0; i < block; ++i)
             visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~at.in_space[i], 1.0f,

@@ -22,7 +22,9 @@
 #include <umbrage/image.hpp>
 #include <umbrage/image_ops/isa.hpp>
 #include <umbrage/image_ops/parallel.hpp>
+#include <umbrage/image_ops/strict_math.hpp>
 
+UMBRAGE_STRICT_MATH
 namespace umbrage {
 namespace detail {
 
@@ -240,3 +242,4 @@ template <class T>
 }
 
 }  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
