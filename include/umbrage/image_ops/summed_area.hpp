@@ -58,15 +58,16 @@ struct group {
     static UMBRAGE_INLINE void store(const lanes& v, T* to) { std::memcpy(to, &v, sizeof v); }
 
     /// Past the cache, which a large table would only push everything else out of: half the traffic. Wants a multiple
-    /// of the group's bytes, and finish_streaming() before anybody else looks.
+    /// of 16 bytes, and finish_streaming() before anybody else looks.
     static UMBRAGE_INLINE void stream(const lanes& v, T* to) {
 #if defined(__clang__)
         __builtin_nontemporal_store(v, reinterpret_cast<lanes*>(to));
 #elif defined(__GNUC__) && defined(__x86_64__)
         typedef float four __attribute__((vector_size(16)));
-        typedef float eight __attribute__((vector_size(32)));
-        if constexpr (Lanes == 8) __builtin_ia32_movntps256(reinterpret_cast<float*>(to), (eight)v);
-        else __builtin_ia32_movntps(reinterpret_cast<float*>(to), (four)v);
+        four parts[sizeof v / sizeof(four)];
+        std::memcpy(parts, &v, sizeof v);
+        for (std::size_t i = 0; i < sizeof v / sizeof(four); ++i)
+            __builtin_ia32_movntps(reinterpret_cast<float*>(to) + 4 * i, parts[i]);
 #else
         store(v, to);
 #endif
@@ -163,7 +164,7 @@ void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, in
             Sum* to = sums.row(y);
             if (!store)
                 sum_row<table_store::none, lanes>(from, base, line, to, width);
-            else if (is_large && reinterpret_cast<std::uintptr_t>(to) % (lanes * sizeof(Sum)) == 0)
+            else if (is_large && reinterpret_cast<std::uintptr_t>(to) % 16 == 0)
                 sum_row<table_store::streaming, lanes>(from, base, line, to, width);
             else
                 sum_row<table_store::plain, lanes>(from, base, line, to, width);
