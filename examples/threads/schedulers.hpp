@@ -3,6 +3,8 @@
 // parallel_for, as umbrage's image functions take it, by whatever runs threads in your program.
 #pragma once
 
+#include <algorithm>
+#include <atomic>
 #include <thread>
 #include <vector>
 
@@ -15,21 +17,20 @@
 #include <tbb/parallel_for.h>
 #endif
 
-/// One std::thread for each piece but the last, which the caller does.
+/// Threads that take the next piece when they are done with one: no two rows cost the same.
 struct std_threads {
     int threads;
     template <class Piece>
     void operator()(int count, Piece&& piece) const {
+        const int rows = std::max(1, count / (8 * threads));
+        std::atomic<int> next = 0;
+        const auto work = [&] {
+            for (int first = next.fetch_add(rows); first < count; first = next.fetch_add(rows))
+                piece(first, std::min(first + rows, count));
+        };
         std::vector<std::jthread> others;
-        for (int i = 0; i < threads; ++i) {
-            const int first = static_cast<int>(static_cast<long long>(count) * i / threads);
-            const int last = static_cast<int>(static_cast<long long>(count) * (i + 1) / threads);
-            if (first == last) continue;
-            if (i + 1 < threads)
-                others.emplace_back([&piece, first, last] { piece(first, last); });
-            else
-                piece(first, last);
-        }
+        for (int i = 1; i < threads; ++i) others.emplace_back(work);
+        work();
     }
 };
 

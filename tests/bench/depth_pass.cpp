@@ -5,7 +5,6 @@
 #include <cmath>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <umbrage/image_ops/rasterize.hpp>
@@ -13,6 +12,7 @@
 
 #include "bench.hpp"
 #include "data.hpp"
+#include "schedulers.hpp"
 #include "peers/depth_pass.hpp"
 #include "scenes.hpp"
 
@@ -98,10 +98,7 @@ const bench::registration rows([] {
         umbrage::image<float> one{bench::screen, 1.0f}, two{bench::screen, 1.0f};
     };
     const auto t = std::make_shared<threads_state>();
-    const auto halves = [](int count, auto&& piece) {
-        std::jthread other([&] { piece(0, count / 2); });
-        piece(count / 2, count);
-    };
+    const std_threads two_threads{2};
     const auto same = [t] { return std::ranges::equal(t->one.texels(), t->two.texels()); };
     for (const bool large : {false, true})
         bench::add({.work = large ? "depth pass, 100-pixel triangles, two threads" : "depth pass, hills, two threads",
@@ -110,7 +107,7 @@ const bench::registration rows([] {
                     .ours = [=] {
                         std::ranges::fill(t->two.texels(), 1.0f);
                         umbrage::rasterize_depth(t->two, large ? t->large : t->scene, glm::mat4(1.0f), {},
-                                                 umbrage::cull_mode::none, halves);
+                                                 umbrage::cull_mode::none, two_threads);
                     },
                     .theirs = [=] {
                         std::ranges::fill(t->one.texels(), 1.0f);

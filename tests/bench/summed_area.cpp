@@ -6,12 +6,12 @@
 #include <functional>
 #include <memory>
 #include <random>
-#include <thread>
 
 #include <umbrage/image_ops/summed_area.hpp>
 
 #include "bench.hpp"
 #include "data.hpp"
+#include "schedulers.hpp"
 #ifdef UMBRAGE_BENCH_OPENCV
 #include "peers/opencv.hpp"
 #endif
@@ -43,11 +43,7 @@ struct state {
     }
 };
 
-const auto two_threads = [](int count, auto&& piece) {
-    std::thread other([&] { piece(count / 2, count); });
-    piece(0, count / 2);
-    other.join();
-};
+const std_threads two_threads{2};
 
 const bench::registration rows([] {
     const auto s = std::make_shared<state>();

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <thread>
 #include <vector>
 
 #include <umbrage/image_ops/visibility.hpp>
@@ -11,6 +10,7 @@
 #include "data.hpp"
 #include "default_scene.hpp"
 #include "peers/glm.hpp"
+#include "schedulers.hpp"
 #ifdef UMBRAGE_BENCH_LLVMPIPE
 #include "peers/llvmpipe.hpp"
 #endif
@@ -37,11 +37,7 @@ struct state {
     }
 };
 
-const auto two_threads = [](int count, auto&& piece) {
-    std::thread other([&] { piece(count / 2, count); });
-    piece(0, count / 2);
-    other.join();
-};
+const std_threads two_threads{2};
 
 const bench::registration rows([] {
     const auto s = std::make_shared<state>();

@@ -151,9 +151,9 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
 
 inline constexpr int band_rows = 64;  ///< rows of a table that are summed from zero, then put on top of what is before them
 
-/// Rows first <= y < last of one band; `line` becomes the sums of the band down to there.
+/// Rows first <= y < last of one band into the table; `line` becomes the sums of the band down to there.
 template <class From, class Sum>
-void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, int last, const Sum* base, Sum* line, bool store) {
+void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, int last, const Sum* base, Sum* line) {
     constexpr std::ptrdiff_t large = std::ptrdiff_t(1) << 22;  // bytes: beyond what stays in a cache
     const int width = sums.size.x;
     const bool is_large = sums.size.y * (width * static_cast<std::ptrdiff_t>(sizeof(Sum))) >= large;
@@ -162,15 +162,36 @@ void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, in
         for (int y = first; y < last; ++y) {
             const From* from = values.row(y);
             Sum* to = sums.row(y);
-            if (!store)
-                sum_row<table_store::none, lanes>(from, base, line, to, width);
-            else if (is_large && reinterpret_cast<std::uintptr_t>(to) % 16 == 0)
+            if (is_large && reinterpret_cast<std::uintptr_t>(to) % 16 == 0)
                 sum_row<table_store::streaming, lanes>(from, base, line, to, width);
             else
                 sum_row<table_store::plain, lanes>(from, base, line, to, width);
         }
     });
-    if (is_large && store) finish_streaming();
+    if (is_large) finish_streaming();
+}
+
+/// What those rows put under all that follow; `line` starts as zeros.
+template <class From, class Sum>
+void total_of_rows(image_view<const From> values, int first, int last, Sum* line) {
+    const int width = values.size.x;
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        if constexpr (std::is_integral_v<Sum>) {  // in any order: down the columns, then along one row
+            for (int y = first; y < last; ++y) {
+                const From* from = values.row(y);
+                int x = 0;
+                for (; x + block <= width; x += block) {
+                    UMBRAGE_NO_OVERLAP
+                    for (int i = 0; i < block; ++i) line[x + i] += from[x + i];
+                }
+                for (; x < width; ++x) line[x] += from[x];
+            }
+            for (int x = 1; x < width; ++x) line[x] += line[x - 1];
+        } else {
+            for (int y = first; y < last; ++y)
+                sum_row<table_store::none, group_lanes<Sum, decltype(set)::value>>(values.row(y), line, line, line, width);
+        }
+    });
 }
 
 }  // namespace detail
@@ -201,7 +222,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
     if constexpr (std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>) {
         std::vector<Sum> base(length), line(length);
         for (int b = 0; b < bands; ++b) {
-            detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base.data(), line.data(), true);
+            detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base.data(), line.data());
             add(line.data(), base.data());
             line.assign(length, Sum(0));
         }
@@ -212,13 +233,13 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
         if (bands > 1)
             parallel(bands - 1, [&](int first, int last) {
                 for (int b = first; b < last; ++b)
-                    detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base(0), base(b + 1), false);
+                    detail::total_of_rows<value, Sum>(values, b * detail::band_rows, end_of(b), base(b + 1));
             });
         for (int b = 1; b < bands; ++b) add(base(b - 1), base(b));
         parallel(bands, [&](int first, int last) {
             for (int b = first; b < last; ++b) {
                 std::vector<Sum> line(length);
-                detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base(b), line.data(), true);
+                detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base(b), line.data());
             }
         });
     }
