@@ -17,6 +17,7 @@ node_packages := $(if $(shell command -v npm),,nodejs npm) # npm from wherever i
 test_packages := $(demo_packages) clang-14 doctest-dev glslang-tools libegl-dev libgl-dev libgl1-mesa-dri libgles-dev \
     libvulkan-dev mesa-vulkan-drivers spirv-tools \
     libepoxy-dev libglfw3-dev xauth xvfb \
+    g++-aarch64-linux-gnu qemu-user \
     chromium $(node_packages)
 
 bench_packages := $(test_packages) gnuplot-nox libbenchmark-dev libembree-dev libopencv-dev

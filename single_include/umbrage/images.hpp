@@ -71,6 +71,13 @@
 #define UMBRAGE_PREFETCH(address) static_cast<void>(address)
 #endif
 
+// Before a loop that writes memory which nothing it reads lies in: GCC does not check that at run time at -O2.
+#if defined(__GNUC__) && !defined(__clang__)
+#define UMBRAGE_NO_OVERLAP _Pragma("GCC ivdep")
+#else
+#define UMBRAGE_NO_OVERLAP
+#endif
+
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
 #define UMBRAGE_HAS_DISPATCH 1
 #define UMBRAGE_AVX2 __attribute__((target("avx2"), noinline))
@@ -141,12 +148,20 @@ void on_best_isa_without_fma(const Body& body) {
 
 inline constexpr int block = 64;  ///< elements of a loop whose count the compiler knows
 
-/// saturate() on the bits: the magnitude up to 1, or 0 for what is negative and not a NaN.
-[[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v) {
-    constexpr auto one = std::bit_cast<std::int32_t>(1.0f), minus_infinity = static_cast<std::int32_t>(0xFF800000u);
-    const auto bits = std::bit_cast<std::int32_t>(v);
+/// saturate() on the bits: the magnitude up to `highest`, or 0 for what is negative and not a NaN.
+[[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v, float highest = 1.0f) {
+    constexpr auto minus_infinity = static_cast<std::int32_t>(0xFF800000u);
+    const auto bits = std::bit_cast<std::int32_t>(v), top = std::bit_cast<std::int32_t>(highest);
     const std::int32_t magnitude = bits & 0x7FFFFFFF, kept = -std::int32_t(bits > minus_infinity);
-    return std::bit_cast<float>((magnitude < one ? magnitude : one) & kept);
+    return std::bit_cast<float>((magnitude < top ? magnitude : top) & kept);
+}
+
+/// Most blocks are whole, and then the compiler knows how much there is to copy.
+UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
+    if (count == block)
+        std::memcpy(to, from, block * sizeof(float));
+    else
+        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
 }
 
 }  // namespace detail
@@ -342,12 +357,10 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
 namespace umbrage {
 namespace detail {
 
-/// depth_code() in a form that vectorises.
+/// depth_code() in a form that vectorises: what is 1 or more has the code of the last float below 1.
 template <int Bits>
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t depth_code_bits(float depth) {
-    constexpr std::int32_t codes = std::int32_t(1) << Bits;
-    const auto x = static_cast<std::int32_t>(saturate_bits(depth) * float(codes));
-    return x < codes ? x : codes - 1;
+    return static_cast<std::int32_t>(saturate_bits(depth, 0x1.fffffep-1f) * float(std::int32_t(1) << Bits));
 }
 
 /// A block of 64 depths to texels and back; this general one leaves the work to the encoding.
@@ -362,26 +375,32 @@ struct block_codec {
     }
 };
 
-/// Texels as 16-bit words: R is where this machine has the first byte.
+/// Texels as 16-bit words, so that twice as many fit a register.
 template <int Bits>
 struct block_codec<rg<Bits>> {
-    static constexpr int r = std::endian::native == std::endian::little ? 0 : 8, g = 8 - r;
+    /// R | G << 8 to what this machine has in memory, and back.
+    static UMBRAGE_INLINE std::uint16_t in_memory(std::uint16_t word) {
+        if constexpr (std::endian::native == std::endian::little) return word;
+        else return static_cast<std::uint16_t>(word << 8 | word >> 8);
+    }
     static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec2* texels, const rg<Bits>&) {
-        std::uint16_t words[block];
+        UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
-            const std::int32_t x = depth_code_bits<Bits>(depth[i]);
-            words[i] = static_cast<std::uint16_t>((x & 0xFF) << r | (x >> 8) << (16 - Bits) << g);
+            const auto x = static_cast<std::uint16_t>(depth_code_bits<Bits>(depth[i]));
+            const std::uint16_t word = in_memory(static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) << (16 - Bits)));
+            std::memcpy(static_cast<void*>(texels + i), &word, sizeof word);
         }
-        std::memcpy(static_cast<void*>(texels), words, sizeof words);
     }
     static UMBRAGE_INLINE void decode(const glm::u8vec2* texels, float* depth, const rg<Bits>& encoding) {
-        std::uint16_t words[block];
-        std::memcpy(words, texels, sizeof words);
         const float edge = encoding.edge;  // a copy: as far as a compiler knows, depth may overwrite the other
-        for (int i = 0; i < block; ++i) depth[i] = decode(words[i], edge);
-    }
-    static UMBRAGE_INLINE float decode(std::int32_t word, float edge) {
-        return code_depth<Bits>(float((word >> r & 0xFF) + ((word >> g & 0xFF) << (Bits - 8))), edge);
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            std::uint16_t word;
+            std::memcpy(&word, texels + i, sizeof word);
+            word = in_memory(word);
+            const auto x = static_cast<std::uint16_t>((word & 0xFF) + (word >> (16 - Bits) & 0xFF << (Bits - 8)));
+            depth[i] = code_depth<Bits>(float(x), edge);
+        }
     }
 };
 
@@ -446,7 +465,7 @@ UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, cons
 }  // namespace detail
 
 /// @param depth      any values; what the encoding makes of them
-/// @param texels     same size
+/// @param texels     same size, in memory of its own
 /// @param encoding   rg<Bits>, rgb24, float_bits, depth32f, or a type like them
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ
@@ -467,7 +486,7 @@ void encode(image_view<const float> depth, image_view<typename Encoding::texel> 
 }
 
 /// @param texels     any texels of the encoding
-/// @param depth      same size
+/// @param depth      same size, in memory of its own
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ
 template <class Encoding, class ParallelFor = serial>
@@ -557,11 +576,13 @@ struct hierarchical_box {
 }  // namespace umbrage
 
 // ---- umbrage/image_ops/visibility_blocks.hpp
-// The filters over blocks of 64 receivers: what visibility() is made of. Each does a filter in three loops: where to
-// look (vectorised), the loads (one for two neighbours), and compare and weigh (vectorised).
+// The filters over blocks of 64 receivers: what visibility() is made of. Each works in two steps, some blocks apart, so
+// that texels have come from memory when they are needed: place() says where to look and starts to fetch what is there;
+// the second step loads it (two neighbours at a time), compares and weighs. All but the loads vectorises.
 //
-//     umbrage::detail::receiver_block r;
-//     umbrage::detail::block_filter<umbrage::filters::pcf_2x2, umbrage::rg<11>>{map, {}, {}}(r, visibility, isa);
+//     umbrage::detail::block_filter<umbrage::filters::pcf_2x2, umbrage::rg<11>> filter{map, {}, {}};
+//     filter.place(receivers, placed);
+//     filter(placed, count, visibility, isa);
 //
 
 namespace umbrage::detail {
@@ -600,6 +621,14 @@ struct receiver_block {
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t clamp_int(std::int32_t v, std::int32_t highest) {
     v = v > 0 ? v : 0;
     return v < highest ? v : highest;
+}
+
+/// floor of v clamped to 0 .. highest <= 2^24; NaN gives one of the ends. In bits: a float that is not negative truncates
+/// to its floor, and is ordered as its bits are.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_within(float v, float highest) {
+    const auto bits = std::bit_cast<std::int32_t>(v), top = std::bit_cast<std::int32_t>(highest);
+    const std::int32_t positive = bits > 0 ? bits : 0;
+    return static_cast<std::int32_t>(std::bit_cast<float>(positive < top ? positive : top));
 }
 
 /// What is loaded for a block of receivers: a texel each, or two neighbours. The depths in them and the
@@ -685,57 +714,57 @@ template <class T>
     return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
 }
 
-/// Asks for the texels around some of a block's receivers. Where a block starts on another row of the map than the one
-/// before, the machine cannot guess them, and would wait for memory at every block.
+/// Starts to fetch the texels of a block, of which neighbours mostly share a line of the cache. Where a block starts on
+/// another row of the map than the one before, the machine cannot guess them.
 template <class T>
-UMBRAGE_INLINE inline void prefetch_texels([[maybe_unused]] const image_view<T>& map, [[maybe_unused]] const receiver_block& r) {
-#if defined(__GNUC__) || defined(__clang__)
-    std::int32_t x[block / 16], y[block / 16];
-    for (int i = 0; i < block / 16; ++i) {
-        const float u = r.x[i * 16], v = r.y[i * 16];
-        const std::int32_t inside = texel_space_mask(u, v);
-        x[i] = clamp_int(floor_int(masked(u, inside)), map.size.x - 1);
-        y[i] = clamp_int(floor_int(masked(v, inside)), map.size.y - 1);
-    }
-    for (int i = 0; i < block / 16; ++i) {
-        __builtin_prefetch(texel_at(map, x[i], y[i]));
-        __builtin_prefetch(texel_at(map, x[i], y[i] < map.size.y - 1 ? y[i] + 1 : y[i]));
-    }
-#endif
+UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
+    for (int row = 0; row < rows; ++row)
+        for (int i = 0; i < block; i += 16) UMBRAGE_PREFETCH(memory.data + offsets[i] + row * memory.stride);
 }
 
 /// Any filter, one receiver after the other.
 template <class Filter, class Encoding>
 struct one_by_one {
+    using placed = receiver_block;
     image_view<const typename Encoding::texel> map;
     const Encoding& encoding;
     const Filter& filter;
 
-    UMBRAGE_INLINE void prefetch(const receiver_block&) const {}
+    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const { at = r; }
     template <class Isa>
-    UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa) const {
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
         const auto fetch = decoded(map, encoding);
-        for (int i = 0; i < count; ++i) visibility[i] = filter(fetch, glm::vec2(r.x[i], r.y[i]), r.z[i]);
+        for (int i = 0; i < count; ++i) visibility[i] = filter(fetch, glm::vec2(at.x[i], at.y[i]), at.z[i]);
     }
 };
 
-/// A receiver's own texel, clamped to the map, and the test against it, added to `count`.
-template <class Encoding>
-UMBRAGE_INLINE inline void add_hard(image_view<const typename Encoding::texel> map, const Encoding& encoding,
-                                    const receiver_block& r, glm::vec2 offset, std::int32_t* count) {
-    const texel_bytes memory(map);
-    const int last_x = map.size.x - 1, last_y = map.size.y - 1;
+/// Taps that are receivers' own texels, clamped to the map.
+struct placed_tap {
     std::int32_t offsets[block], inside[block];
-    loaded_texels<Encoding> texels(encoding);
-    for (int i = 0; i < block; ++i) {
-        const float x = r.x[i] + offset.x, y = r.y[i] + offset.y;
-        inside[i] = texel_space_mask(x, y);
-        offsets[i] = memory.offset(clamp_int(floor_int(masked(x, inside[i])), last_x),
-                                   clamp_int(floor_int(masked(y, inside[i])), last_y));
+
+    template <class T>
+    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& r, glm::vec2 offset) {
+        const texel_bytes memory(map);
+        const auto last_x = static_cast<float>(map.size.x - 1), last_y = static_cast<float>(map.size.y - 1);
+        for (int i = 0; i < block; ++i) {
+            const float x = r.x[i] + offset.x, y = r.y[i] + offset.y;
+            inside[i] = texel_space_mask(x, y);
+            offsets[i] = memory.offset(floor_within(x, last_x), floor_within(y, last_y));
+        }
+        prefetch(memory, offsets, 1);
     }
-    for (int i = 0; i < block; ++i) texels.load_one(i, memory.at(offsets[i]));
-    for (int i = 0; i < block; ++i) count[i] += (is_lit(texels.receiver(r.z[i]), texels.one(i)) & inside[i]) | (1 & ~inside[i]);
-}
+
+    /// Adds 1 for each receiver that is lit.
+    template <class Encoding>
+    UMBRAGE_INLINE void count(image_view<const typename Encoding::texel> map, const Encoding& encoding, const float* z,
+                              std::int32_t* lit) const {
+        const texel_bytes memory(map);
+        loaded_texels<Encoding> texels(encoding);
+        for (int i = 0; i < block; ++i) texels.load_one(i, memory.at(offsets[i]));
+        for (int i = 0; i < block; ++i)
+            lit[i] += (is_lit(texels.receiver(z[i]), texels.one(i)) & inside[i]) | (1 & ~inside[i]);
+    }
+};
 
 /// The filters that have a form for blocks; `least` is the side of the smallest map that it can take.
 template <class Filter, class Encoding>
@@ -746,15 +775,22 @@ struct block_filter {
 template <class Encoding>
 struct block_filter<filters::hard, Encoding> {
     static constexpr int least = 1;
+    struct placed {
+        placed_tap tap;
+        float z[block];
+    };
     image_view<const typename Encoding::texel> map;
     const Encoding& encoding;
     const filters::hard& filter;
 
-    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
+    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
+        at.tap.place(map, r, glm::vec2(0.0f));
+        std::memcpy(at.z, r.z, sizeof at.z);
+    }
     template <class Isa>
-    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         std::int32_t lit[block]{};
-        add_hard(map, encoding, r, glm::vec2(0.0f), lit);
+        at.tap.count(map, encoding, at.z, lit);
         for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
     }
 };
@@ -762,15 +798,22 @@ struct block_filter<filters::hard, Encoding> {
 template <class Encoding>
 struct block_filter<filters::four_tap, Encoding> {
     static constexpr int least = 1;
+    struct placed {
+        placed_tap taps[4];
+        float z[block];
+    };
     image_view<const typename Encoding::texel> map;
     const Encoding& encoding;
     const filters::four_tap& filter;
 
-    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
+    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
+        for (int tap = 0; tap < 4; ++tap) at.taps[tap].place(map, r, filter.offsets[static_cast<std::size_t>(tap)]);
+        std::memcpy(at.z, r.z, sizeof at.z);
+    }
     template <class Isa>
-    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         std::int32_t lit[block]{};
-        for (const glm::vec2 offset : filter.offsets) add_hard(map, encoding, r, offset, lit);
+        for (const placed_tap& tap : at.taps) tap.count(map, encoding, at.z, lit);
         for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]) * 0.25f;
     }
 };
@@ -780,41 +823,46 @@ struct block_filter<filters::four_tap, Encoding> {
 template <class Encoding>
 struct block_filter<filters::pcf_2x2, Encoding> {
     static constexpr int least = 2;
+    struct placed {
+        std::int32_t offsets[block], inside[block];
+        float hi_x[block], hi_y[block], z[block];
+    };
     image_view<const typename Encoding::texel> map;
     const Encoding& encoding;
     const filters::pcf_2x2& filter;
 
-    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const receiver_block& r, int, float* visibility, Isa) const {
+    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
         const texel_bytes memory(map);
         constexpr int far = 1 << 15;  // no position is farther
         const int last_x = (map.size.x < far ? map.size.x : far) - 1, last_y = (map.size.y < far ? map.size.y : far) - 1;
-        std::int32_t offsets[block], inside[block];
-        float hi_x[block], hi_y[block];
-        loaded_texels<Encoding> low(encoding), high(encoding);
-        const auto place = [](float coord, int last, float& hi) UMBRAGE_INLINE {
-            const std::int32_t position = clamp_int(floor_int(coord * 256.0f) - 128, last * 256);
+        const auto axis = [](float coord, int last, float& hi) UMBRAGE_INLINE {
+            const std::int32_t position = floor_within(coord * 256.0f - 128.0f, static_cast<float>(last * 256));
             const std::int32_t texel = (position >> 8) < last ? position >> 8 : last - 1;
             hi = static_cast<float>(position - texel * 256);
             return texel;
         };
         for (int i = 0; i < block; ++i) {
-            inside[i] = texel_space_mask(r.x[i], r.y[i]);
-            offsets[i] = memory.offset(place(masked(r.x[i], inside[i]), last_x, hi_x[i]),
-                                       place(masked(r.y[i], inside[i]), last_y, hi_y[i]));
+            at.inside[i] = texel_space_mask(r.x[i], r.y[i]);
+            at.offsets[i] = memory.offset(axis(r.x[i], last_x, at.hi_x[i]), axis(r.y[i], last_y, at.hi_y[i]));
+            at.z[i] = r.z[i];
+        }
+        prefetch(memory, at.offsets, 2);
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
+        const texel_bytes memory(map);
+        loaded_texels<Encoding> low(encoding), high(encoding);
+        for (int i = 0; i < block; ++i) {
+            low.load_two(i, memory.at(at.offsets[i]));
+            high.load_two(i, memory.below(at.offsets[i]));
         }
         for (int i = 0; i < block; ++i) {
-            low.load_two(i, memory.at(offsets[i]));
-            high.load_two(i, memory.below(offsets[i]));
-        }
-        for (int i = 0; i < block; ++i) {
-            const float z = low.receiver(r.z[i]), lo_x = 256.0f - hi_x[i], lo_y = 256.0f - hi_y[i];
+            const float z = low.receiver(at.z[i]), lo_x = 256.0f - at.hi_x[i], lo_y = 256.0f - at.hi_y[i];
             const auto weigh = [&](const auto& row) UMBRAGE_INLINE {
-                return masked(lo_x, -is_lit(z, row.first(i))) + masked(hi_x[i], -is_lit(z, row.second(i)));
+                return masked(lo_x, -is_lit(z, row.first(i))) + masked(at.hi_x[i], -is_lit(z, row.second(i)));
             };
-            const float sum = lo_y * weigh(low) + hi_y[i] * weigh(high);
-            visibility[i] = select(inside[i], sum * (1.0f / 65536.0f), 1.0f);
+            const float sum = lo_y * weigh(low) + at.hi_y[i] * weigh(high);
+            visibility[i] = select(at.inside[i], sum * (1.0f / 65536.0f), 1.0f);
         }
     }
 };
@@ -848,13 +896,22 @@ struct vectors<8> {
     typedef std::int32_t ints __attribute__((vector_size(32)));
 };
 
+/// less_equal for texels that lie side by side: all bits of a lane, or none.
+template <int Lanes>
+UMBRAGE_INLINE inline void compare_lanes(const float* texels, float receiver, typename vectors<Lanes>::ints& lit) {
+    const typename vectors<Lanes>::floats stored = *reinterpret_cast<const typename vectors<Lanes>::unaligned*>(texels);
+    lit = receiver <= stored;
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+    lit &= ((typename vectors<Lanes>::ints)stored & 0x7FFFFFFF) <= 0x7F800000;
+#endif
+}
+
 /// Lit texels of boxes that lie inside a map at least as wide as a register.
 /// @tparam Lanes   of a register;   Whole  registers that a row of the box fills
 template <int Lanes, int Whole>
 struct box_rows {
-    using floats = typename vectors<Lanes>::floats;
-    using unaligned = typename vectors<Lanes>::unaligned;
     using ints = typename vectors<Lanes>::ints;
+    static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
     std::ptrdiff_t stride;
     int width;
     std::int32_t window[3 * Lanes]{};  ///< lanes that the rest of a row has in a register, slid to where they are
@@ -869,8 +926,13 @@ struct box_rows {
         ints lit{}, rest{};
         for (int j = 0; j < width; ++j, row += stride) {
             const float* texels = reinterpret_cast<const float*>(row);
-            for (int i = 0; i < Whole; ++i) add(texels + i * Lanes, receiver, lit);
-            add(texels + Whole * Lanes - moved, receiver, rest);
+            ints lanes;
+            for (int i = 0; i < Whole; ++i) {
+                compare_lanes<Lanes>(texels + i * Lanes, receiver, lanes);
+                lit -= lanes;
+            }
+            compare_lanes<Lanes>(texels + Whole * Lanes - moved, receiver, lanes);
+            rest -= lanes;
         }
         ints wanted;
         std::memcpy(&wanted, window + Lanes - moved, sizeof wanted);
@@ -879,87 +941,184 @@ struct box_rows {
         for (int i = 0; i < Lanes; ++i) sum += lit[i];
         return sum;
     }
+};
 
-    static UMBRAGE_INLINE void add(const float* texels, float receiver, ints& lit) {
-        const floats stored = *reinterpret_cast<const unaligned*>(texels);
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-        lit -= (receiver <= stored) & (((ints)stored & 0x7FFFFFFF) <= 0x7F800000);
-#else
-        lit -= receiver <= stored;
-#endif
+#if UMBRAGE_HAS_DISPATCH
+/// The same for small boxes where AVX2 is: a row is a byte of bits, and all rows are one word, whose bits are counted.
+/// By what every x86-64 has: compilers refuse instructions of a wider set in a function that does not name the set.
+template <int Width>
+struct box_bits {
+    static_assert(Width <= 8);
+    static constexpr int reach = 8;
+    std::ptrdiff_t stride;
+
+    UMBRAGE_INLINE box_bits(std::ptrdiff_t bytes, int) : stride(bytes) {}
+
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
+        typedef short shorts __attribute__((vector_size(16)));
+        typedef char chars __attribute__((vector_size(16)));
+        std::uint64_t bits = 0, row_of_ones = ((std::uint64_t(1) << Width) - 1) << moved;
+        shorts rows[2];
+#pragma GCC unroll 8
+        for (int j = 0; j < Width; ++j, row += stride) {
+            vectors<8>::ints lit;
+            vectors<4>::ints halves[2];
+            compare_lanes<8>(reinterpret_cast<const float*>(row) - moved, receiver, lit);
+            std::memcpy(halves, &lit, sizeof lit);
+            rows[j % 2] = __builtin_ia32_packssdw128(halves[0], halves[1]);
+            if (j % 2 == 0 && j + 1 < Width) continue;
+            if (j % 2 == 0) rows[1] = shorts{};
+            const chars two = (chars)__builtin_ia32_packsswb128(rows[0], rows[1]);
+            bits = bits << 16 | static_cast<std::uint64_t>(static_cast<unsigned>(__builtin_ia32_pmovmskb128(two)));
+        }
+        return static_cast<std::int32_t>(__builtin_popcountll(bits & row_of_ones * 0x0101010101010101u));
     }
 };
+#endif
 #else
 #define UMBRAGE_HAS_VECTORS 0
+
+/// The same texel by texel.
+struct box_texels {
+    static constexpr int reach = 1;
+    std::ptrdiff_t stride;
+    int width;
+
+    [[nodiscard]] std::int32_t count(const std::byte* row, std::ptrdiff_t, float receiver) const {
+        std::int32_t lit = 0;
+        for (int j = 0; j < width; ++j, row += stride)
+            for (int i = 0; i < width; ++i) lit += is_lit(receiver, reinterpret_cast<const float*>(row)[i]);
+        return lit;
+    }
+};
 #endif
+
+/// Rows that lie a multiple of 4096 bytes apart share their places in a first-level cache, which has few for each.
+[[nodiscard]] inline bool rows_collide(std::ptrdiff_t stride, int radius) { return radius > 3 && stride % 2048 == 0; }
+/// What to make rows of floats longer by, in texels, for their places to differ.
+[[nodiscard]] inline int row_padding(int width) { return rows_collide(width * std::ptrdiff_t(sizeof(float)), max_box_radius) ? 16 : 0; }
 
 /// Only maps of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
 template <>
 struct block_filter<filters::box, depth32f> {
     static constexpr int least = 1;
+    struct placed {
+        std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
+        std::int32_t inside[block], in_space[block];
+        float z[block];
+    };
     image_view<const float> map;
     const depth32f& encoding;
     const filters::box& filter;
 
-    UMBRAGE_INLINE void prefetch(const receiver_block& r) const { prefetch_texels(map, r); }
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa set) const {
-#if UMBRAGE_HAS_VECTORS
-        constexpr int lanes = Isa::value == isa::base ? 4 : 8;
-        const int whole = (2 * clamp_int(filter.radius, max_box_radius) + 1) / lanes;
-        if (map.size.x >= lanes * (whole + 1)) {
-            if (whole == 0) return rows<lanes, 0>(r, count, visibility);
-            if (whole == 1) return rows<lanes, 1>(r, count, visibility);
-            if (whole == 2) return rows<lanes, 2>(r, count, visibility);
-            if (lanes == 4 && whole == 3) return rows<4, 3>(r, count, visibility);
-            if (lanes == 4) return rows<4, 4>(r, count, visibility);
+    [[nodiscard]] UMBRAGE_INLINE int radius() const { return clamp_int(filter.radius, max_box_radius); }
+
+    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
+        const texel_bytes memory(map);
+        const int before = radius(), width = 2 * before + 1, last_x = map.size.x - width, last_y = map.size.y - width;
+        for (int i = 0; i < block; ++i) {
+            at.in_space[i] = texel_space_mask(r.x[i], r.y[i]);
+            const std::int32_t x = floor_int(masked(r.x[i], at.in_space[i])) - before;
+            const std::int32_t y = floor_int(masked(r.y[i], at.in_space[i])) - before;
+            at.inside[i] = -(std::int32_t(x >= 0) & std::int32_t(x <= last_x) & std::int32_t(y >= 0) & std::int32_t(y <= last_y));
+            at.offsets[i] = memory.offset(x, y) & at.inside[i];
+            at.x[i] = x;
+            at.y[i] = y;
+            at.z[i] = r.z[i];
         }
-#endif
-        one_by_one<filters::box, depth32f>{map, encoding, filter}(r, count, visibility, set);
+        prefetch(memory, at.offsets, last_y < 0 ? 1 : width);
     }
 
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
+        const int width = 2 * radius() + 1;
 #if UMBRAGE_HAS_VECTORS
-    template <int Lanes, int Whole>
-    UMBRAGE_INLINE void rows(const receiver_block& r, int count, float* visibility) const {
-        const int radius = clamp_int(filter.radius, max_box_radius), width = 2 * radius + 1;
-        const box_rows<Lanes, Whole> box(map.stride, width);
+        constexpr int lanes = Isa::value == isa::base ? 4 : 8;
+#if UMBRAGE_HAS_DISPATCH
+        if constexpr (lanes == 8) {
+            if (width == 3) return count_with<box_bits<3>>(at, count, visibility);
+            if (width == 5) return count_with<box_bits<5>>(at, count, visibility);
+            if (width == 7) return count_with<box_bits<7>>(at, count, visibility);
+        }
+#endif
+        if (width / lanes == 0) return count_with<box_rows<lanes, 0>>(at, count, visibility);
+        if (width / lanes == 1) return count_with<box_rows<lanes, 1>>(at, count, visibility);
+        if (width / lanes == 2) return count_with<box_rows<lanes, 2>>(at, count, visibility);
+        if constexpr (lanes == 4) {
+            if (width / lanes == 3) return count_with<box_rows<4, 3>>(at, count, visibility);
+            count_with<box_rows<4, 4>>(at, count, visibility);
+        }
+#else
+        count_with<box_texels>(at, count, visibility);
+#endif
+    }
+
+private:
+    template <class Boxes>
+    UMBRAGE_INLINE void count_with(const placed& at, int count, float* visibility) const {
+        const int width = 2 * radius() + 1, last_load = map.size.x - Boxes::reach;
+        const Boxes boxes(map.stride, width);
         const texel_bytes memory(map);
-        const int last_x = map.size.x - width, last_y = map.size.y - width, last_load = map.size.x - Lanes * (Whole + 1);
-        std::int32_t xs[block], ys[block], offsets[block], moved[block], inside[block], in_space[block], lit[block]{};
+        std::int32_t moved[block], lit[block]{}, plain = last_load >= 0 && count == block ? -1 : 0;
         for (int i = 0; i < block; ++i) {
-            in_space[i] = texel_space_mask(r.x[i], r.y[i]);
-            const std::int32_t x = floor_int(masked(r.x[i], in_space[i])) - radius;
-            const std::int32_t y = floor_int(masked(r.y[i], in_space[i])) - radius;
-            inside[i] = std::int32_t(x >= 0) & std::int32_t(x <= last_x) & std::int32_t(y >= 0) & std::int32_t(y <= last_y);
-            offsets[i] = memory.offset(x, y);
-            moved[i] = x > last_load ? x - last_load : 0;
-            xs[i] = x;
-            ys[i] = y;
+            moved[i] = at.x[i] > last_load ? at.x[i] - last_load : 0;
+            plain &= -std::int32_t(moved[i] == 0) & at.inside[i] & at.in_space[i];
+            plain &= -std::int32_t((std::bit_cast<std::int32_t>(at.z[i]) & 0x7FFFFFFF) <= 0x7F800000);
         }
-        for (int i = 0; i < count; ++i) {
-            if (is_nan(r.z[i]) || !in_space[i]) continue;
-            lit[i] = inside[i] ? box.count(memory.data + offsets[i], moved[i], r.z[i])
-                               : count_at_border<Lanes, Whole>({xs[i], ys[i]}, width, r.z[i]);
-        }
-        const float scale = box_scale<float>(radius);
+        if (plain)  // as nearly all are
+            for (int i = 0; i < block; ++i) lit[i] = boxes.count(memory.data + at.offsets[i], 0, at.z[i]);
+        else
+            for (int i = 0; i < count; ++i) {
+                if (is_nan(at.z[i]) || !at.in_space[i]) continue;
+                lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved[i], at.z[i])
+                                                        : count_at_border<Boxes>({at.x[i], at.y[i]}, width, at.z[i]);
+            }
+        const float scale = box_scale<float>(radius());
         for (int i = 0; i < block; ++i)
-            visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~in_space[i], 1.0f, static_cast<float>(lit[i]) * scale);
+            visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~at.in_space[i], 1.0f,
+                                   static_cast<float>(lit[i]) * scale);
     }
 
     /// The same from a copy of the box, the map's border texels repeated.
-    template <int Lanes, int Whole>
+    template <class Boxes>
     std::int32_t count_at_border(glm::ivec2 first, int width, float receiver) const {
-        float texels[2 * max_box_radius + 1][(Whole + 1) * Lanes]{};
+        constexpr int widest = 2 * max_box_radius + 1;
+        float texels[widest][Boxes::reach > widest ? Boxes::reach : widest]{};
         for (int j = 0; j < width; ++j) {
             const float* row = texel_at(map, 0, clamp_int(first.y + j, map.size.y - 1));
             for (int i = 0; i < width; ++i) texels[j][i] = row[clamp_int(first.x + i, map.size.x - 1)];
         }
-        return box_rows<Lanes, Whole>(sizeof texels[0], width).count(reinterpret_cast<const std::byte*>(texels), 0, receiver);
+        return Boxes(sizeof texels[0], width).count(reinterpret_cast<const std::byte*>(texels), 0, receiver);
     }
-#endif
 };
 
 }  // namespace umbrage::detail
+
+// ---- umbrage/image_ops/strict_math.hpp
+// Keeps -ffast-math out of code whose bits are promised:
+//
+//     UMBRAGE_STRICT_MATH
+//     namespace umbrage { ... }  // sums stay in their order, quotients stay quotients, -0 stays -0
+//     UMBRAGE_END_STRICT_MATH
+//
+// NaNs remain for tests of bits to find: GCC keeps the shorter comparisons that -ffinite-math-only brings. Denormals
+// may still be flushed, a state of the machine. Without the flag these macros are empty, as they are for clang where it
+// has no such pragma (version 14: all but x86).
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#if defined(__clang__) && (defined(__x86_64__) || __clang_major__ > 14)
+#define UMBRAGE_STRICT_MATH _Pragma("float_control(precise, on, push)")
+#define UMBRAGE_END_STRICT_MATH _Pragma("float_control(pop)")
+#elif defined(__GNUC__) && !defined(__clang__)
+#define UMBRAGE_STRICT_MATH _Pragma("GCC push_options") _Pragma("GCC optimize(\"no-fast-math\")")
+#define UMBRAGE_END_STRICT_MATH _Pragma("GCC pop_options")
+#endif
+#endif
+
+#ifndef UMBRAGE_STRICT_MATH
+#define UMBRAGE_STRICT_MATH
+#define UMBRAGE_END_STRICT_MATH
+#endif
 
 // ---- umbrage/image_ops/clip.hpp
 // From world positions to vertices on the 1/256 texel grid: projection, clipping, snapping.
@@ -971,6 +1130,7 @@ struct block_filter<filters::box, depth32f> {
 // mirrors rows when texels are written, so that both origins give the same picture.
 //
 
+UMBRAGE_STRICT_MATH
 namespace umbrage {
 
 /// Steps of the vertex grid in a texel.
@@ -1181,6 +1341,7 @@ struct clipped_polygon {
 }
 
 }  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
 
 // ---- umbrage/image_ops/pyramid.hpp
 // Least and greatest depth of every square of 2 x 2, 4 x 4, ... texels of a map.
@@ -1215,34 +1376,48 @@ struct greatest_of {
     UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a > b ? a : b; }
 };
 
-/// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it.
-template <class Pick, class ParallelFor>
-void halve(image_view<const float> from, image_view<float> to, Pick pick, ParallelFor&& parallel) {
-    parallel(to.size.y, [&](int first, int last) {
+/// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it. The two images may be one.
+template <class ParallelFor>
+void halve(image_view<const float> least, image_view<const float> greatest, depth_bounds& to, ParallelFor&& parallel) {
+    const glm::ivec2 size = to.least.size();
+    parallel(size.y, [&](int first, int last) {
         on_best_isa([&](auto) UMBRAGE_INLINE {
-            std::int32_t keys[block];
+            const bool both = least.data != greatest.data;
+            std::int32_t keys[4][block];
             float ends[2][2 * block];
-            for (int y = first; y < last; ++y) {
-                const float* rows[2] = {from.row(2 * y), from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y)};
-                for (int x = 0; x < to.size.x; x += block) {
-                    const float *low = rows[0] + 2 * x, *high = rows[1] + 2 * x;
-                    if (const int there = from.size.x - 2 * x; there < 2 * block) {
-                        for (int i = 0; i < 2 * block; ++i) {
-                            const int k = i < there ? i : there - 1;
-                            ends[0][i] = low[k];
-                            ends[1][i] = high[k];
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < size.x; x += block) {
+                    const int count = size.x - x < block ? size.x - x : block;
+                    const auto load = [&](const image_view<const float>& from) UMBRAGE_INLINE {
+                        const float *low = from.row(2 * y) + 2 * x;
+                        const float *high = from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y) + 2 * x;
+                        if (const int there = from.size.x - 2 * x; there < 2 * block) {
+                            for (int i = 0; i < 2 * block; ++i) {
+                                const int k = i < there ? i : there - 1;
+                                ends[0][i] = low[k];
+                                ends[1][i] = high[k];
+                            }
+                            low = ends[0];
+                            high = ends[1];
                         }
-                        low = ends[0];
-                        high = ends[1];
-                    }
-                    for (int i = 0; i < block; ++i)
-                        keys[i] = pick(pick(order_key(low[2 * i]), order_key(low[2 * i + 1])),
-                                       pick(order_key(high[2 * i]), order_key(high[2 * i + 1])));
-                    float* result = to.row(y) + x;
-                    const int count = to.size.x - x < block ? to.size.x - x : block;
-                    for (int i = 0; i < count; ++i) result[i] = from_order_key(keys[i]);
+                        for (int i = 0; i < block; ++i) {
+                            keys[0][i] = order_key(low[2 * i]);
+                            keys[1][i] = order_key(low[2 * i + 1]);
+                            keys[2][i] = order_key(high[2 * i]);
+                            keys[3][i] = order_key(high[2 * i + 1]);
+                        }
+                    };
+                    const auto store = [&](auto pick, float* result) UMBRAGE_INLINE {
+                        float depths[block];
+                        for (int i = 0; i < block; ++i)
+                            depths[i] = from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
+                        copy_floats(result + x, depths, count);
+                    };
+                    load(least);
+                    store(least_of{}, to.least.view().row(y));
+                    if (both) load(greatest);
+                    store(greatest_of{}, to.greatest.view().row(y));
                 }
-            }
         });
     });
 }
@@ -1264,8 +1439,7 @@ template <class ParallelFor = serial>
         const image_view<const float> greatest = level ? pyramid.back().greatest.view() : map;
         const glm::ivec2 size((least.size.x + 1) / 2, (least.size.y + 1) / 2);
         depth_bounds next{image<float>(size), image<float>(size)};
-        detail::halve(least, next.least.view(), detail::least_of{}, parallel);
-        detail::halve(greatest, next.greatest.view(), detail::greatest_of{}, parallel);
+        detail::halve(least, greatest, next, parallel);
         pyramid.push_back(std::move(next));
     }
     return pyramid;
@@ -1286,96 +1460,106 @@ namespace umbrage::detail {
 /// 2r + 1 texels touches at most `cells` squares of 2^level texels in a row.
 struct box_bounds {
     int level, cells;
-    glm::ivec2 squares;       ///< of the level; a box starts at square -(cells - 1) .. squares - 1
-    image<glm::vec2> bounds;  ///< least and greatest
+    glm::ivec2 last;          ///< of the starts, which begin cells - 1 squares in front of the map
+    image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
 
     template <class ParallelFor>
     box_bounds(image_view<const float> map, int radius, ParallelFor&& parallel)
         : level(radius < 4 ? 1 : 2), cells(((1 << level) - 1 + 2 * radius) / (1 << level) + 1) {
         const std::vector<depth_bounds> pyramid = make_min_max_pyramid(map, level, parallel);
-        squares = pyramid.back().least.size();
-        const image<float> least = widened(pyramid.back().least, least_of{}, parallel);
-        const image<float> greatest = widened(pyramid.back().greatest, greatest_of{}, parallel);
-        bounds = image<glm::vec2>(squares + (cells - 1));
-        for (int y = 0; y < bounds.size().y; ++y) {
-            const float *a = least.view().row(y), *b = greatest.view().row(y);
-            glm::vec2* to = bounds.view().row(y);
-            for (int x = 0; x < bounds.size().x; ++x) to[x] = {a[x], b[x]};
-        }
-    }
-
-    /// Pick over cells x cells elements, first along rows, then along columns. Rows are filled up to whole blocks.
-    template <class Pick, class ParallelFor>
-    [[nodiscard]] image<float> widened(const image<float>& from, Pick pick, ParallelFor&& parallel) const {
-        const int width = (squares.x + cells - 1 + block - 1) / block * block;
-        image<std::int32_t> rows({width, squares.y});
-        image<float> out({width, squares.y + cells - 1});
-        parallel(squares.y, [&](int first, int last) {
-            std::vector<std::int32_t> keys(static_cast<std::size_t>(width + cells));
-            for (int y = first; y < last; ++y) {
-                const float* row = from.view().row(y);
-                for (int x = 0; x < width + cells; ++x)
-                    keys[static_cast<std::size_t>(x)] = order_key(row[clamp_int(x - (cells - 1), squares.x - 1)]);
-                widen(pick, rows.view().row(y), width, [&](int k) { return keys.data() + k; });
+        const glm::ivec2 squares = pyramid.back().least.size();
+        last = squares + (cells - 2);
+        bounds = image<glm::vec2>({(last.x + block) / block * block, last.y + 1});
+        image<std::int32_t> least({bounds.size().x, squares.y}), greatest(least.size());
+        parallel(squares.y, [&](int from, int to) {
+            std::vector<std::int32_t> keys(static_cast<std::size_t>(bounds.size().x + cells));
+            for (int y = from; y < to; ++y) {
+                along_row(pyramid.back().least.view().row(y), squares.x, keys, least_of{}, least.view().row(y));
+                along_row(pyramid.back().greatest.view().row(y), squares.x, keys, greatest_of{}, greatest.view().row(y));
             }
         });
-        parallel(out.size().y, [&](int first, int last) {
-            std::vector<std::int32_t> keys(static_cast<std::size_t>(width));
-            for (int y = first; y < last; ++y) {
-                widen(pick, keys.data(), width, [&](int k) {
-                    return std::as_const(rows).view().row(clamp_int(y - (cells - 1) + k, squares.y - 1));
-                });
-                float* row = out.view().row(y);
-                for (int x = 0; x < width; ++x) row[x] = from_order_key(keys[static_cast<std::size_t>(x)]);
-            }
+        parallel(bounds.size().y, [&](int from, int to) {
+            const auto row = [&](const image<std::int32_t>& of, int y) { return of.view().row(clamp_int(y - (cells - 1), squares.y - 1)); };
+            on_best_isa([&](auto) UMBRAGE_INLINE {
+                for (int y = from; y < to; ++y)
+                    for (int x = 0; x < bounds.size().x; x += block) {
+                        std::int32_t low[block], high[block];
+                        widen(least_of{}, low, [&](int k) UMBRAGE_INLINE { return row(least, y + k) + x; });
+                        widen(greatest_of{}, high, [&](int k) UMBRAGE_INLINE { return row(greatest, y + k) + x; });
+                        glm::vec2* out = bounds.view().row(y) + x;
+                        for (int i = 0; i < block; ++i) out[i] = {from_order_key(low[i]), from_order_key(high[i])};
+                    }
+            });
         });
-        return out;
     }
 
-    /// to[x] = pick of from(k)[x] over k < cells.
-    template <class Pick, class From>
-    void widen(Pick pick, std::int32_t* to, int width, From&& from) const {
+private:
+    /// to[x] = pick over the `cells` squares from x - (cells - 1) on, those at the border repeated.
+    template <class Pick>
+    void along_row(const float* from, int count, std::vector<std::int32_t>& keys, Pick pick, std::int32_t* to) const {
+        const auto before = keys.begin() + (cells - 1);
+        std::fill(keys.begin(), before, order_key(from[0]));
+        std::fill(before + count, keys.end(), order_key(from[count - 1]));
         on_best_isa([&](auto) UMBRAGE_INLINE {
-            for (int x = 0; x < width; x += block) {
-                std::int32_t best[block];
-                const std::int32_t* first = from(0) + x;
-                for (int i = 0; i < block; ++i) best[i] = first[i];
-                for (int k = 1; k < cells; ++k) {
-                    const std::int32_t* other = from(k) + x;
-                    for (int i = 0; i < block; ++i) best[i] = pick(best[i], other[i]);
-                }
-                for (int i = 0; i < block; ++i) to[x + i] = best[i];
-            }
+            convert_row(from, &*before, count, [](const float* depths, std::int32_t* result) UMBRAGE_INLINE {
+                UMBRAGE_NO_OVERLAP
+                for (int i = 0; i < block; ++i) result[i] = order_key(depths[i]);
+            });
+            for (int x = 0; x < bounds.size().x; x += block)
+                widen(pick, to + x, [&](int k) UMBRAGE_INLINE { return keys.data() + k + x; });
         });
+    }
+
+    /// to[i] = pick of from(k)[i] over k < cells, for a block.
+    template <class Pick, class From>
+    UMBRAGE_INLINE void widen(Pick pick, std::int32_t* to, const From& from) const {
+        std::int32_t best[block];
+        std::memcpy(best, from(0), sizeof best);
+        for (int k = 1; k < cells; ++k) {
+            const std::int32_t* other = from(k);
+            for (int i = 0; i < block; ++i) best[i] = pick(best[i], other[i]);
+        }
+        std::memcpy(to, best, sizeof best);
     }
 };
 
 struct hierarchical_blocks {
+    struct placed {
+        receiver_block r;
+        std::int32_t offsets[block], in_space[block];
+    };
     const box_bounds& tree;
     block_filter<filters::box, depth32f> brute_force;
 
-    UMBRAGE_INLINE void prefetch(const receiver_block&) const {}
-
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const receiver_block& r, int count, float* visibility, Isa set) const {
-        const int radius = clamp_int(brute_force.filter.radius, max_box_radius);
-        const texel_bytes<const glm::vec2> memory(tree.bounds.view());
+    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
+        const int radius = brute_force.radius();
+        const texel_bytes memory(tree.bounds.view());
         const int before = tree.cells - 1, level = tree.level;
-        const glm::ivec2 last = tree.bounds.size() - 1;
-        std::int32_t offsets[block], open[block];
-        glm::vec2 bounds[block];
+        const glm::ivec2 last = tree.last;
         for (int i = 0; i < block; ++i) {
             const std::int32_t in_space = texel_space_mask(r.x[i], r.y[i]);
             const std::int32_t x = floor_int(masked(r.x[i], in_space)) - radius, y = floor_int(masked(r.y[i], in_space)) - radius;
-            offsets[i] = memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
-            open[i] = in_space;
+            at.offsets[i] = memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
+            at.in_space[i] = in_space;
         }
-        for (int i = 0; i < block; ++i) bounds[i] = *memory.at(offsets[i]);
+        prefetch(memory, at.offsets, 1);
+        at.r = r;
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+        const texel_bytes memory(tree.bounds.view());
+        const receiver_block& r = at.r;
+        std::int32_t open[block], any = 0;
+        glm::vec2 bounds[block];
+        for (int i = 0; i < block; ++i) bounds[i] = *memory.at(at.offsets[i]);
         for (int i = 0; i < block; ++i) {
             const std::int32_t lit = is_lit(r.z[i], bounds[i].x), dark = std::int32_t(r.z[i] > bounds[i].y);
-            visibility[i] = select(-lit | ~open[i], 1.0f, 0.0f);
-            open[i] &= ~-(lit | dark);
+            visibility[i] = select(-lit | ~at.in_space[i], 1.0f, 0.0f);
+            open[i] = at.in_space[i] & ~-(lit | dark);
+            any |= open[i];
         }
+        if (!any) return;
 
         receiver_block rest;  // those that need the box
         float shares[block];
@@ -1387,8 +1571,9 @@ struct hierarchical_blocks {
             rest.z[found] = r.z[i];
             found -= open[i];
         }
-        if (found == 0) return;
-        brute_force(rest, found, shares, set);
+        block_filter<filters::box, depth32f>::placed boxes;
+        brute_force.place(rest, boxes);
+        brute_force(boxes, found, shares, set);
         for (int i = 0; i < found; ++i) visibility[indices[i]] = shares[i];
     }
 };
@@ -1409,6 +1594,7 @@ struct hierarchical_blocks {
 // edge is neither a top nor a left one. In a row the last such sample is a quotient of integers; from row to row the
 // quotient and its remainder grow by constants, so that it stays exact.
 
+UMBRAGE_STRICT_MATH
 namespace umbrage {
 
 /// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up.
@@ -1657,6 +1843,7 @@ private:
 };
 
 }  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
 
 // ---- umbrage/image_ops/projected_mesh.hpp
 // A mesh on the grid of an image: its vertices projected and snapped in blocks, its triangles handed out in batches.
@@ -1665,6 +1852,7 @@ private:
 //     umbrage::mesh_view mesh{positions, triangles};
 //
 
+UMBRAGE_STRICT_MATH
 namespace umbrage {
 
 /// Triangles that somebody else owns: three indices into the positions each.
@@ -1714,8 +1902,9 @@ public:
         });
     }
 
-    /// Starts to fetch what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh.
-    void expect(std::span<const unsigned> list, std::size_t k) const {
+    /// Starts to fetch what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh. Inlined:
+    /// for GCC a function that only fetches has no effect, and a call of it is left out.
+    UMBRAGE_INLINE void expect(std::span<const unsigned> list, std::size_t k) const {
         constexpr std::size_t soon = 16, later = 32;
         if (k + later < list.size()) UMBRAGE_PREFETCH(&mesh_.triangles[list[k + later]]);
         if (k + soon < list.size())
@@ -1729,8 +1918,16 @@ public:
     [[nodiscard]] std::pair<int, int> rows(unsigned triangle, int height) const {
         const auto& t = mesh_.triangles[triangle];
         const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
-        if (planes_outside(a) | planes_outside(b) | planes_outside(c)) return {0, height};
-        const auto [lowest, highest] = std::minmax({a.y, b.y, c.y});
+        auto [lowest, highest] = std::minmax({a.y, b.y, c.y});
+        if (const unsigned crossed = planes_crossed(a, b, c)) {
+            const auto polygon = clipped(t, a, b, c, crossed);
+            if (polygon.count == 0) return {0, 0};
+            lowest = highest = polygon.vertices[0].y;
+            for (std::size_t i = 1; int(i) < polygon.count; ++i) {
+                lowest = std::min(lowest, polygon.vertices[i].y);
+                highest = std::max(highest, polygon.vertices[i].y);
+            }
+        }
         const auto rows = triangle_batch::rows(lowest, highest);
         return {std::max(rows.first, 0), std::min(rows.second, height)};
     }
@@ -1749,17 +1946,16 @@ public:
         triangles([&](unsigned i) {
             const auto& t = mesh_.triangles[i];
             const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
-            const unsigned crossed = planes_outside(a) | planes_outside(b) | planes_outside(c);
+            const unsigned crossed = planes_crossed(a, b, c);
             if (crossed == 0) {
                 batch.add(a, b, c, i, bounds, cull);
                 if (batch.full()) flush();
-            } else if (!(planes_outside(a) & planes_outside(b) & planes_outside(c)) && !(crossed & nowhere)) {
-                const auto h = [&](unsigned index) { return project_.homogeneous(mesh_.positions[index]); };
-                const auto polygon = clip_triangle(project_, h(t.x), h(t.y), h(t.z), crossed);
-                for (std::size_t k = 1; int(k) + 1 < polygon.count; ++k) {
-                    batch.add(polygon.vertices[0], polygon.vertices[k], polygon.vertices[k + 1], i, bounds, cull);
-                    if (batch.full()) flush();
-                }
+                return;
+            }
+            const auto polygon = clipped(t, a, b, c, crossed);
+            for (std::size_t k = 1; int(k) + 1 < polygon.count; ++k) {
+                batch.add(polygon.vertices[0], polygon.vertices[k], polygon.vertices[k + 1], i, bounds, cull);
+                if (batch.full()) flush();
             }
         });
         if (batch.count) flush();
@@ -1767,6 +1963,18 @@ public:
 
 private:
     static constexpr unsigned nowhere = 1u << projection::planes;
+
+    [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c) {
+        return planes_outside(a) | planes_outside(b) | planes_outside(c);
+    }
+
+    /// Of a triangle that crosses planes; empty where it is outside of one, or not finite.
+    [[nodiscard]] clipped_polygon clipped(const glm::uvec3& t, const snapped_vertex& a, const snapped_vertex& b,
+                                          const snapped_vertex& c, unsigned crossed) const {
+        if ((planes_outside(a) & planes_outside(b) & planes_outside(c)) || (crossed & nowhere)) return {};
+        const auto h = [&](unsigned index) { return project_.homogeneous(mesh_.positions[index]); };
+        return clip_triangle(project_, h(t.x), h(t.y), h(t.z), crossed);
+    }
 
     void project_block(std::size_t first) {
         glm::vec3 positions[block];
@@ -1789,6 +1997,7 @@ private:
 
 }  // namespace detail
 }  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
 
 // ---- umbrage/image_ops/rasterize.hpp
 // The depth pass on the CPU: triangles into a depth image, each sample on a shared edge covered exactly once.
@@ -1809,6 +2018,7 @@ private:
 // set and no contraction to FMA changes a bit; of clipped triangles the last may move a cut by 1/256 texel.
 //
 
+UMBRAGE_STRICT_MATH
 namespace umbrage {
 namespace detail {
 
@@ -1851,14 +2061,14 @@ private:
     std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band
 };
 
-/// A triangle's depths into an image.
-template <bool Forward>
+/// A triangle's depths into an image, that many texels of a row at a time.
+template <bool Forward, int Lanes>
 class span_writer {
 public:
     UMBRAGE_INLINE span_writer(image_view<float> depth, bool flipped)
         : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
           up_(flipped ? -depth.stride : depth.stride),
-          width_(depth.size.x) {}
+          last_block_(depth.size.x - Lanes) {}
 
     /// Starts to fetch the texels of a triangle, which for a small one takes as long as to draw another.
     UMBRAGE_INLINE void expect(const triangle_batch& batch, int i) const {
@@ -1872,16 +2082,14 @@ public:
         // Depths of one sign, and none that is flushed: their bits are in their order.
         if (plane.lowest >= 0x1p-126 && plane.highest <= 1.0) {
             const block_writer write(plane);
+            const double step = plane.dx * Lanes;
             batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
                 float* const texels = row(y);
                 double z = plane.unclamped(first, y);
-                for (; first < last && first + lanes <= width_; first += lanes, z += plane.dx * lanes)
+                for (; first < last; first += Lanes, z += step) {
+                    if (first > last_block_) return write.at_border(texels + first, z, last - first);
                     write(texels + first, z, last - first);
-                if (first >= last) return;
-                float copy[lanes]{};
-                for (int x = first; x < last; ++x) copy[x - first] = texels[x];
-                write(copy, z, last - first);
-                for (int x = first; x < last; ++x) texels[x] = copy[x - first];
+                }
             });
         } else {
             batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
@@ -1890,34 +2098,32 @@ public:
                     const double z = plane(x, y);
                     if (!(z >= 0.0 && z <= 1.0)) continue;
                     const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
-                    if (Forward ? stored <= texels[x] : stored >= texels[x]) texels[x] = stored;
+                    if (!is_nan(texels[x]) && (Forward ? stored <= texels[x] : stored >= texels[x])) texels[x] = stored;
                 }
             });
         }
     }
 
 private:
-    static constexpr int lanes = 8;
-
     struct block_writer {
-        double ramp[lanes];
+        double ramp[Lanes];
         std::int32_t lowest, highest;
 
         UMBRAGE_INLINE explicit block_writer(const depth_plane& plane)
             : lowest(std::bit_cast<std::int32_t>(static_cast<float>(plane.lowest))),
               highest(std::bit_cast<std::int32_t>(static_cast<float>(plane.highest))) {
-            for (int i = 0; i < lanes; ++i) ramp[i] = plane.dx * i;
+            for (int i = 0; i < Lanes; ++i) ramp[i] = plane.dx * i;
         }
 
-        /// The first `count` of eight texels; what is there can be anything.
+        /// The first `count` of a block's texels; what is there can be anything.
         UMBRAGE_INLINE void operator()(float* texels, double z, int count) const {
             constexpr std::int32_t infinity = 0x7F800000, sign = std::numeric_limits<std::int32_t>::min();
-            std::int32_t there[lanes], here[lanes];
-            float rounded[lanes];
-            for (int i = 0; i < lanes; ++i) rounded[i] = static_cast<float>(z + ramp[i]);
+            std::int32_t there[Lanes], here[Lanes];
+            float rounded[Lanes];
+            for (int i = 0; i < Lanes; ++i) rounded[i] = static_cast<float>(z + ramp[i]);
             std::memcpy(here, rounded, sizeof here);
             std::memcpy(there, texels, sizeof there);
-            for (int i = 0; i < lanes; ++i) {
+            for (int i = 0; i < Lanes; ++i) {
                 const std::int32_t above = here[i] < lowest ? lowest : here[i];
                 const std::int32_t depth = above > highest ? highest : above;
                 const bool nearer = Forward ? depth <= there[i] : depth >= there[i];
@@ -1927,19 +2133,27 @@ private:
             }
             std::memcpy(texels, there, sizeof there);
         }
+
+        /// The same where the row ends before the block.
+        void at_border(float* texels, double z, int count) const {
+            float copy[Lanes]{};
+            for (int i = 0; i < count; ++i) copy[i] = texels[i];
+            (*this)(copy, z, count);
+            for (int i = 0; i < count; ++i) texels[i] = copy[i];
+        }
     };
 
     [[nodiscard]] UMBRAGE_INLINE float* row(int y) const { return reinterpret_cast<float*>(bottom_ + y * up_); }
 
     std::byte* bottom_;
     std::ptrdiff_t up_;
-    int width_;
+    int last_block_;
 };
 
 template <bool Forward>
 void draw_batch(image_view<float> depth, bool flipped, const triangle_batch& batch) {
-    on_best_isa([&](auto) UMBRAGE_INLINE {
-        const span_writer<Forward> writer(depth, flipped);
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        const span_writer<Forward, decltype(set)::value == isa::avx512 ? 8 : 4> writer(depth, flipped);
         for (int i = 0; i < batch.count; ++i) {
             if (i + 1 < batch.count) writer.expect(batch, i + 1);
             writer.draw(batch, i);
@@ -2039,6 +2253,7 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
 }
 
 }  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
 
 // ---- umbrage/image_ops/summed_area.hpp
 // Summed-area tables: the sum over any rectangle of an image from four texels.
@@ -2050,53 +2265,84 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
 // Prefer integers: quantise depths or moments first. Their tables are exact, whatever the order; a table of floats
 // loses bits as it grows, and its differences lose more.
 
+UMBRAGE_STRICT_MATH
 namespace umbrage {
 namespace detail {
 
-/// Four neighbours in a row, and the steps of a running sum over them.
-template <class T>
-struct quad {
+#if defined(__GNUC__) && __GNUC__ >= 12  // clang 14 is slower with eight lanes than with four
+#define UMBRAGE_HAS_EIGHT_LANES 1
+#else
+#define UMBRAGE_HAS_EIGHT_LANES 0
+#endif
+#if defined(__clang__) || UMBRAGE_HAS_EIGHT_LANES
+#define UMBRAGE_HAS_SHUFFLES 1
+#else
+#define UMBRAGE_HAS_SHUFFLES 0
+#endif
+
+/// Neighbours in a row, and the steps of a running sum over them.
+template <class T, int Lanes>
+struct group {
 #if defined(__GNUC__) || defined(__clang__)
-    typedef T lanes __attribute__((vector_size(4 * sizeof(T))));
+    typedef T lanes __attribute__((vector_size(Lanes * sizeof(T))));
 #else
     struct lanes {
-        T at[4];
+        T at[Lanes];
         T& operator[](int i) { return at[i]; }
-        friend lanes operator+(lanes a, lanes b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]}; }
+        friend lanes operator+(lanes a, const lanes& b) {
+            for (int i = 0; i < Lanes; ++i) a[i] += b.at[i];
+            return a;
+        }
     };
 #endif
-    static UMBRAGE_INLINE lanes load(const T* from) {
-        lanes v;
-        std::memcpy(&v, from, sizeof v);
-        return v;
-    }
-    static UMBRAGE_INLINE void store(lanes v, T* to) { std::memcpy(to, &v, sizeof v); }
+    static UMBRAGE_INLINE void load(const T* from, lanes& v) { std::memcpy(&v, from, sizeof v); }
+    static UMBRAGE_INLINE void store(const lanes& v, T* to) { std::memcpy(to, &v, sizeof v); }
 
     /// Past the cache, which a large table would only push everything else out of: half the traffic. Wants a multiple
     /// of 16 bytes, and finish_streaming() before anybody else looks.
-    static UMBRAGE_INLINE void stream(lanes v, T* to) {
+    static UMBRAGE_INLINE void stream(const lanes& v, T* to) {
 #if defined(__clang__)
         __builtin_nontemporal_store(v, reinterpret_cast<lanes*>(to));
 #elif defined(__GNUC__) && defined(__x86_64__)
-        typedef float floats __attribute__((vector_size(16)));
-        __builtin_ia32_movntps(reinterpret_cast<float*>(to), reinterpret_cast<floats>(v));
+        typedef float four __attribute__((vector_size(16)));
+        four parts[sizeof v / sizeof(four)];
+        std::memcpy(parts, &v, sizeof v);
+        for (std::size_t i = 0; i < sizeof v / sizeof(four); ++i)
+            __builtin_ia32_movntps(reinterpret_cast<float*>(to) + 4 * i, parts[i]);
 #else
         store(v, to);
 #endif
     }
 
     /// Each plus those before it.
-    static UMBRAGE_INLINE lanes running_sum(lanes v) {
-#if defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12)
-        v = v + __builtin_shufflevector(lanes{}, v, 0, 4, 5, 6);
-        return v + __builtin_shufflevector(lanes{}, v, 0, 1, 4, 5);
+    static UMBRAGE_INLINE void running_sum(lanes& v) {
+#if UMBRAGE_HAS_SHUFFLES
+        if constexpr (Lanes == 8) {
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 8, 9, 10, 11, 12, 13, 14);
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 8, 9, 10, 11, 12, 13);
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 2, 3, 8, 9, 10, 11);
+        } else {
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 4, 5, 6);
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 4, 5);
+        }
 #else
         v = v + lanes{T(0), v[0], v[1], v[2]};
-        return v + lanes{T(0), T(0), v[0], v[1]};
+        v = v + lanes{T(0), T(0), v[0], v[1]};
 #endif
     }
-    static UMBRAGE_INLINE lanes all_last(lanes v) { return lanes{v[3], v[3], v[3], v[3]}; }
+    static UMBRAGE_INLINE void all_last(lanes& v) {
+#if UMBRAGE_HAS_SHUFFLES
+        if constexpr (Lanes == 8) v = __builtin_shufflevector(v, v, 7, 7, 7, 7, 7, 7, 7, 7);
+        else v = __builtin_shufflevector(v, v, 3, 3, 3, 3);
+#else
+        v = lanes{v[3], v[3], v[3], v[3]};
+#endif
+    }
 };
+
+/// Floats are always added in fours, in the order that summed_area states; integers in any.
+template <class T, isa Set>
+inline constexpr int group_lanes = std::is_integral_v<T> && UMBRAGE_HAS_EIGHT_LANES && Set != isa::base ? 8 : 4;
 
 inline void finish_streaming() {
 #if defined(__GNUC__) && defined(__x86_64__)
@@ -2107,17 +2353,23 @@ inline void finish_streaming() {
 enum class table_store { none, plain, streaming };
 
 /// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`.
-template <table_store Store, class From, class Sum>
+template <table_store Store, int Lanes, class From, class Sum>
 UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line, Sum* to, int count) {
-    using four = quad<Sum>;
-    typename four::lanes carry{};
-    const auto sum_four = [&](const Sum* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
-        const auto group = four::running_sum(four::load(values));
-        const auto sums = (carry + group) + four::load(lines);
-        carry = carry + four::all_last(group);
-        four::store(sums, lines);
-        if constexpr (Store == table_store::plain) four::store(sums + four::load(under), result);
-        if constexpr (Store == table_store::streaming) four::stream(sums + four::load(under), result);
+    using few = group<Sum, Lanes>;
+    typename few::lanes carry{};
+    const auto sum_few = [&](const Sum* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
+        typename few::lanes sums, there, together;
+        few::load(values, together);
+        few::load(lines, there);
+        few::running_sum(together);
+        sums = (carry + together) + there;
+        few::all_last(together);
+        carry = carry + together;
+        few::store(sums, lines);
+        if constexpr (Store == table_store::none) return;
+        few::load(under, there);
+        if constexpr (Store == table_store::plain) few::store(sums + there, result);
+        if constexpr (Store == table_store::streaming) few::stream(sums + there, result);
     };
     int x = 0;
     for (; x + block <= count; x += block) {
@@ -2125,14 +2377,14 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         for (int i = 0; i < block; i += 64 / static_cast<int>(sizeof(From)))  // measured: what the machine does itself is too late
             UMBRAGE_PREFETCH(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(from + x + i) + 1536));
         for (int i = 0; i < block; ++i) values[i] = from[x + i];
-        for (int i = 0; i < block; i += 4) sum_four(values + i, base + x + i, line + x + i, to + x + i);
+        for (int i = 0; i < block; i += Lanes) sum_few(values + i, base + x + i, line + x + i, to + x + i);
     }
-    for (; x < count; x += 4) {  // base and line are long enough
-        const int there = count - x < 4 ? count - x : 4;
-        Sum values[4]{};
-        alignas(16) Sum result[4];
+    for (; x < count; x += Lanes) {  // base and line are long enough
+        const int there = count - x < Lanes ? count - x : Lanes;
+        Sum values[Lanes]{};
+        alignas(Lanes * sizeof(Sum)) Sum result[Lanes];
         for (int i = 0; i < there; ++i) values[i] = from[x + i];
-        sum_four(values, base + x, line + x, result);
+        sum_few(values, base + x, line + x, result);
         if constexpr (Store != table_store::none)
             for (int i = 0; i < there; ++i) to[x + i] = result[i];
     }
@@ -2140,25 +2392,47 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
 
 inline constexpr int band_rows = 64;  ///< rows of a table that are summed from zero, then put on top of what is before them
 
-/// Rows first <= y < last of one band; `line` becomes the sums of the band down to there.
+/// Rows first <= y < last of one band into the table; `line` becomes the sums of the band down to there.
 template <class From, class Sum>
-void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, int last, const Sum* base, Sum* line, bool store) {
+void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, int last, const Sum* base, Sum* line) {
     constexpr std::ptrdiff_t large = std::ptrdiff_t(1) << 22;  // bytes: beyond what stays in a cache
     const int width = sums.size.x;
     const bool is_large = sums.size.y * (width * static_cast<std::ptrdiff_t>(sizeof(Sum))) >= large;
-    on_best_isa([&](auto) UMBRAGE_INLINE {
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        constexpr int lanes = group_lanes<Sum, decltype(set)::value>;
         for (int y = first; y < last; ++y) {
             const From* from = values.row(y);
             Sum* to = sums.row(y);
-            if (!store)
-                sum_row<table_store::none>(from, base, line, to, width);
-            else if (is_large && reinterpret_cast<std::uintptr_t>(to) % 16 == 0)
-                sum_row<table_store::streaming>(from, base, line, to, width);
+            if (is_large && reinterpret_cast<std::uintptr_t>(to) % 16 == 0)
+                sum_row<table_store::streaming, lanes>(from, base, line, to, width);
             else
-                sum_row<table_store::plain>(from, base, line, to, width);
+                sum_row<table_store::plain, lanes>(from, base, line, to, width);
         }
     });
-    if (is_large && store) finish_streaming();
+    if (is_large) finish_streaming();
+}
+
+/// What those rows put under all that follow; `line` starts as zeros.
+template <class From, class Sum>
+void total_of_rows(image_view<const From> values, int first, int last, Sum* line) {
+    const int width = values.size.x;
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        if constexpr (std::is_integral_v<Sum>) {  // in any order: down the columns, then along one row
+            for (int y = first; y < last; ++y) {
+                const From* from = values.row(y);
+                int x = 0;
+                for (; x + block <= width; x += block) {
+                    UMBRAGE_NO_OVERLAP
+                    for (int i = 0; i < block; ++i) line[x + i] += from[x + i];
+                }
+                for (; x < width; ++x) line[x] += from[x];
+            }
+            for (int x = 1; x < width; ++x) line[x] += line[x - 1];
+        } else {
+            for (int y = first; y < last; ++y)
+                sum_row<table_store::none, group_lanes<Sum, decltype(set)::value>>(values.row(y), line, line, line, width);
+        }
+    });
 }
 
 }  // namespace detail
@@ -2181,7 +2455,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
     if (values.size != sums.size) throw std::invalid_argument("umbrage::summed_area: sizes differ");
     if (values.empty()) return;
     const int height = sums.size.y, bands = (height + detail::band_rows - 1) / detail::band_rows;
-    const auto length = (static_cast<std::size_t>(sums.size.x) + 3) / 4 * 4;
+    const auto length = (static_cast<std::size_t>(sums.size.x) + 7) / 8 * 8;
     const auto end_of = [=](int b) { return b + 1 < bands ? (b + 1) * detail::band_rows : height; };
     const auto add = [=](const Sum* from, Sum* to) {
         for (std::size_t i = 0; i < length; ++i) to[i] = from[i] + to[i];
@@ -2189,7 +2463,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
     if constexpr (std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>) {
         std::vector<Sum> base(length), line(length);
         for (int b = 0; b < bands; ++b) {
-            detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base.data(), line.data(), true);
+            detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base.data(), line.data());
             add(line.data(), base.data());
             line.assign(length, Sum(0));
         }
@@ -2200,13 +2474,13 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
         if (bands > 1)
             parallel(bands - 1, [&](int first, int last) {
                 for (int b = first; b < last; ++b)
-                    detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base(0), base(b + 1), false);
+                    detail::total_of_rows<value, Sum>(values, b * detail::band_rows, end_of(b), base(b + 1));
             });
         for (int b = 1; b < bands; ++b) add(base(b - 1), base(b));
         parallel(bands, [&](int first, int last) {
             for (int b = first; b < last; ++b) {
                 std::vector<Sum> line(length);
-                detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base(b), line.data(), true);
+                detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base(b), line.data());
             }
         });
     }
@@ -2231,6 +2505,7 @@ template <class T>
 }
 
 }  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
 
 // ---- umbrage/image_ops/visibility.hpp
 // A whole image of receivers against a shadow map, with any filter and any encoding.
@@ -2293,14 +2568,6 @@ struct depth_receivers {
 
 namespace detail {
 
-/// Most blocks are whole, and then the compiler knows how much there is to copy.
-UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
-    if (count == block)
-        std::memcpy(to, from, block * sizeof(float));
-    else
-        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
-}
-
 /// Receivers x .. x + count of row y.
 UMBRAGE_INLINE inline void load(const image_view<const glm::vec3>& receivers, int x, int y, int count, receiver_block& r) {
     const glm::vec3* from = receivers.row(y) + x;
@@ -2347,28 +2614,39 @@ inline void load(const depth_receivers& seen, int first, int row, int count, rec
     return receivers.depth.size;
 }
 
+/// A walk over the blocks of some rows.
+struct block_walk {
+    int x, y, width;
+
+    [[nodiscard]] UMBRAGE_INLINE int count() const { return width - x < block ? width - x : block; }
+    UMBRAGE_INLINE void step() {
+        x += block;
+        if (x < width) return;
+        x = 0;
+        ++y;
+    }
+};
+
 /// Every receiver through a filter in either form.
 template <class Receivers, class Filter, class ParallelFor>
 void filter_rows(const Receivers& receivers, const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
-    const int per_row = (out.size.x + block - 1) / block;
     parallel(out.size.y, [&](int first, int last) {
         on_best_isa([&](auto set) UMBRAGE_INLINE {
-            receiver_block receivers_of[2];  // of this block and the next, whose texels are on their way meanwhile
+            constexpr unsigned ring = 4;  // blocks on their way
+            typename Filter::placed placed[ring];
+            receiver_block r;
             float visibility[block];
-            const auto start = [&](int row, int n) UMBRAGE_INLINE {
-                const int x = n * block, count = out.size.x - x < block ? out.size.x - x : block;
-                load(receivers, x, row, count, receivers_of[n & 1]);
-                filter.prefetch(receivers_of[n & 1]);
-                return count;
-            };
-            for (int y = first; y < last; ++y) {
-                int count = start(y, 0);
-                for (int n = 0; n < per_row; ++n) {
-                    const int next = n + 1 < per_row ? start(y, n + 1) : 0;
-                    filter(receivers_of[n & 1], count, visibility, set);
-                    copy_floats(out.row(y) + n * block, visibility, count);
-                    count = next;
+            block_walk ahead{0, first, out.size.x}, at = ahead;
+            for (unsigned n = 0; at.y < last; ++n) {
+                if (ahead.y < last) {
+                    load(receivers, ahead.x, ahead.y, ahead.count(), r);
+                    filter.place(r, placed[n % ring]);
+                    ahead.step();
                 }
+                if (n + 1 < ring) continue;
+                filter(placed[(n + 1) % ring], at.count(), visibility, set);
+                copy_floats(out.row(at.y) + at.x, visibility, at.count());
+                at.step();
             }
         });
     });
@@ -2381,12 +2659,14 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     if (map.empty()) throw std::invalid_argument("umbrage::visibility: empty map");
     if (out.empty()) return;
     constexpr bool hierarchical = std::is_same_v<Filter, filters::hierarchical_box>;
-    if constexpr ((hierarchical || std::is_same_v<Filter, filters::box>) && !std::is_same_v<Encoding, depth32f>) {
-        // As floats, unless that is more work than the boxes.
+    if constexpr (hierarchical || std::is_same_v<Filter, filters::box>) {
+        // Boxes want floats, in rows that do not push each other out of the cache; unless that is more work than the boxes.
         const auto texels = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
-        if (texels(map.size) < 16.0 * texels(out.size)) {
-            image<float> depth(map.size);
-            decode(map, depth.view(), encoding, parallel);
+        const bool as_it_is = std::is_same_v<Encoding, depth32f> && !rows_collide(map.stride, filter.radius);
+        if (!as_it_is && texels(map.size) < 16.0 * texels(out.size)) {
+            image<float> copy({map.size.x + row_padding(map.size.x), map.size.y});
+            const image_view<float> depth(copy.view().data, map.size, copy.view().stride);
+            decode(map, depth, encoding, parallel);
             return filter_image(image_view<const float>(depth), depth32f{}, receivers, filter, out, parallel);
         }
     }

@@ -44,6 +44,7 @@
 #include <glm/vector_relational.hpp>
 #include <initializer_list>
 #include <limits>
+#include <new>
 #include <numbers>
 #include <span>
 #include <stdexcept>
@@ -471,6 +472,24 @@ struct image_view {
     }
 };
 
+namespace detail {
+
+/// Starts memory where a line of the cache starts, so that no block of pixels straddles two without need.
+template <class T>
+struct line_allocator {
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+
+    line_allocator() = default;
+    template <class Other>
+    line_allocator(const line_allocator<Other>&) {}
+    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
+    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, line); }
+    bool operator==(const line_allocator&) const = default;
+};
+
+}  // namespace detail
+
 /// Pixels of our own, without gaps between rows.
 template <class T>
 class image {
@@ -500,7 +519,7 @@ public:
 private:
     static_assert(!std::is_same_v<T, bool>, "std::vector<bool> has no pixels to view: use std::uint8_t");
     glm::ivec2 size_{0, 0};
-    std::vector<T> texels_;
+    std::vector<T, detail::line_allocator<T>> texels_;
 };
 
 /// Texel of the map, coordinates outside moved to the nearest one inside. The map must not be empty.
