@@ -162,7 +162,7 @@ struct block_filter<filters::box, depth32f> {
             const std::int32_t x = floor_int(masked(r.x[i], at.in_space[i])) - before;
             const std::int32_t y = floor_int(masked(r.y[i], at.in_space[i])) - before;
             at.inside[i] = -(std::int32_t(x >= 0) & std::int32_t(x <= last_x) & std::int32_t(y >= 0) & std::int32_t(y <= last_y));
-            at.offsets[i] = memory.offset(x, y) & at.inside[i];
+            at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
             at.x[i] = x;
             at.y[i] = y;
             at.z[i] = r.z[i];

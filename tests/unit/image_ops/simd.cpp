@@ -179,6 +179,36 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
     });
 }
 
+/// Receivers that follow each other through a map, most of them well inside: whole blocks that need no care.
+/// Rows of 512 and 1024 floats push each other out of the cache, and large boxes then go through a copy.
+template <class Encoding, class Filter>
+void check_coherent(Encoding encoding, Filter filter, glm::ivec2 map_size) {
+    CAPTURE(map_size.x);
+    values v;
+    image<typename Encoding::texel> map(map_size);
+    for (auto& texel : map.texels()) texel = encoding.encode(0.3f + 0.4f * v.unit());
+    const glm::ivec2 size(192, 24);
+    image<glm::vec3> receivers(size);
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            receivers[{x, y}] = {12.0f + 1.03f * static_cast<float>(x), 9.0f + 1.7f * static_cast<float>(y), 0.3f + 0.02f * static_cast<float>(y)};
+    receivers[{5, 3}].z = std::numeric_limits<float>::quiet_NaN();
+    receivers[{70, 4}].x = -3.0f;
+    receivers[{130, 5}].x = static_cast<float>(map_size.x) - 0.5f;
+    const auto fetch = umbrage::decoded(std::as_const(map).view(), encoding);
+    for_each_path([&] {
+        image<float> out(size);
+        umbrage::visibility(map, encoding, receivers, filter, out, bands{3});
+        int different = 0;
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const glm::vec3 r = receivers[{x, y}];
+                different += visibility_bits(filter(fetch, glm::vec2(r), r.z)) != visibility_bits(out[{x, y}]);
+            }
+        CHECK(different == 0);
+    });
+}
+
 template <class Encoding>
 void check_filters(Encoding encoding) {
     for (const glm::ivec2 map_size : {glm::ivec2(1, 1), glm::ivec2(1, 9), glm::ivec2(2, 2), glm::ivec2(9, 4), glm::ivec2(67, 45)}) {
@@ -210,3 +240,15 @@ TEST_CASE("visibility: every path gives the filter's bits, 16-bit map") {
     check_filters(umbrage::rg<16>{.edge = umbrage::centre<float>});
 }
 TEST_CASE("visibility: every path gives the filter's bits, 24-bit map") { check_filters(umbrage::rgb24{}); }
+
+TEST_CASE("visibility: whole blocks inside the map, and rows that collide in the cache") {
+    for (const glm::ivec2 map_size : {glm::ivec2(512, 61), glm::ivec2(600, 61), glm::ivec2(1024, 61)}) {
+        check_coherent(umbrage::depth32f{}, umbrage::filters::pcf_2x2{}, map_size);
+        check_coherent(umbrage::rg<11>{}, umbrage::filters::pcf_2x2{}, map_size);
+        for (int radius : {0, 1, 2, 3, 4, 6, 8}) {
+            check_coherent(umbrage::depth32f{}, umbrage::filters::box{radius}, map_size);
+            check_coherent(umbrage::depth32f{}, umbrage::filters::hierarchical_box{radius}, map_size);
+            check_coherent(umbrage::rg<16>{}, umbrage::filters::box{radius}, map_size);
+        }
+    }
+}
