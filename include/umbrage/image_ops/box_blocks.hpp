@@ -154,18 +154,20 @@ struct block_filter<filters::box, depth32f> {
 
     [[nodiscard]] UMBRAGE_INLINE int radius() const { return clamp_int(filter.radius, max_box_radius); }
 
-    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const texel_bytes memory(map);
         const int before = radius(), width = 2 * before + 1, last_x = map.size.x - width, last_y = map.size.y - width;
+        UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
-            at.in_space[i] = texel_space_mask(r.x[i], r.y[i]);
-            const std::int32_t x = floor_int(masked(r.x[i], at.in_space[i])) - before;
-            const std::int32_t y = floor_int(masked(r.y[i], at.in_space[i])) - before;
+            at.in_space[i] = texel_space_mask(receivers.x(i), receivers.y(i));
+            const std::int32_t x = floor_int(masked(receivers.x(i), at.in_space[i])) - before;
+            const std::int32_t y = floor_int(masked(receivers.y(i), at.in_space[i])) - before;
             at.inside[i] = -(std::int32_t(x >= 0) & std::int32_t(x <= last_x) & std::int32_t(y >= 0) & std::int32_t(y <= last_y));
             at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
             at.x[i] = x;
             at.y[i] = y;
-            at.z[i] = r.z[i];
+            at.z[i] = receivers.z(i);
         }
         prefetch(memory, at.offsets, last_y < 0 ? 1 : width);
     }

@@ -94,19 +94,22 @@ struct hierarchical_blocks {
     const box_bounds& tree;
     block_filter<filters::box, depth32f> brute_force;
 
-    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const int radius = brute_force.radius();
         const texel_bytes memory(tree.bounds.view());
         const int before = tree.cells - 1, level = tree.level;
         const glm::ivec2 last = tree.last;
+        UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
-            const std::int32_t in_space = texel_space_mask(r.x[i], r.y[i]);
-            const std::int32_t x = floor_int(masked(r.x[i], in_space)) - radius, y = floor_int(masked(r.y[i], in_space)) - radius;
+            const std::int32_t in_space = texel_space_mask(receivers.x(i), receivers.y(i));
+            const std::int32_t x = floor_int(masked(receivers.x(i), in_space)) - radius;
+            const std::int32_t y = floor_int(masked(receivers.y(i), in_space)) - radius;
+            at.r.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
             at.offsets[i] = memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
             at.in_space[i] = in_space;
         }
         prefetch(memory, at.offsets, 1);
-        at.r = r;
     }
 
     template <class Isa>
@@ -117,7 +120,7 @@ struct hierarchical_blocks {
         glm::vec2 bounds[block];
         for (int i = 0; i < block; ++i) bounds[i] = *memory.at(at.offsets[i]);
         for (int i = 0; i < block; ++i) {
-            const std::int32_t lit = is_lit(r.z[i], bounds[i].x), dark = std::int32_t(r.z[i] > bounds[i].y);
+            const std::int32_t lit = is_lit(r.z(i), bounds[i].x), dark = std::int32_t(r.z(i) > bounds[i].y);
             visibility[i] = select(-lit | ~at.in_space[i], 1.0f, 0.0f);
             open[i] = at.in_space[i] & ~-(lit | dark);
             any |= open[i];
@@ -129,9 +132,7 @@ struct hierarchical_blocks {
         int indices[block], found = 0;
         for (int i = 0; i < count; ++i) {
             indices[found] = i;
-            rest.x[found] = r.x[i];
-            rest.y[found] = r.y[i];
-            rest.z[found] = r.z[i];
+            rest.set(found, r.x(i), r.y(i), r.z(i));
             found -= open[i];
         }
         block_filter<filters::box, depth32f>::placed boxes;

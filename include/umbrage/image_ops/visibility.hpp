@@ -78,52 +78,6 @@ struct depth_receivers {
 
 namespace detail {
 
-/// Receivers x .. x + count of row y.
-UMBRAGE_INLINE inline void load(const image_view<const glm::vec3>& receivers, int x, int y, int count, receiver_block& r) {
-    const glm::vec3* from = receivers.row(y) + x;
-    const auto copy = [&](int n) UMBRAGE_INLINE {
-        for (int i = 0; i < n; ++i) {
-            r.x[i] = from[i].x;
-            r.y[i] = from[i].y;
-            r.z[i] = from[i].z;
-        }
-    };
-    count == block ? copy(block) : copy(count);
-}
-UMBRAGE_INLINE inline void load(const receiver_planes& receivers, int x, int y, int count, receiver_block& r) {
-    copy_floats(r.x, receivers.x.row(y) + x, count);
-    copy_floats(r.y, receivers.y.row(y) + x, count);
-    copy_floats(r.z, receivers.depth.row(y) + x, count);
-}
-
-/// receiver_at for a block.
-inline void load(const depth_receivers& seen, int first, int row, int count, receiver_block& r) {
-    copy_floats(r.z, seen.depth.row(row) + first, count);
-    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
-        const glm::mat4 m = seen.matrix;
-        const float bias = seen.bias;
-        const float y = static_cast<float>(row) + 0.5f;
-        for (int i = 0; i < block; ++i) {
-            const float x = static_cast<float>(first + i) + 0.5f, depth = r.z[i];
-            const auto sum = [&](int k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
-            const float w = sum(3);
-            const auto bits = std::bit_cast<std::int32_t>(w);
-            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
-            r.x[i] = select(in_front, sum(0) / w, 65536.0f);
-            r.y[i] = select(in_front, sum(1) / w, 65536.0f);
-            r.z[i] = masked(sum(2) / w, in_front) - bias;
-        }
-    });
-}
-
-[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
-[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
-[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
-    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
-        throw std::invalid_argument("umbrage::visibility: sizes differ");
-    return receivers.depth.size;
-}
-
 /// A walk over the blocks of some rows.
 struct block_walk {
     int x, y, width;
@@ -137,6 +91,57 @@ struct block_walk {
     }
 };
 
+/// Hands a block of receivers on: whole ones where they are, others as a copy.
+template <class Receivers, class Use>
+UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, const Use& use) {
+    if (count == block) return use(receivers);
+    receiver_block copy;
+    for (int i = 0; i < count; ++i) copy.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
+    use(copy);
+}
+template <class Use>
+UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& receivers, const block_walk& at, const Use& use) {
+    use_block(receiver_texels{receivers.row(at.y) + at.x}, at.count(), use);
+}
+template <class Use>
+UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, const Use& use) {
+    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(), use);
+}
+
+/// receiver_at for a block.
+inline void load(const depth_receivers& seen, const block_walk& at, receiver_block& r) {
+    copy_floats(r.zs, seen.depth.row(at.y) + at.x, at.count());
+    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+        const glm::mat4 m = seen.matrix;
+        const float bias = seen.bias;
+        const float y = static_cast<float>(at.y) + 0.5f;
+        for (int i = 0; i < block; ++i) {
+            const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
+            const auto sum = [&](int k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
+            const float w = sum(3);
+            const auto bits = std::bit_cast<std::int32_t>(w);
+            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
+            r.xs[i] = select(in_front, sum(0) / w, 65536.0f);
+            r.ys[i] = select(in_front, sum(1) / w, 65536.0f);
+            r.zs[i] = masked(sum(2) / w, in_front) - bias;
+        }
+    });
+}
+template <class Use>
+UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const block_walk& at, const Use& use) {
+    receiver_block r;
+    load(seen, at, r);
+    use(r);
+}
+
+[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
+    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
+        throw std::invalid_argument("umbrage::visibility: sizes differ");
+    return receivers.depth.size;
+}
+
 /// Every receiver through a filter in either form.
 template <class Receivers, class Filter, class ParallelFor>
 void filter_rows(const Receivers& receivers, const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
@@ -144,13 +149,11 @@ void filter_rows(const Receivers& receivers, const Filter& filter, image_view<fl
         on_best_isa([&](auto set) UMBRAGE_INLINE {
             constexpr unsigned ring = 4;  // blocks on their way
             typename Filter::placed placed[ring];
-            receiver_block r;
             float visibility[block];
             block_walk ahead{0, first, out.size.x}, at = ahead;
             for (unsigned n = 0; at.y < last; ++n) {
                 if (ahead.y < last) {
-                    load(receivers, ahead.x, ahead.y, ahead.count(), r);
-                    filter.place(r, placed[n % ring]);
+                    use_receivers(receivers, ahead, [&](const auto& of_block) UMBRAGE_INLINE { filter.place(of_block, placed[n % ring]); });
                     ahead.step();
                 }
                 if (n + 1 < ring) continue;

@@ -5,7 +5,7 @@
 // the second step loads it (two neighbours at a time), compares and weighs. All but the loads vectorises.
 //
 //     umbrage::detail::block_filter<umbrage::filters::pcf_2x2, umbrage::rg<11>> filter{map, {}, {}};
-//     filter.place(receivers, placed);
+//     filter.place(receiver_texels{receivers}, placed);
 //     filter(placed, count, visibility, isa);
 //
 #pragma once
@@ -16,6 +16,9 @@
 #include <cstdint>
 #include <cstring>
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
 #include <umbrage/filter/box.hpp>
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/image_ops/encode.hpp>
@@ -24,9 +27,38 @@
 
 namespace umbrage::detail {
 
-/// Texels, texels, depth; what lies behind the last receiver of a row is not read into any result.
+/// A block of receivers in an image, read where they are. Element by element: GCC does not vectorise whole vec3s.
+struct receiver_texels {
+    const glm::vec3* first;
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first[i].x; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first[i].y; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first[i].z; }
+};
+
+/// The same in three planes.
+struct receiver_rows {
+    const float *first_x, *first_y, *first_z;
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first_x[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first_y[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
+};
+
+/// The same in memory of its own; what lies behind the last receiver of a row is not read into any result.
 struct receiver_block {
-    alignas(64) float x[block]{}, y[block]{}, z[block]{};
+    alignas(64) float xs[block]{}, ys[block]{}, zs[block]{};
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return xs[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return ys[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return zs[i]; }
+    UMBRAGE_INLINE void set(int i, float x_at, float y_at, float depth) {
+        xs[i] = x_at;
+        ys[i] = y_at;
+        zs[i] = depth;
+    }
+    template <class Receivers>
+    UMBRAGE_INLINE void copy(const Receivers& from) {
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) set(i, from.x(i), from.y(i), from.z(i));
+    }
 };
 
 /// less_equal as a number. -ffast-math makes compilers forget what NaN does to <=; then the bits say it.
@@ -167,11 +199,14 @@ struct one_by_one {
     const Encoding& encoding;
     const Filter& filter;
 
-    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const { at = r; }
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.copy(receivers);
+    }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
         const auto fetch = decoded(map, encoding);
-        for (int i = 0; i < count; ++i) visibility[i] = filter(fetch, glm::vec2(at.x[i], at.y[i]), at.z[i]);
+        for (int i = 0; i < count; ++i) visibility[i] = filter(fetch, glm::vec2(at.x(i), at.y(i)), at.z(i));
     }
 };
 
@@ -180,11 +215,11 @@ struct placed_tap {
     std::int32_t offsets[block], inside[block];
 
     template <class T>
-    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& r, glm::vec2 offset) {
+    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset) {
         const texel_bytes memory(map);
         const auto last_x = static_cast<float>(map.size.x - 1), last_y = static_cast<float>(map.size.y - 1);
         for (int i = 0; i < block; ++i) {
-            const float x = r.x[i] + offset.x, y = r.y[i] + offset.y;
+            const float x = receivers.x(i) + offset.x, y = receivers.y(i) + offset.y;
             inside[i] = texel_space_mask(x, y);
             offsets[i] = memory.offset(floor_within(x, last_x), floor_within(y, last_y));
         }
@@ -213,21 +248,22 @@ template <class Encoding>
 struct block_filter<filters::hard, Encoding> {
     static constexpr int least = 1;
     struct placed {
+        receiver_block r;
         placed_tap tap;
-        float z[block];
     };
     image_view<const typename Encoding::texel> map;
     const Encoding& encoding;
     const filters::hard& filter;
 
-    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
-        at.tap.place(map, r, glm::vec2(0.0f));
-        std::memcpy(at.z, r.z, sizeof at.z);
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.r.copy(receivers);
+        at.tap.place(map, at.r, glm::vec2(0.0f));
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         std::int32_t lit[block]{};
-        at.tap.count(map, encoding, at.z, lit);
+        at.tap.count(map, encoding, at.r.zs, lit);
         for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
     }
 };
@@ -236,21 +272,22 @@ template <class Encoding>
 struct block_filter<filters::four_tap, Encoding> {
     static constexpr int least = 1;
     struct placed {
+        receiver_block r;
         placed_tap taps[4];
-        float z[block];
     };
     image_view<const typename Encoding::texel> map;
     const Encoding& encoding;
     const filters::four_tap& filter;
 
-    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
-        for (int tap = 0; tap < 4; ++tap) at.taps[tap].place(map, r, filter.offsets[static_cast<std::size_t>(tap)]);
-        std::memcpy(at.z, r.z, sizeof at.z);
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.r.copy(receivers);
+        for (int tap = 0; tap < 4; ++tap) at.taps[tap].place(map, at.r, filter.offsets[static_cast<std::size_t>(tap)]);
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         std::int32_t lit[block]{};
-        for (const placed_tap& tap : at.taps) tap.count(map, encoding, at.z, lit);
+        for (const placed_tap& tap : at.taps) tap.count(map, encoding, at.r.zs, lit);
         for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]) * 0.25f;
     }
 };
@@ -268,7 +305,8 @@ struct block_filter<filters::pcf_2x2, Encoding> {
     const Encoding& encoding;
     const filters::pcf_2x2& filter;
 
-    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const texel_bytes memory(map);
         constexpr int far = 1 << 15;  // no position is farther
         const int last_x = (map.size.x < far ? map.size.x : far) - 1, last_y = (map.size.y < far ? map.size.y : far) - 1;
@@ -278,10 +316,12 @@ struct block_filter<filters::pcf_2x2, Encoding> {
             hi = static_cast<float>(position - texel * 256);
             return texel;
         };
+        UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
-            at.inside[i] = texel_space_mask(r.x[i], r.y[i]);
-            at.offsets[i] = memory.offset(axis(r.x[i], last_x, at.hi_x[i]), axis(r.y[i], last_y, at.hi_y[i]));
-            at.z[i] = r.z[i];
+            const float x = receivers.x(i), y = receivers.y(i);
+            at.inside[i] = texel_space_mask(x, y);
+            at.offsets[i] = memory.offset(axis(x, last_x, at.hi_x[i]), axis(y, last_y, at.hi_y[i]));
+            at.z[i] = receivers.z(i);
         }
         prefetch(memory, at.offsets, 2);
     }
