@@ -99,12 +99,16 @@ UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, cons
     for (int i = 0; i < count; ++i) copy.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
     use(copy);
 }
-template <class Use>
-UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& receivers, const block_walk& at, const Use& use) {
-    use_block(receiver_texels{receivers.row(at.y) + at.x}, at.count(), use);
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa, const Use& use) {
+    const receiver_texels receivers{from.row(at.y) + at.x};
+    if (Isa::value != isa::base || at.count() != block) return use_block(receivers, at.count(), use);
+    receiver_block copy;  // GCC takes vec3s apart for SSE only in a loop that does nothing else
+    copy.copy(receivers);
+    use(copy);
 }
-template <class Use>
-UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, const Use& use) {
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, Isa, const Use& use) {
     use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(), use);
 }
 
@@ -127,8 +131,8 @@ inline void load(const depth_receivers& seen, const block_walk& at, receiver_blo
         }
     });
 }
-template <class Use>
-UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const block_walk& at, const Use& use) {
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const block_walk& at, Isa, const Use& use) {
     receiver_block r;
     load(seen, at, r);
     use(r);
@@ -153,7 +157,7 @@ void filter_rows(const Receivers& receivers, const Filter& filter, image_view<fl
             block_walk ahead{0, first, out.size.x}, at = ahead;
             for (unsigned n = 0; at.y < last; ++n) {
                 if (ahead.y < last) {
-                    use_receivers(receivers, ahead, [&](const auto& of_block) UMBRAGE_INLINE { filter.place(of_block, placed[n % ring]); });
+                    use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE { filter.place(of_block, placed[n % ring]); });
                     ahead.step();
                 }
                 if (n + 1 < ring) continue;
