@@ -581,15 +581,44 @@ struct hierarchical_box {
 // the second step loads it (two neighbours at a time), compares and weighs. All but the loads vectorises.
 //
 //     umbrage::detail::block_filter<umbrage::filters::pcf_2x2, umbrage::rg<11>> filter{map, {}, {}};
-//     filter.place(receivers, placed);
+//     filter.place(receiver_texels{receivers}, placed);
 //     filter(placed, count, visibility, isa);
 //
 
 namespace umbrage::detail {
 
-/// Texels, texels, depth; what lies behind the last receiver of a row is not read into any result.
+/// A block of receivers in an image, read where they are. Element by element: GCC does not vectorise whole vec3s.
+struct receiver_texels {
+    const glm::vec3* first;
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first[i].x; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first[i].y; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first[i].z; }
+};
+
+/// The same in three planes.
+struct receiver_rows {
+    const float *first_x, *first_y, *first_z;
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first_x[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first_y[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
+};
+
+/// The same in memory of its own; what lies behind the last receiver of a row is not read into any result.
 struct receiver_block {
-    alignas(64) float x[block]{}, y[block]{}, z[block]{};
+    alignas(64) float xs[block]{}, ys[block]{}, zs[block]{};
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return xs[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return ys[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return zs[i]; }
+    UMBRAGE_INLINE void set(int i, float x_at, float y_at, float depth) {
+        xs[i] = x_at;
+        ys[i] = y_at;
+        zs[i] = depth;
+    }
+    template <class Receivers>
+    UMBRAGE_INLINE void copy(const Receivers& from) {
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) set(i, from.x(i), from.y(i), from.z(i));
+    }
 };
 
 /// less_equal as a number. -ffast-math makes compilers forget what NaN does to <=; then the bits say it.
@@ -730,11 +759,14 @@ struct one_by_one {
     const Encoding& encoding;
     const Filter& filter;
 
-    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const { at = r; }
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.copy(receivers);
+    }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
         const auto fetch = decoded(map, encoding);
-        for (int i = 0; i < count; ++i) visibility[i] = filter(fetch, glm::vec2(at.x[i], at.y[i]), at.z[i]);
+        for (int i = 0; i < count; ++i) visibility[i] = filter(fetch, glm::vec2(at.x(i), at.y(i)), at.z(i));
     }
 };
 
@@ -743,11 +775,11 @@ struct placed_tap {
     std::int32_t offsets[block], inside[block];
 
     template <class T>
-    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& r, glm::vec2 offset) {
+    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset) {
         const texel_bytes memory(map);
         const auto last_x = static_cast<float>(map.size.x - 1), last_y = static_cast<float>(map.size.y - 1);
         for (int i = 0; i < block; ++i) {
-            const float x = r.x[i] + offset.x, y = r.y[i] + offset.y;
+            const float x = receivers.x(i) + offset.x, y = receivers.y(i) + offset.y;
             inside[i] = texel_space_mask(x, y);
             offsets[i] = memory.offset(floor_within(x, last_x), floor_within(y, last_y));
         }
@@ -776,21 +808,22 @@ template <class Encoding>
 struct block_filter<filters::hard, Encoding> {
     static constexpr int least = 1;
     struct placed {
+        receiver_block r;
         placed_tap tap;
-        float z[block];
     };
     image_view<const typename Encoding::texel> map;
     const Encoding& encoding;
     const filters::hard& filter;
 
-    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
-        at.tap.place(map, r, glm::vec2(0.0f));
-        std::memcpy(at.z, r.z, sizeof at.z);
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.r.copy(receivers);
+        at.tap.place(map, at.r, glm::vec2(0.0f));
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         std::int32_t lit[block]{};
-        at.tap.count(map, encoding, at.z, lit);
+        at.tap.count(map, encoding, at.r.zs, lit);
         for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
     }
 };
@@ -799,21 +832,22 @@ template <class Encoding>
 struct block_filter<filters::four_tap, Encoding> {
     static constexpr int least = 1;
     struct placed {
+        receiver_block r;
         placed_tap taps[4];
-        float z[block];
     };
     image_view<const typename Encoding::texel> map;
     const Encoding& encoding;
     const filters::four_tap& filter;
 
-    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
-        for (int tap = 0; tap < 4; ++tap) at.taps[tap].place(map, r, filter.offsets[static_cast<std::size_t>(tap)]);
-        std::memcpy(at.z, r.z, sizeof at.z);
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.r.copy(receivers);
+        for (int tap = 0; tap < 4; ++tap) at.taps[tap].place(map, at.r, filter.offsets[static_cast<std::size_t>(tap)]);
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         std::int32_t lit[block]{};
-        for (const placed_tap& tap : at.taps) tap.count(map, encoding, at.z, lit);
+        for (const placed_tap& tap : at.taps) tap.count(map, encoding, at.r.zs, lit);
         for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]) * 0.25f;
     }
 };
@@ -831,7 +865,8 @@ struct block_filter<filters::pcf_2x2, Encoding> {
     const Encoding& encoding;
     const filters::pcf_2x2& filter;
 
-    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const texel_bytes memory(map);
         constexpr int far = 1 << 15;  // no position is farther
         const int last_x = (map.size.x < far ? map.size.x : far) - 1, last_y = (map.size.y < far ? map.size.y : far) - 1;
@@ -841,10 +876,12 @@ struct block_filter<filters::pcf_2x2, Encoding> {
             hi = static_cast<float>(position - texel * 256);
             return texel;
         };
+        UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
-            at.inside[i] = texel_space_mask(r.x[i], r.y[i]);
-            at.offsets[i] = memory.offset(axis(r.x[i], last_x, at.hi_x[i]), axis(r.y[i], last_y, at.hi_y[i]));
-            at.z[i] = r.z[i];
+            const float x = receivers.x(i), y = receivers.y(i);
+            at.inside[i] = texel_space_mask(x, y);
+            at.offsets[i] = memory.offset(axis(x, last_x, at.hi_x[i]), axis(y, last_y, at.hi_y[i]));
+            at.z[i] = receivers.z(i);
         }
         prefetch(memory, at.offsets, 2);
     }
@@ -1013,18 +1050,20 @@ struct block_filter<filters::box, depth32f> {
 
     [[nodiscard]] UMBRAGE_INLINE int radius() const { return clamp_int(filter.radius, max_box_radius); }
 
-    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const texel_bytes memory(map);
         const int before = radius(), width = 2 * before + 1, last_x = map.size.x - width, last_y = map.size.y - width;
+        UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
-            at.in_space[i] = texel_space_mask(r.x[i], r.y[i]);
-            const std::int32_t x = floor_int(masked(r.x[i], at.in_space[i])) - before;
-            const std::int32_t y = floor_int(masked(r.y[i], at.in_space[i])) - before;
+            at.in_space[i] = texel_space_mask(receivers.x(i), receivers.y(i));
+            const std::int32_t x = floor_int(masked(receivers.x(i), at.in_space[i])) - before;
+            const std::int32_t y = floor_int(masked(receivers.y(i), at.in_space[i])) - before;
             at.inside[i] = -(std::int32_t(x >= 0) & std::int32_t(x <= last_x) & std::int32_t(y >= 0) & std::int32_t(y <= last_y));
-            at.offsets[i] = memory.offset(x, y) & at.inside[i];
+            at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
             at.x[i] = x;
             at.y[i] = y;
-            at.z[i] = r.z[i];
+            at.z[i] = receivers.z(i);
         }
         prefetch(memory, at.offsets, last_y < 0 ? 1 : width);
     }
@@ -1531,19 +1570,22 @@ struct hierarchical_blocks {
     const box_bounds& tree;
     block_filter<filters::box, depth32f> brute_force;
 
-    UMBRAGE_INLINE void place(const receiver_block& r, placed& at) const {
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const int radius = brute_force.radius();
         const texel_bytes memory(tree.bounds.view());
         const int before = tree.cells - 1, level = tree.level;
         const glm::ivec2 last = tree.last;
+        UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
-            const std::int32_t in_space = texel_space_mask(r.x[i], r.y[i]);
-            const std::int32_t x = floor_int(masked(r.x[i], in_space)) - radius, y = floor_int(masked(r.y[i], in_space)) - radius;
+            const std::int32_t in_space = texel_space_mask(receivers.x(i), receivers.y(i));
+            const std::int32_t x = floor_int(masked(receivers.x(i), in_space)) - radius;
+            const std::int32_t y = floor_int(masked(receivers.y(i), in_space)) - radius;
+            at.r.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
             at.offsets[i] = memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
             at.in_space[i] = in_space;
         }
         prefetch(memory, at.offsets, 1);
-        at.r = r;
     }
 
     template <class Isa>
@@ -1554,7 +1596,7 @@ struct hierarchical_blocks {
         glm::vec2 bounds[block];
         for (int i = 0; i < block; ++i) bounds[i] = *memory.at(at.offsets[i]);
         for (int i = 0; i < block; ++i) {
-            const std::int32_t lit = is_lit(r.z[i], bounds[i].x), dark = std::int32_t(r.z[i] > bounds[i].y);
+            const std::int32_t lit = is_lit(r.z(i), bounds[i].x), dark = std::int32_t(r.z(i) > bounds[i].y);
             visibility[i] = select(-lit | ~at.in_space[i], 1.0f, 0.0f);
             open[i] = at.in_space[i] & ~-(lit | dark);
             any |= open[i];
@@ -1566,9 +1608,7 @@ struct hierarchical_blocks {
         int indices[block], found = 0;
         for (int i = 0; i < count; ++i) {
             indices[found] = i;
-            rest.x[found] = r.x[i];
-            rest.y[found] = r.y[i];
-            rest.z[found] = r.z[i];
+            rest.set(found, r.x(i), r.y(i), r.z(i));
             found -= open[i];
         }
         block_filter<filters::box, depth32f>::placed boxes;
@@ -2568,52 +2608,6 @@ struct depth_receivers {
 
 namespace detail {
 
-/// Receivers x .. x + count of row y.
-UMBRAGE_INLINE inline void load(const image_view<const glm::vec3>& receivers, int x, int y, int count, receiver_block& r) {
-    const glm::vec3* from = receivers.row(y) + x;
-    const auto copy = [&](int n) UMBRAGE_INLINE {
-        for (int i = 0; i < n; ++i) {
-            r.x[i] = from[i].x;
-            r.y[i] = from[i].y;
-            r.z[i] = from[i].z;
-        }
-    };
-    count == block ? copy(block) : copy(count);
-}
-UMBRAGE_INLINE inline void load(const receiver_planes& receivers, int x, int y, int count, receiver_block& r) {
-    copy_floats(r.x, receivers.x.row(y) + x, count);
-    copy_floats(r.y, receivers.y.row(y) + x, count);
-    copy_floats(r.z, receivers.depth.row(y) + x, count);
-}
-
-/// receiver_at for a block.
-inline void load(const depth_receivers& seen, int first, int row, int count, receiver_block& r) {
-    copy_floats(r.z, seen.depth.row(row) + first, count);
-    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
-        const glm::mat4 m = seen.matrix;
-        const float bias = seen.bias;
-        const float y = static_cast<float>(row) + 0.5f;
-        for (int i = 0; i < block; ++i) {
-            const float x = static_cast<float>(first + i) + 0.5f, depth = r.z[i];
-            const auto sum = [&](int k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
-            const float w = sum(3);
-            const auto bits = std::bit_cast<std::int32_t>(w);
-            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
-            r.x[i] = select(in_front, sum(0) / w, 65536.0f);
-            r.y[i] = select(in_front, sum(1) / w, 65536.0f);
-            r.z[i] = masked(sum(2) / w, in_front) - bias;
-        }
-    });
-}
-
-[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
-[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
-[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
-    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
-        throw std::invalid_argument("umbrage::visibility: sizes differ");
-    return receivers.depth.size;
-}
-
 /// A walk over the blocks of some rows.
 struct block_walk {
     int x, y, width;
@@ -2627,6 +2621,61 @@ struct block_walk {
     }
 };
 
+/// Hands a block of receivers on: whole ones where they are, others as a copy.
+template <class Receivers, class Use>
+UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, const Use& use) {
+    if (count == block) return use(receivers);
+    receiver_block copy;
+    for (int i = 0; i < count; ++i) copy.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
+    use(copy);
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa, const Use& use) {
+    const receiver_texels receivers{from.row(at.y) + at.x};
+    if (Isa::value != isa::base || at.count() != block) return use_block(receivers, at.count(), use);
+    receiver_block copy;  // GCC takes vec3s apart for SSE only in a loop that does nothing else
+    copy.copy(receivers);
+    use(copy);
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, Isa, const Use& use) {
+    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(), use);
+}
+
+/// receiver_at for a block.
+inline void load(const depth_receivers& seen, const block_walk& at, receiver_block& r) {
+    copy_floats(r.zs, seen.depth.row(at.y) + at.x, at.count());
+    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+        const glm::mat4 m = seen.matrix;
+        const float bias = seen.bias;
+        const float y = static_cast<float>(at.y) + 0.5f;
+        for (int i = 0; i < block; ++i) {
+            const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
+            const auto sum = [&](int k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
+            const float w = sum(3);
+            const auto bits = std::bit_cast<std::int32_t>(w);
+            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
+            r.xs[i] = select(in_front, sum(0) / w, 65536.0f);
+            r.ys[i] = select(in_front, sum(1) / w, 65536.0f);
+            r.zs[i] = masked(sum(2) / w, in_front) - bias;
+        }
+    });
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const block_walk& at, Isa, const Use& use) {
+    receiver_block r;
+    load(seen, at, r);
+    use(r);
+}
+
+[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
+    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
+        throw std::invalid_argument("umbrage::visibility: sizes differ");
+    return receivers.depth.size;
+}
+
 /// Every receiver through a filter in either form.
 template <class Receivers, class Filter, class ParallelFor>
 void filter_rows(const Receivers& receivers, const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
@@ -2634,13 +2683,11 @@ void filter_rows(const Receivers& receivers, const Filter& filter, image_view<fl
         on_best_isa([&](auto set) UMBRAGE_INLINE {
             constexpr unsigned ring = 4;  // blocks on their way
             typename Filter::placed placed[ring];
-            receiver_block r;
             float visibility[block];
             block_walk ahead{0, first, out.size.x}, at = ahead;
             for (unsigned n = 0; at.y < last; ++n) {
                 if (ahead.y < last) {
-                    load(receivers, ahead.x, ahead.y, ahead.count(), r);
-                    filter.place(r, placed[n % ring]);
+                    use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE { filter.place(of_block, placed[n % ring]); });
                     ahead.step();
                 }
                 if (n + 1 < ring) continue;

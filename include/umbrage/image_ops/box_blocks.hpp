@@ -134,10 +134,26 @@ struct box_texels {
 };
 #endif
 
-/// Rows that lie a multiple of 4096 bytes apart share their places in a first-level cache, which has few for each.
-[[nodiscard]] inline bool rows_collide(std::ptrdiff_t stride, int radius) { return radius > 3 && stride % 2048 == 0; }
-/// What to make rows of floats longer by, in texels, for their places to differ.
-[[nodiscard]] inline int row_padding(int width) { return rows_collide(width * std::ptrdiff_t(sizeof(float)), max_box_radius) ? 16 : 0; }
+/// The part of a map that a block's boxes lie in. Rows of a map that lie a multiple of 2048 bytes apart share their places
+/// in a first-level cache, which has few for each: high boxes push their own rows out of it. Here they do not.
+struct map_tile {
+    static constexpr int columns = 100, rows = 96;
+    float texels[rows][columns];
+
+    [[nodiscard]] static bool helps(std::ptrdiff_t stride, int width) { return width > 8 && stride % 2048 == 0; }
+
+    /// @param last   texel of the map, within columns and rows of the first; at least eight columns
+    UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
+        const int count = last.x - first.x + 1;
+        const auto eight = [](const float* from, float* to) UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
+        for (int y = first.y; y <= last.y; ++y) {
+            const float* from = texel_at(map, first.x, y);
+            float* to = texels[y - first.y];
+            for (int i = 0; i + 8 < count; i += 8) eight(from + i, to + i);
+            eight(from + count - 8, to + count - 8);
+        }
+    }
+};
 
 /// Only maps of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
 template <>
@@ -202,14 +218,14 @@ private:
         const int width = 2 * radius() + 1, last_load = map.size.x - Boxes::reach;
         const Boxes boxes(map.stride, width);
         const texel_bytes memory(map);
-        std::int32_t moved[block], lit[block]{}, plain = last_load >= 0 && count == block ? -1 : 0;
+        std::int32_t moved[block], lit[block]{}, plain = last_load >= 0 ? -1 : 0;
         for (int i = 0; i < block; ++i) {
             moved[i] = at.x[i] > last_load ? at.x[i] - last_load : 0;
             plain &= -std::int32_t(moved[i] == 0) & at.inside[i] & at.in_space[i];
             plain &= -std::int32_t((std::bit_cast<std::int32_t>(at.z[i]) & 0x7FFFFFFF) <= 0x7F800000);
         }
         if (plain)  // as nearly all are
-            for (int i = 0; i < block; ++i) lit[i] = boxes.count(memory.data + at.offsets[i], 0, at.z[i]);
+            count_inside(boxes, at, count, lit);
         else
             for (int i = 0; i < count; ++i) {
                 if (is_nan(at.z[i]) || !at.in_space[i]) continue;
@@ -220,6 +236,31 @@ private:
         for (int i = 0; i < block; ++i)
             visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~at.in_space[i], 1.0f,
                                    static_cast<float>(lit[i]) * scale);
+    }
+
+    /// All 64 boxes lie inside the map, with what is loaded beside them.
+    template <class Boxes>
+    UMBRAGE_INLINE void count_inside(const Boxes& boxes, const placed& at, int count, std::int32_t* lit) const {
+        const texel_bytes memory(map);
+        if (map_tile::helps(map.stride, 2 * radius() + 1)) {
+            glm::ivec2 first(at.x[0], at.y[0]), last = first;
+            for (int i = 0; i < block; ++i) {
+                first.x = at.x[i] < first.x ? at.x[i] : first.x;
+                first.y = at.y[i] < first.y ? at.y[i] : first.y;
+                last.x = at.x[i] > last.x ? at.x[i] : last.x;
+                last.y = at.y[i] > last.y ? at.y[i] : last.y;
+            }
+            last += glm::ivec2(Boxes::reach - 1, 2 * radius());
+            if (last.x - first.x < map_tile::columns && last.y - first.y < map_tile::rows) {
+                map_tile tile;
+                tile.copy(map, first, last);
+                const Boxes of_tile(sizeof tile.texels[0], 2 * radius() + 1);
+                for (int i = 0; i < count; ++i)
+                    lit[i] = of_tile.count(reinterpret_cast<const std::byte*>(&tile.texels[at.y[i] - first.y][at.x[i] - first.x]), 0, at.z[i]);
+                return;
+            }
+        }
+        for (int i = 0; i < count; ++i) lit[i] = boxes.count(memory.data + at.offsets[i], 0, at.z[i]);
     }
 
     /// The same from a copy of the box, the map's border texels repeated.

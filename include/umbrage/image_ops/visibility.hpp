@@ -176,14 +176,12 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     if (map.empty()) throw std::invalid_argument("umbrage::visibility: empty map");
     if (out.empty()) return;
     constexpr bool hierarchical = std::is_same_v<Filter, filters::hierarchical_box>;
-    if constexpr (hierarchical || std::is_same_v<Filter, filters::box>) {
-        // Boxes want floats, in rows that do not push each other out of the cache; unless that is more work than the boxes.
+    if constexpr ((hierarchical || std::is_same_v<Filter, filters::box>) && !std::is_same_v<Encoding, depth32f>) {
+        // As floats, unless that is more work than the boxes.
         const auto texels = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
-        const bool as_it_is = std::is_same_v<Encoding, depth32f> && !rows_collide(map.stride, filter.radius);
-        if (!as_it_is && texels(map.size) < 16.0 * texels(out.size)) {
-            image<float> copy({map.size.x + row_padding(map.size.x), map.size.y});
-            const image_view<float> depth(copy.view().data, map.size, copy.view().stride);
-            decode(map, depth, encoding, parallel);
+        if (texels(map.size) < 16.0 * texels(out.size)) {
+            image<float> depth(map.size);
+            decode(map, depth.view(), encoding, parallel);
             return filter_image(image_view<const float>(depth), depth32f{}, receivers, filter, out, parallel);
         }
     }
