@@ -1030,10 +1030,26 @@ struct box_texels {
 };
 #endif
 
-/// Rows that lie a multiple of 4096 bytes apart share their places in a first-level cache, which has few for each.
-[[nodiscard]] inline bool rows_collide(std::ptrdiff_t stride, int radius) { return radius > 3 && stride % 2048 == 0; }
-/// What to make rows of floats longer by, in texels, for their places to differ.
-[[nodiscard]] inline int row_padding(int width) { return rows_collide(width * std::ptrdiff_t(sizeof(float)), max_box_radius) ? 16 : 0; }
+/// The part of a map that a block's boxes lie in. Rows of a map that lie a multiple of 2048 bytes apart share their places
+/// in a first-level cache, which has few for each: high boxes push their own rows out of it. Here they do not.
+struct map_tile {
+    static constexpr int columns = 100, rows = 96;
+    float texels[rows][columns];
+
+    [[nodiscard]] static bool helps(std::ptrdiff_t stride, int width) { return width > 8 && stride % 2048 == 0; }
+
+    /// @param last   texel of the map, within columns and rows of the first; at least eight columns
+    UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
+        const int count = last.x - first.x + 1;
+        const auto eight = [](const float* from, float* to) UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
+        for (int y = first.y; y <= last.y; ++y) {
+            const float* from = texel_at(map, first.x, y);
+            float* to = texels[y - first.y];
+            for (int i = 0; i + 8 < count; i += 8) eight(from + i, to + i);
+            eight(from + count - 8, to + count - 8);
+        }
+    }
+};
 
 /// Only maps of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
 template <>
@@ -1098,14 +1114,14 @@ private:
         const int width = 2 * radius() + 1, last_load = map.size.x - Boxes::reach;
         const Boxes boxes(map.stride, width);
         const texel_bytes memory(map);
-        std::int32_t moved[block], lit[block]{}, plain = last_load >= 0 && count == block ? -1 : 0;
+        std::int32_t moved[block], lit[block]{}, plain = last_load >= 0 ? -1 : 0;
         for (int i = 0; i < block; ++i) {
             moved[i] = at.x[i] > last_load ? at.x[i] - last_load : 0;
             plain &= -std::int32_t(moved[i] == 0) & at.inside[i] & at.in_space[i];
             plain &= -std::int32_t((std::bit_cast<std::int32_t>(at.z[i]) & 0x7FFFFFFF) <= 0x7F800000);
         }
         if (plain)  // as nearly all are
-            for (int i = 0; i < block; ++i) lit[i] = boxes.count(memory.data + at.offsets[i], 0, at.z[i]);
+            count_inside(boxes, at, count, lit);
         else
             for (int i = 0; i < count; ++i) {
                 if (is_nan(at.z[i]) || !at.in_space[i]) continue;
@@ -1116,6 +1132,31 @@ private:
         for (int i = 0; i < block; ++i)
             visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~at.in_space[i], 1.0f,
                                    static_cast<float>(lit[i]) * scale);
+    }
+
+    /// All 64 boxes lie inside the map, with what is loaded beside them.
+    template <class Boxes>
+    UMBRAGE_INLINE void count_inside(const Boxes& boxes, const placed& at, int count, std::int32_t* lit) const {
+        const texel_bytes memory(map);
+        if (map_tile::helps(map.stride, 2 * radius() + 1)) {
+            glm::ivec2 first(at.x[0], at.y[0]), last = first;
+            for (int i = 0; i < block; ++i) {
+                first.x = at.x[i] < first.x ? at.x[i] : first.x;
+                first.y = at.y[i] < first.y ? at.y[i] : first.y;
+                last.x = at.x[i] > last.x ? at.x[i] : last.x;
+                last.y = at.y[i] > last.y ? at.y[i] : last.y;
+            }
+            last += glm::ivec2(Boxes::reach - 1, 2 * radius());
+            if (last.x - first.x < map_tile::columns && last.y - first.y < map_tile::rows) {
+                map_tile tile;
+                tile.copy(map, first, last);
+                const Boxes of_tile(sizeof tile.texels[0], 2 * radius() + 1);
+                for (int i = 0; i < count; ++i)
+                    lit[i] = of_tile.count(reinterpret_cast<const std::byte*>(&tile.texels[at.y[i] - first.y][at.x[i] - first.x]), 0, at.z[i]);
+                return;
+            }
+        }
+        for (int i = 0; i < count; ++i) lit[i] = boxes.count(memory.data + at.offsets[i], 0, at.z[i]);
     }
 
     /// The same from a copy of the box, the map's border texels repeated.
@@ -1611,6 +1652,7 @@ struct hierarchical_blocks {
             rest.set(found, r.x(i), r.y(i), r.z(i));
             found -= open[i];
         }
+        for (int i = found; i < block; ++i) rest.set(i, rest.xs[0], rest.ys[0], rest.zs[0]);  // no reason for care
         block_filter<filters::box, depth32f>::placed boxes;
         brute_force.place(rest, boxes);
         brute_force(boxes, found, shares, set);
@@ -2390,6 +2432,29 @@ inline void finish_streaming() {
 #endif
 }
 
+/// The running sums of a band, and what lies under it. Machines compare the last twelve bits of addresses first, and let a
+/// load wait for a store that looks like it: so these lie half a page and more from where a row of the image does. The
+/// worst place, measured, is twice as slow.
+template <class Sum>
+class band_sums {
+public:
+    band_sums(std::size_t length, const void* row) : memory_(2 * length + 3 * page / sizeof(Sum)) {
+        const auto at = reinterpret_cast<std::uintptr_t>(memory_.data()), wanted = reinterpret_cast<std::uintptr_t>(row) + page / 2;
+        base = memory_.data() + (wanted - at) % page / sizeof(Sum);
+        const auto behind = reinterpret_cast<std::uintptr_t>(base + length);
+        line = base + length + (wanted + page / 4 - behind) % page / sizeof(Sum);
+    }
+    band_sums(const band_sums&) = delete;
+    band_sums& operator=(const band_sums&) = delete;
+
+private:
+    static constexpr std::size_t page = 4096;
+    std::vector<Sum> memory_;
+
+public:
+    Sum *base, *line;
+};
+
 enum class table_store { none, plain, streaming };
 
 /// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`.
@@ -2501,11 +2566,11 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
         for (std::size_t i = 0; i < length; ++i) to[i] = from[i] + to[i];
     };
     if constexpr (std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>) {
-        std::vector<Sum> base(length), line(length);
+        detail::band_sums<Sum> band(length, values.data);
         for (int b = 0; b < bands; ++b) {
-            detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base.data(), line.data());
-            add(line.data(), base.data());
-            line.assign(length, Sum(0));
+            detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), band.base, band.line);
+            add(band.line, band.base);
+            std::fill(band.line, band.line + length, Sum(0));
         }
     } else {
         // What each band puts under the next one, by itself and then with all before it; then the bands, in any order.
@@ -2519,8 +2584,9 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
         for (int b = 1; b < bands; ++b) add(base(b - 1), base(b));
         parallel(bands, [&](int first, int last) {
             for (int b = first; b < last; ++b) {
-                std::vector<Sum> line(length);
-                detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), base(b), line.data());
+                detail::band_sums<Sum> band(length, values.data);
+                std::copy(base(b), base(b) + length, band.base);
+                detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), band.base, band.line);
             }
         });
     }
@@ -2706,14 +2772,12 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     if (map.empty()) throw std::invalid_argument("umbrage::visibility: empty map");
     if (out.empty()) return;
     constexpr bool hierarchical = std::is_same_v<Filter, filters::hierarchical_box>;
-    if constexpr (hierarchical || std::is_same_v<Filter, filters::box>) {
-        // Boxes want floats, in rows that do not push each other out of the cache; unless that is more work than the boxes.
+    if constexpr ((hierarchical || std::is_same_v<Filter, filters::box>) && !std::is_same_v<Encoding, depth32f>) {
+        // As floats, unless that is more work than the boxes.
         const auto texels = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
-        const bool as_it_is = std::is_same_v<Encoding, depth32f> && !rows_collide(map.stride, filter.radius);
-        if (!as_it_is && texels(map.size) < 16.0 * texels(out.size)) {
-            image<float> copy({map.size.x + row_padding(map.size.x), map.size.y});
-            const image_view<float> depth(copy.view().data, map.size, copy.view().stride);
-            decode(map, depth, encoding, parallel);
+        if (texels(map.size) < 16.0 * texels(out.size)) {
+            image<float> depth(map.size);
+            decode(map, depth.view(), encoding, parallel);
             return filter_image(image_view<const float>(depth), depth32f{}, receivers, filter, out, parallel);
         }
     }
