@@ -2477,19 +2477,25 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         if constexpr (Store == table_store::streaming) few::stream(sums + there, result);
     };
     int x = 0;
-    for (; x + block <= count; x += block) {
-        Sum values[block];  // all before the first store: stores hold up loads from a like address in another page
+    Sum values[2][block];  // of this block and the next: a load would wait for the stores to a like address in another page
+    const auto load = [&](int first) UMBRAGE_INLINE {
+        Sum* const into = values[first / block % 2];
         for (int i = 0; i < block; i += 64 / static_cast<int>(sizeof(From)))  // measured: what the machine does itself is too late
-            UMBRAGE_PREFETCH(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(from + x + i) + 1536));
-        for (int i = 0; i < block; ++i) values[i] = from[x + i];
-        for (int i = 0; i < block; i += Lanes) sum_few(values + i, base + x + i, line + x + i, to + x + i);
+            UMBRAGE_PREFETCH(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(from + first + i) + 1536));
+        for (int i = 0; i < block; ++i) into[i] = from[first + i];
+    };
+    if (block <= count) load(0);
+    for (; x + block <= count; x += block) {
+        if (x + 2 * block <= count) load(x + block);
+        const Sum* const now = values[x / block % 2];
+        for (int i = 0; i < block; i += Lanes) sum_few(now + i, base + x + i, line + x + i, to + x + i);
     }
     for (; x < count; x += Lanes) {  // base and line are long enough
         const int there = count - x < Lanes ? count - x : Lanes;
-        Sum values[Lanes]{};
+        Sum rest[Lanes]{};
         alignas(Lanes * sizeof(Sum)) Sum result[Lanes];
-        for (int i = 0; i < there; ++i) values[i] = from[x + i];
-        sum_few(values, base + x, line + x, result);
+        for (int i = 0; i < there; ++i) rest[i] = from[x + i];
+        sum_few(rest, base + x, line + x, result);
         if constexpr (Store != table_store::none)
             for (int i = 0; i < there; ++i) to[x + i] = result[i];
     }
