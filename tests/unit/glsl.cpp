@@ -145,8 +145,8 @@ TEST_CASE("registry: names tell snippets apart, and whatever one needs is there 
 
 TEST_CASE("registry: every function of the library that a snippet calls is among its needs") {
     for (const snippet* s : registry) {
-        const std::string out = text({*s});
-        for (const word& w : words(without_comments(out)))
+        const std::string out = text({*s}), code = without_comments(out);
+        for (const word& w : words(code))
             if (w.text.starts_with("umbrage_")) {
                 CAPTURE(s->name);
                 CAPTURE(w.text);
