@@ -63,6 +63,7 @@
 // UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice; a machine that lacks it takes the next lower one. No choice
 // changes a bit of a result of tier A. It has to be the same in all files of a program.
 
+// UMBRAGE_PREFETCH only in functions that are UMBRAGE_INLINE or do more: GCC leaves out calls of one that only fetches.
 #if defined(__GNUC__) || defined(__clang__)
 #define UMBRAGE_INLINE __attribute__((always_inline))
 #define UMBRAGE_PREFETCH(address) __builtin_prefetch(address)

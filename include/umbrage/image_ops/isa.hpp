@@ -17,6 +17,7 @@
 #include <cstring>
 #include <type_traits>
 
+// UMBRAGE_PREFETCH only in functions that are UMBRAGE_INLINE or do more: GCC leaves out calls of one that only fetches.
 #if defined(__GNUC__) || defined(__clang__)
 #define UMBRAGE_INLINE __attribute__((always_inline))
 #define UMBRAGE_PREFETCH(address) __builtin_prefetch(address)
