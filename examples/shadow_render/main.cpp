@@ -4,12 +4,10 @@
 //
 //     light -> depth pass -> encode -> [map] -> fetch -> decode -> compare -> filter -> visibility -> shade
 //
-// Start reading at render(). The filter is chosen in with_filter(), the bias in biased().
+// Start reading at render(). The filter is chosen in with_filter(); the bias is in view.hpp.
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <numbers>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -17,7 +15,6 @@
 #include <umbrage/image_ops/encode.hpp>
 #include <umbrage/image_ops/rasterize.hpp>
 #include <umbrage/image_ops/visibility.hpp>
-#include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shade/lighting.hpp>
 #include <umbrage/view/false_colour.hpp>
 #include <umbrage/view/overlay.hpp>
@@ -29,23 +26,14 @@
 #include <progress.hpp>
 #include <scene.hpp>
 
-#include "light.hpp"
 #include "options.hpp"
+#include "view.hpp"
 
 namespace shadow_render {
 namespace {
 
 constexpr float ambient = 0.22f;
 constexpr glm::vec3 background{0.30f, 0.36f, 0.44f};
-
-example::camera make_camera(const options& o, const example::scene& scene) {
-    return example::make_camera({.target = scene.target,
-                                 .azimuth = o.camera_azimuth,
-                                 .elevation = o.camera_elevation,
-                                 .distance = o.camera_distance,
-                                 .fov = o.fov,
-                                 .aspect = static_cast<float>(o.width) / static_cast<float>(o.height)});
-}
 
 /// The filter of the options, and how far from a receiver its farthest texel can be, per direction, in texels.
 /// Change a line here to try another.
@@ -58,21 +46,6 @@ auto with_filter(const options& o, Use&& use) {
         case filter_kind::pcf: break;
     }
     return use(umbrage::filters::pcf_2x2{}, 1.0f);
-}
-
-/// The point to look up instead of the surface itself, moved off it so that no texel the filter reads can shadow a
-/// plane through it. With t the angle between normal and light axis, a texel's step across the map changes the depth
-/// of the plane by as much as a move of sin(t) texels along its normal wins: so sin(t) times the farthest texel.
-glm::vec3 biased(const example::surface& s, const light& l, float texels, int map_size) {
-    const float cosine = glm::dot(s.face_normal, l.direction);
-    const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-    return s.position + s.face_normal * (texels * sine * l.texel_world(s.position, map_size));
-}
-
-/// What `biased` needs so that no plane shadows itself: the way to the corner of the filter's footprint.
-float automatic_bias(float reach) {
-    constexpr float snapping = 1.0f / 128;  // the depth pass moves vertices by up to 1/512 texel
-    return std::numbers::sqrt2_v<float> * (reach + snapping);
 }
 
 /// Calls work(texel) for every texel and step() after each row.
@@ -88,36 +61,6 @@ T mean(glm::ivec2 pixel, int samples, Sample&& sample) {
     T sum(0);
     for_each_texel(glm::ivec2(samples), [] {}, [&](glm::ivec2 t) { sum += sample(pixel * samples + t); });
     return sum / static_cast<float>(samples * samples);
-}
-
-/// What light and camera see.
-struct view {
-    const example::scene& scene;
-    light lamp;
-    example::camera camera;
-    umbrage::image<std::uint32_t> seen;  ///< triangle behind each sample of the picture
-
-    [[nodiscard]] bool empty(glm::ivec2 sample) const { return seen[sample] == example::nothing; }
-    [[nodiscard]] example::surface at(glm::ivec2 sample) const {
-        return example::surface_at(scene, camera, seen, sample);
-    }
-};
-
-/// Where each sample looks into the map, in texels, and the depth that it compares with; the bias is part of both.
-/// @param below   how far the encoding may answer below the depth it was given
-template <class Step>
-umbrage::image<glm::vec3> receivers_of(const options& o, const view& v, float below, Step&& step) {
-    constexpr float rounding = 0x1p-18f;  // the depth pass and we compute the same depth, in float
-    const float texels = o.bias.value_or(with_filter(o, [](auto, float reach) { return automatic_bias(reach); }));
-    const glm::mat4 world_to_texels = umbrage::texture_matrix(v.lamp.space, glm::ivec2(o.map_size));
-    umbrage::image<glm::vec3> receivers(v.seen.size(), umbrage::project_coordinate(glm::vec4(0)));  // lit in any map
-    for_each_texel(v.seen.size(), step, [&](glm::ivec2 t) {
-        if (v.empty(t)) return;
-        const glm::vec3 point = biased(v.at(t), v.lamp, texels, o.map_size);
-        const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
-        receivers[t] = {p.x, p.y, v.lamp.even_depth(p.z) - rounding - below};
-    });
-    return receivers;
 }
 
 /// Diffuse plus ambient light, inside the cone.
@@ -197,7 +140,10 @@ void render(const options& o, const example::scene& scene, Encoding encoding, fl
         view.seen = example::camera_pass(scene.geometry, view.camera, sample_size);
         progress.step(static_cast<unsigned>(sample_size.y));
     });
-    const auto receivers = progress.stage("receivers", [&] { return receivers_of(o, view, below, step); });
+    const auto receivers = progress.stage("receivers", [&] {
+        const float bias = o.bias.value_or(with_filter(o, [](auto, float reach) { return automatic_bias(reach); }));
+        return receivers_of(view, o.map_size, bias, below, step);
+    });
 
     // Visibility: fetch, decode, compare, filter; a row at a time, to show progress.
     umbrage::image<float> visibility(sample_size);

@@ -12,9 +12,9 @@
 
 #include "bench.hpp"
 #include "data.hpp"
-#include "schedulers.hpp"
 #include "peers/depth_pass.hpp"
 #include "scenes.hpp"
+#include "schedulers.hpp"
 
 namespace {
 
@@ -27,16 +27,11 @@ void add_pass(int count, float side, double at_least, const std::string& work) {
     struct state {
         mesh triangles;
         umbrage::image<float> depth{bench::screen};
-        glm::mat4 matrix{1.0f};
+        glm::mat4 matrix = bench::to_opengl_depth();
         peers::llvmpipe_pass pipe;
 
-        static glm::mat4 opengl() {
-            glm::mat4 m(1.0f);
-            m[2][2] = 2.0f, m[3][2] = -1.0f;
-            return m;
-        }
         state(int n, float s)
-            : triangles(scattered(n, s)), matrix(opengl()), pipe(bench::screen, triangles.positions, triangles.triangles, matrix) {}
+            : triangles(scattered(n, s)), pipe(bench::screen, triangles.positions, triangles.triangles, matrix) {}
     };
     const auto s = std::make_shared<state>(count, side);
     bench::add({.work = work, .peer = "llvmpipe, one thread", .at_least = at_least, .items = double(count),

@@ -25,6 +25,13 @@ struct mesh {
     operator umbrage::mesh_view() const { return {positions, triangles}; }
 };
 
+/// Depth 0 .. 1 to OpenGL's -1 .. 1.
+[[nodiscard]] inline glm::mat4 to_opengl_depth() {
+    glm::mat4 m(1.0f);
+    m[2][2] = 2.0f, m[3][2] = -1.0f;
+    return m;
+}
+
 /// Triangles of half a square with that side, anywhere on the screen, from back to front so that all of them are drawn.
 [[nodiscard]] inline mesh scattered(int count, float side) {
     std::mt19937 engine(7);

@@ -250,10 +250,8 @@ void over_triangles(measurements& m, int n) {
     image<float> map(bench::map_size), mask(bench::screen);
     add("depth pass 2048 x 2048", "umbrage", [&] { hills.draw(map); });
 #ifdef UMBRAGE_BENCH_LLVMPIPE_DEPTH
-    glm::mat4 opengl(1.0f);
-    opengl[2][2] = 2.0f, opengl[3][2] = -1.0f;
     const auto pipe = start<peers::llvmpipe_pass>(bench::map_size, hills.scene.positions, hills.scene.triangles,
-                                                  opengl * hills.world_to_light);
+                                                  bench::to_opengl_depth() * hills.world_to_light);
     if (pipe) add("depth pass 2048 x 2048", "llvmpipe", [&] { pipe->clear_and_draw(); }, [&] {
         // but for samples on edges that the two snap differently
         const auto theirs = pipe->read();
