@@ -135,7 +135,7 @@ struct hierarchical_blocks {
             rest.set(found, r.x(i), r.y(i), r.z(i));
             found -= open[i];
         }
-        for (int i = found; i < block; ++i) rest.set(i, rest.xs[0], rest.ys[0], rest.zs[0]);  // no reason for care
+        for (int i = found; i < block; ++i) rest.set(i, rest.xs[0], rest.ys[0], rest.zs[0]);  // a copy: if all 64 boxes are in the map, none needs care
         block_filter<filters::box, depth32f>::placed boxes;
         brute_force.place(rest, boxes);
         brute_force(boxes, found, shares, set);

@@ -183,6 +183,12 @@ template <class T>
     return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
 }
 
+/// The last texel of so many that a receiver can ask for: none in texel space is farther.
+[[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size) {
+    constexpr int space = 1 << 15;
+    return (size < space ? size : space) - 1;
+}
+
 /// Starts to fetch the texels of a block, of which neighbours mostly share a line of the cache. Where a block starts on
 /// another row of the map than the one before, the machine cannot guess them.
 template <class T>
@@ -217,7 +223,7 @@ struct placed_tap {
     template <class T>
     UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset) {
         const texel_bytes memory(map);
-        const auto last_x = static_cast<float>(map.size.x - 1), last_y = static_cast<float>(map.size.y - 1);
+        const auto last_x = static_cast<float>(last_in_space(map.size.x)), last_y = static_cast<float>(last_in_space(map.size.y));
         for (int i = 0; i < block; ++i) {
             const float x = receivers.x(i) + offset.x, y = receivers.y(i) + offset.y;
             inside[i] = texel_space_mask(x, y);
@@ -308,8 +314,7 @@ struct block_filter<filters::pcf_2x2, Encoding> {
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const texel_bytes memory(map);
-        constexpr int far = 1 << 15;  // no position is farther
-        const int last_x = (map.size.x < far ? map.size.x : far) - 1, last_y = (map.size.y < far ? map.size.y : far) - 1;
+        const int last_x = last_in_space(map.size.x), last_y = last_in_space(map.size.y);
         const auto axis = [](float coord, int last, float& hi) UMBRAGE_INLINE {
             const std::int32_t position = floor_within(coord * 256.0f - 128.0f, static_cast<float>(last * 256));
             const std::int32_t texel = (position >> 8) < last ? position >> 8 : last - 1;
