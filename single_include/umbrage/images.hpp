@@ -346,6 +346,68 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
 
 }  // namespace umbrage
 
+// ---- umbrage/image_ops/streaming.hpp
+// How large images get to memory: past the cache, and asked for before they are needed.
+//
+//     const bool large = umbrage::detail::past_cache(out);
+//     umbrage::detail::store_block(to, from, large);
+//     if (large) umbrage::detail::finish_streaming();
+//
+
+namespace umbrage::detail {
+
+/// Whether an image is so large that writing it would only push out of the cache what is read meanwhile, and fetch what
+/// is overwritten anyway.
+template <class T>
+[[nodiscard]] inline bool past_cache(const image_view<T>& image) {
+    constexpr double large = 4.0 * (1 << 20);  // bytes
+    return static_cast<double>(sizeof(T)) * image.size.x * image.size.y >= large;
+}
+
+/// Whether stream() can store there.
+[[nodiscard]] UMBRAGE_INLINE inline bool streams_to(const void* to) { return reinterpret_cast<std::uintptr_t>(to) % 16 == 0; }
+
+/// Stores past the cache. Wants multiples of 16 bytes, and finish_streaming() before anybody else looks.
+template <std::size_t Bytes>
+UMBRAGE_INLINE inline void stream(void* to, const void* from) {
+#if (defined(__GNUC__) && defined(__x86_64__)) || defined(__clang__)
+    typedef float four __attribute__((vector_size(16)));
+    static_assert(Bytes % sizeof(four) == 0);
+    four parts[Bytes / sizeof(four)];
+    std::memcpy(parts, from, Bytes);
+    for (std::size_t i = 0; i < Bytes / sizeof(four); ++i) {
+#if defined(__clang__)
+        __builtin_nontemporal_store(parts[i], static_cast<four*>(to) + i);
+#else
+        __builtin_ia32_movntps(static_cast<float*>(to) + 4 * i, parts[i]);
+#endif
+    }
+#else
+    std::memcpy(to, from, Bytes);
+#endif
+}
+
+inline void finish_streaming() {
+#if defined(__GNUC__) && defined(__x86_64__)
+    __builtin_ia32_sfence();
+#endif
+}
+
+/// A block of texels to where it belongs.
+template <class T>
+UMBRAGE_INLINE inline void store_block(T* to, const T* from, bool large) {
+    if (large && streams_to(to)) stream<block * sizeof(T)>(to, from);
+    else std::memcpy(static_cast<void*>(to), from, block * sizeof(T));
+}
+
+/// Starts to fetch what lies there, which may be behind the end of an array.
+UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead, int count) {
+    const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(from) + static_cast<std::uintptr_t>(ahead);
+    for (int line = 0; line < count; line += 64) UMBRAGE_PREFETCH(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
+}
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/image_ops/encode.hpp
 // Whole depth images into texels of an encoding, and back, about as fast as memory can be copied.
 //
@@ -475,14 +537,23 @@ void encode(image_view<const float> depth, image_view<typename Encoding::texel> 
             ParallelFor&& parallel = {}) {
     if (depth.size != texels.size) throw std::invalid_argument("umbrage::encode: sizes differ");
     if (depth.empty()) return;
+    const bool large = detail::past_cache(texels);
     parallel(depth.size.y, [&](int first, int last) {
         detail::on_best_isa([&](auto) UMBRAGE_INLINE {
+            using texel = typename Encoding::texel;
+            const auto in_place = [&](const float* from, texel* to) UMBRAGE_INLINE {
+                detail::block_codec<Encoding>::encode(from, to, encoding);
+            };
+            const auto by_a_copy = [&](const float* from, texel* to) UMBRAGE_INLINE {
+                alignas(64) texel texels_of_block[detail::block];
+                in_place(from, texels_of_block);
+                detail::store_block(to, texels_of_block, true);
+            };
             for (int y = first; y < last; ++y)
-                detail::convert_row(depth.row(y), texels.row(y), depth.size.x,
-                                    [&](const auto* from, auto* to) UMBRAGE_INLINE {
-                                        detail::block_codec<Encoding>::encode(from, to, encoding);
-                                    });
+                if (large) detail::convert_row(depth.row(y), texels.row(y), depth.size.x, by_a_copy);
+                else detail::convert_row(depth.row(y), texels.row(y), depth.size.x, in_place);
         });
+        if (large) detail::finish_streaming();
     });
 }
 
@@ -666,7 +737,7 @@ struct receiver_block {
 template <class Encoding>
 struct loaded_texels {
     const Encoding& encoding;
-    float depths[2 * block];
+    alignas(64) float depths[2 * block];
     explicit loaded_texels(const Encoding& e) : encoding(e) {}
     UMBRAGE_INLINE void load_one(int i, const typename Encoding::texel* t) { depths[i] = encoding.decode(*t); }
     UMBRAGE_INLINE void load_two(int i, const typename Encoding::texel* t) {
@@ -682,7 +753,7 @@ struct loaded_texels {
 /// Floats need no decoding, but two of them are one load.
 template <>
 struct loaded_texels<depth32f> {
-    float depths[2 * block];
+    alignas(64) float depths[2 * block];
     explicit loaded_texels(const depth32f&) {}
     UMBRAGE_INLINE void load_one(int i, const float* t) { depths[i] = *t; }
     UMBRAGE_INLINE void load_two(int i, const float* t) { std::memcpy(depths + 2 * i, t, 2 * sizeof(float)); }
@@ -697,7 +768,7 @@ template <int Bits>
 struct loaded_texels<rg<Bits>> {
     static constexpr bool little = std::endian::native == std::endian::little;
     float edge;
-    std::uint32_t words[block];
+    alignas(64) std::uint32_t words[block];
     explicit loaded_texels(const rg<Bits>& encoding) : edge(encoding.edge) {}
     UMBRAGE_INLINE void load_one(int i, const glm::u8vec2* t) {
         std::uint16_t word;
@@ -751,11 +822,12 @@ template <class T>
 }
 
 /// Starts to fetch the texels of a block, of which neighbours mostly share a line of the cache. Where a block starts on
-/// another row of the map than the one before, the machine cannot guess them.
+/// another row of the map than the one before, the machine cannot guess them; and the rows above and below are where
+/// receivers come to that lie askew to the map.
 template <class T>
 UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
-    for (int row = 0; row < rows; ++row)
-        for (int i = 0; i < block; i += 16) UMBRAGE_PREFETCH(memory.data + offsets[i] + row * memory.stride);
+    for (int row = -1; row <= rows; ++row)
+        for (int i = 0; i < block; i += 16) prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
 }
 
 /// Any filter, one receiver after the other.
@@ -779,7 +851,7 @@ struct one_by_one {
 
 /// Taps that are receivers' own texels, clamped to the map.
 struct placed_tap {
-    std::int32_t offsets[block], inside[block];
+    alignas(64) std::int32_t offsets[block], inside[block];
 
     template <class T>
     UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset) {
@@ -829,7 +901,7 @@ struct block_filter<filters::hard, Encoding> {
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
-        std::int32_t lit[block]{};
+        alignas(64) std::int32_t lit[block]{};
         at.tap.count(map, encoding, at.r.zs, lit);
         for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
     }
@@ -853,7 +925,7 @@ struct block_filter<filters::four_tap, Encoding> {
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
-        std::int32_t lit[block]{};
+        alignas(64) std::int32_t lit[block]{};
         for (const placed_tap& tap : at.taps) tap.count(map, encoding, at.r.zs, lit);
         for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]) * 0.25f;
     }
@@ -865,8 +937,8 @@ template <class Encoding>
 struct block_filter<filters::pcf_2x2, Encoding> {
     static constexpr int least = 2;
     struct placed {
-        std::int32_t offsets[block], inside[block];
-        float hi_x[block], hi_y[block], z[block];
+        alignas(64) std::int32_t offsets[block], inside[block];
+        alignas(64) float hi_x[block], hi_y[block], z[block];
     };
     image_view<const typename Encoding::texel> map;
     const Encoding& encoding;
@@ -949,9 +1021,24 @@ UMBRAGE_INLINE inline void compare_lanes(const float* texels, float receiver, ty
 #endif
 }
 
+/// The sum of small numbers, none negative, together below 256.
+template <int Lanes>
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t sum_lanes(const typename vectors<Lanes>::ints& numbers) {
+    vectors<4>::ints parts[Lanes / 4], sum{};
+    std::memcpy(parts, &numbers, sizeof parts);
+    for (const vectors<4>::ints& part : parts) sum += part;
+#if UMBRAGE_HAS_DISPATCH
+    typedef char chars __attribute__((vector_size(16)));
+    sum = (vectors<4>::ints)__builtin_ia32_psadbw128((chars)sum, chars{});  // adds bytes, eight at a time
+    return sum[0] + sum[2];
+#else
+    return sum[0] + sum[1] + sum[2] + sum[3];
+#endif
+}
+
 /// Lit texels of boxes that lie inside a map at least as wide as a register.
-/// @tparam Lanes   of a register;   Whole  registers that a row of the box fills
-template <int Lanes, int Whole>
+/// @tparam Lanes   of a register;   Whole  registers that a row of the box fills;   Width  of the box, 0 if not known here
+template <int Lanes, int Whole, int Width = 0>
 struct box_rows {
     using ints = typename vectors<Lanes>::ints;
     static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
@@ -959,7 +1046,7 @@ struct box_rows {
     int width;
     std::int32_t window[3 * Lanes]{};  ///< lanes that the rest of a row has in a register, slid to where they are
 
-    UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(box_width) {
+    UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(Width ? Width : box_width) {
         for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
     }
 
@@ -967,7 +1054,7 @@ struct box_rows {
     /// @param moved   by how much the last register of a row is moved back, so that it ends inside the map
     [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
         ints lit{}, rest{};
-        for (int j = 0; j < width; ++j, row += stride) {
+        const auto add_row = [&]() UMBRAGE_INLINE {
             const float* texels = reinterpret_cast<const float*>(row);
             ints lanes;
             for (int i = 0; i < Whole; ++i) {
@@ -976,48 +1063,19 @@ struct box_rows {
             }
             compare_lanes<Lanes>(texels + Whole * Lanes - moved, receiver, lanes);
             rest -= lanes;
-        }
+            row += stride;
+        };
+        if constexpr (Width > 0) {
+#pragma GCC unroll 8
+            for (int j = 0; j < Width; ++j) add_row();
+        } else
+            for (int j = 0; j < width; ++j) add_row();
         ints wanted;
         std::memcpy(&wanted, window + Lanes - moved, sizeof wanted);
         lit += rest & wanted;
-        std::int32_t sum = 0;
-        for (int i = 0; i < Lanes; ++i) sum += lit[i];
-        return sum;
+        return sum_lanes<Lanes>(lit);
     }
 };
-
-#if UMBRAGE_HAS_DISPATCH
-/// The same for small boxes where AVX2 is: a row is a byte of bits, and all rows are one word, whose bits are counted.
-/// By what every x86-64 has: compilers refuse instructions of a wider set in a function that does not name the set.
-template <int Width>
-struct box_bits {
-    static_assert(Width <= 8);
-    static constexpr int reach = 8;
-    std::ptrdiff_t stride;
-
-    UMBRAGE_INLINE box_bits(std::ptrdiff_t bytes, int) : stride(bytes) {}
-
-    [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
-        typedef short shorts __attribute__((vector_size(16)));
-        typedef char chars __attribute__((vector_size(16)));
-        std::uint64_t bits = 0, row_of_ones = ((std::uint64_t(1) << Width) - 1) << moved;
-        shorts rows[2];
-#pragma GCC unroll 8
-        for (int j = 0; j < Width; ++j, row += stride) {
-            vectors<8>::ints lit;
-            vectors<4>::ints halves[2];
-            compare_lanes<8>(reinterpret_cast<const float*>(row) - moved, receiver, lit);
-            std::memcpy(halves, &lit, sizeof lit);
-            rows[j % 2] = __builtin_ia32_packssdw128(halves[0], halves[1]);
-            if (j % 2 == 0 && j + 1 < Width) continue;
-            if (j % 2 == 0) rows[1] = shorts{};
-            const chars two = (chars)__builtin_ia32_packsswb128(rows[0], rows[1]);
-            bits = bits << 16 | static_cast<std::uint64_t>(static_cast<unsigned>(__builtin_ia32_pmovmskb128(two)));
-        }
-        return static_cast<std::int32_t>(__builtin_popcountll(bits & row_of_ones * 0x0101010101010101u));
-    }
-};
-#endif
 #else
 #define UMBRAGE_HAS_VECTORS 0
 
@@ -1062,9 +1120,9 @@ template <>
 struct block_filter<filters::box, depth32f> {
     static constexpr int least = 1;
     struct placed {
-        std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
-        std::int32_t inside[block], in_space[block];
-        float z[block];
+        alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
+        alignas(64) std::int32_t inside[block], in_space[block];
+        alignas(64) float z[block];
     };
     image_view<const float> map;
     const depth32f& encoding;
@@ -1081,7 +1139,7 @@ struct block_filter<filters::box, depth32f> {
             at.in_space[i] = texel_space_mask(receivers.x(i), receivers.y(i));
             const std::int32_t x = floor_int(masked(receivers.x(i), at.in_space[i])) - before;
             const std::int32_t y = floor_int(masked(receivers.y(i), at.in_space[i])) - before;
-            at.inside[i] = -(std::int32_t(x >= 0) & std::int32_t(x <= last_x) & std::int32_t(y >= 0) & std::int32_t(y <= last_y));
+            at.inside[i] = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
             at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
             at.x[i] = x;
             at.y[i] = y;
@@ -1095,13 +1153,11 @@ struct block_filter<filters::box, depth32f> {
         const int width = 2 * radius() + 1;
 #if UMBRAGE_HAS_VECTORS
         constexpr int lanes = Isa::value == isa::base ? 4 : 8;
-#if UMBRAGE_HAS_DISPATCH
         if constexpr (lanes == 8) {
-            if (width == 3) return count_with<box_bits<3>>(at, count, visibility);
-            if (width == 5) return count_with<box_bits<5>>(at, count, visibility);
-            if (width == 7) return count_with<box_bits<7>>(at, count, visibility);
+            if (width == 3) return count_with<box_rows<8, 0, 3>>(at, count, visibility);
+            if (width == 5) return count_with<box_rows<8, 0, 5>>(at, count, visibility);
+            if (width == 7) return count_with<box_rows<8, 0, 7>>(at, count, visibility);
         }
-#endif
         if (width / lanes == 0) return count_with<box_rows<lanes, 0>>(at, count, visibility);
         if (width / lanes == 1) return count_with<box_rows<lanes, 1>>(at, count, visibility);
         if (width / lanes == 2) return count_with<box_rows<lanes, 2>>(at, count, visibility);
@@ -1120,10 +1176,10 @@ private:
         const int width = 2 * radius() + 1, last_load = map.size.x - Boxes::reach;
         const Boxes boxes(map.stride, width);
         const texel_bytes memory(map);
-        std::int32_t moved[block], lit[block]{}, plain = last_load >= 0 ? -1 : 0;
+        alignas(64) std::int32_t lit[block]{};
+        std::int32_t plain = last_load >= 0 ? -1 : 0;
         for (int i = 0; i < block; ++i) {
-            moved[i] = at.x[i] > last_load ? at.x[i] - last_load : 0;
-            plain &= -std::int32_t(moved[i] == 0) & at.inside[i] & at.in_space[i];
+            plain &= at.inside[i] & at.in_space[i] & -std::int32_t(at.x[i] <= last_load);
             plain &= -std::int32_t((std::bit_cast<std::int32_t>(at.z[i]) & 0x7FFFFFFF) <= 0x7F800000);
         }
         if (plain)  // as nearly all are
@@ -1131,7 +1187,8 @@ private:
         else
             for (int i = 0; i < count; ++i) {
                 if (is_nan(at.z[i]) || !at.in_space[i]) continue;
-                lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved[i], at.z[i])
+                const int moved = at.x[i] > last_load ? at.x[i] - last_load : 0;
+                lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved, at.z[i])
                                                         : count_at_border<Boxes>({at.x[i], at.y[i]}, width, at.z[i]);
             }
         const float scale = box_scale<float>(radius());
@@ -1612,7 +1669,7 @@ private:
 struct hierarchical_blocks {
     struct placed {
         receiver_block r;
-        std::int32_t offsets[block], in_space[block];
+        alignas(64) std::int32_t offsets[block], in_space[block];
     };
     const box_bounds& tree;
     block_filter<filters::box, depth32f> brute_force;
@@ -1639,8 +1696,9 @@ struct hierarchical_blocks {
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
         const texel_bytes memory(tree.bounds.view());
         const receiver_block& r = at.r;
-        std::int32_t open[block], any = 0;
-        glm::vec2 bounds[block];
+        alignas(64) std::int32_t open[block];
+        alignas(64) glm::vec2 bounds[block];
+        std::int32_t any = 0;
         for (int i = 0; i < block; ++i) bounds[i] = *memory.at(at.offsets[i]);
         for (int i = 0; i < block; ++i) {
             const std::int32_t lit = is_lit(r.z(i), bounds[i].x), dark = std::int32_t(r.z(i) > bounds[i].y);
@@ -1651,7 +1709,7 @@ struct hierarchical_blocks {
         if (!any) return;
 
         receiver_block rest;  // those that need the box
-        float shares[block];
+        alignas(64) float shares[block];
         int indices[block], found = 0;
         for (int i = 0; i < count; ++i) {
             indices[found] = i;
@@ -2386,22 +2444,6 @@ struct group {
     static UMBRAGE_INLINE void load(const T* from, lanes& v) { std::memcpy(&v, from, sizeof v); }
     static UMBRAGE_INLINE void store(const lanes& v, T* to) { std::memcpy(to, &v, sizeof v); }
 
-    /// Past the cache, which a large table would only push everything else out of: half the traffic. Wants a multiple
-    /// of 16 bytes, and finish_streaming() before anybody else looks.
-    static UMBRAGE_INLINE void stream(const lanes& v, T* to) {
-#if defined(__clang__)
-        __builtin_nontemporal_store(v, reinterpret_cast<lanes*>(to));
-#elif defined(__GNUC__) && defined(__x86_64__)
-        typedef float four __attribute__((vector_size(16)));
-        four parts[sizeof v / sizeof(four)];
-        std::memcpy(parts, &v, sizeof v);
-        for (std::size_t i = 0; i < sizeof v / sizeof(four); ++i)
-            __builtin_ia32_movntps(reinterpret_cast<float*>(to) + 4 * i, parts[i]);
-#else
-        store(v, to);
-#endif
-    }
-
     /// Each plus those before it.
     static UMBRAGE_INLINE void running_sum(lanes& v) {
 #if UMBRAGE_HAS_SHUFFLES
@@ -2431,12 +2473,6 @@ struct group {
 /// Floats are always added in fours, in the order that summed_area states; integers in any.
 template <class T, isa Set>
 inline constexpr int group_lanes = std::is_integral_v<T> && UMBRAGE_HAS_EIGHT_LANES && Set != isa::base ? 8 : 4;
-
-inline void finish_streaming() {
-#if defined(__GNUC__) && defined(__x86_64__)
-    __builtin_ia32_sfence();
-#endif
-}
 
 /// The running sums of a band, and what lies under it. Machines compare the last twelve bits of addresses first, and let a
 /// load wait for a store that looks like it: so these lie where rows of the image and of the table do not. The worst
@@ -2481,15 +2517,15 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         few::store(sums, lines);
         if constexpr (Store == table_store::none) return;
         few::load(under, there);
-        if constexpr (Store == table_store::plain) few::store(sums + there, result);
-        if constexpr (Store == table_store::streaming) few::stream(sums + there, result);
+        sums = sums + there;
+        if constexpr (Store == table_store::plain) few::store(sums, result);
+        if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
     };
     int x = 0;
     Sum values[2][block];  // of this block and the next: a load would wait for the stores to a like address in another page
     const auto load = [&](int first) UMBRAGE_INLINE {
         Sum* const into = values[first / block % 2];
-        for (int i = 0; i < block; i += 64 / static_cast<int>(sizeof(From)))  // measured: what the machine does itself is too late
-            UMBRAGE_PREFETCH(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(from + first + i) + 1536));
+        prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));  // measured: what the machine does itself is too late
         for (int i = 0; i < block; ++i) into[i] = from[first + i];
     };
     if (block <= count) load(0);
@@ -2514,15 +2550,14 @@ inline constexpr int band_rows = 64;  ///< rows of a table that are summed from 
 /// Rows first <= y < last of one band into the table; `line` becomes the sums of the band down to there.
 template <class From, class Sum>
 void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, int last, const Sum* base, Sum* line) {
-    constexpr std::ptrdiff_t large = std::ptrdiff_t(1) << 22;  // bytes: beyond what stays in a cache
     const int width = sums.size.x;
-    const bool is_large = sums.size.y * (width * static_cast<std::ptrdiff_t>(sizeof(Sum))) >= large;
+    const bool is_large = past_cache(sums);
     on_best_isa([&](auto set) UMBRAGE_INLINE {
         constexpr int lanes = group_lanes<Sum, decltype(set)::value>;
         for (int y = first; y < last; ++y) {
             const From* from = values.row(y);
             Sum* to = sums.row(y);
-            if (is_large && reinterpret_cast<std::uintptr_t>(to) % 16 == 0)
+            if (is_large && streams_to(to))
                 sum_row<table_store::streaming, lanes>(from, base, line, to, width);
             else
                 sum_row<table_store::plain, lanes>(from, base, line, to, width);
@@ -2748,6 +2783,17 @@ UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const bloc
     use(r);
 }
 
+/// Starts to fetch the receivers some blocks ahead. A machine that guesses them stops at the end of a page, which is soon.
+template <class T>
+UMBRAGE_INLINE inline void prefetch(const image_view<const T>& from, const block_walk& at) {
+    constexpr int bytes = block * static_cast<int>(sizeof(T)), blocks = 4;
+    prefetch_bytes(from.row(at.y) + at.x, blocks * bytes, bytes);
+}
+UMBRAGE_INLINE inline void prefetch(const receiver_planes& from, const block_walk& at) {
+    for (const auto* plane : {&from.x, &from.y, &from.depth}) prefetch(*plane, at);
+}
+UMBRAGE_INLINE inline void prefetch(const depth_receivers& from, const block_walk& at) { prefetch(from.depth, at); }
+
 [[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
 [[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
 [[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
@@ -2760,22 +2806,27 @@ UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const bloc
 template <class Receivers, class Filter, class ParallelFor>
 void filter_rows(const Receivers& receivers, const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
     parallel(out.size.y, [&](int first, int last) {
+        const bool large = past_cache(out);
         on_best_isa([&](auto set) UMBRAGE_INLINE {
             constexpr unsigned ring = 4;  // blocks on their way
             typename Filter::placed placed[ring];
-            float visibility[block];
+            alignas(64) float visibility[block];
             block_walk ahead{0, first, out.size.x}, at = ahead;
             for (unsigned n = 0; at.y < last; ++n) {
                 if (ahead.y < last) {
+                    prefetch(receivers, ahead);
                     use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE { filter.place(of_block, placed[n % ring]); });
                     ahead.step();
                 }
                 if (n + 1 < ring) continue;
                 filter(placed[(n + 1) % ring], at.count(), visibility, set);
-                copy_floats(out.row(at.y) + at.x, visibility, at.count());
+                float* const to = out.row(at.y) + at.x;
+                if (at.count() == block) store_block(to, visibility, large);
+                else copy_floats(to, visibility, at.count());
                 at.step();
             }
         });
+        if (large) finish_streaming();
     });
 }
 

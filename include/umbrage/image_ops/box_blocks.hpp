@@ -47,9 +47,24 @@ UMBRAGE_INLINE inline void compare_lanes(const float* texels, float receiver, ty
 #endif
 }
 
+/// The sum of small numbers, none negative, together below 256.
+template <int Lanes>
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t sum_lanes(const typename vectors<Lanes>::ints& numbers) {
+    vectors<4>::ints parts[Lanes / 4], sum{};
+    std::memcpy(parts, &numbers, sizeof parts);
+    for (const vectors<4>::ints& part : parts) sum += part;
+#if UMBRAGE_HAS_DISPATCH
+    typedef char chars __attribute__((vector_size(16)));
+    sum = (vectors<4>::ints)__builtin_ia32_psadbw128((chars)sum, chars{});  // adds bytes, eight at a time
+    return sum[0] + sum[2];
+#else
+    return sum[0] + sum[1] + sum[2] + sum[3];
+#endif
+}
+
 /// Lit texels of boxes that lie inside a map at least as wide as a register.
-/// @tparam Lanes   of a register;   Whole  registers that a row of the box fills
-template <int Lanes, int Whole>
+/// @tparam Lanes   of a register;   Whole  registers that a row of the box fills;   Width  of the box, 0 if not known here
+template <int Lanes, int Whole, int Width = 0>
 struct box_rows {
     using ints = typename vectors<Lanes>::ints;
     static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
@@ -57,7 +72,7 @@ struct box_rows {
     int width;
     std::int32_t window[3 * Lanes]{};  ///< lanes that the rest of a row has in a register, slid to where they are
 
-    UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(box_width) {
+    UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(Width ? Width : box_width) {
         for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
     }
 
@@ -65,7 +80,7 @@ struct box_rows {
     /// @param moved   by how much the last register of a row is moved back, so that it ends inside the map
     [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
         ints lit{}, rest{};
-        for (int j = 0; j < width; ++j, row += stride) {
+        const auto add_row = [&]() UMBRAGE_INLINE {
             const float* texels = reinterpret_cast<const float*>(row);
             ints lanes;
             for (int i = 0; i < Whole; ++i) {
@@ -74,48 +89,19 @@ struct box_rows {
             }
             compare_lanes<Lanes>(texels + Whole * Lanes - moved, receiver, lanes);
             rest -= lanes;
-        }
+            row += stride;
+        };
+        if constexpr (Width > 0) {
+#pragma GCC unroll 8
+            for (int j = 0; j < Width; ++j) add_row();
+        } else
+            for (int j = 0; j < width; ++j) add_row();
         ints wanted;
         std::memcpy(&wanted, window + Lanes - moved, sizeof wanted);
         lit += rest & wanted;
-        std::int32_t sum = 0;
-        for (int i = 0; i < Lanes; ++i) sum += lit[i];
-        return sum;
+        return sum_lanes<Lanes>(lit);
     }
 };
-
-#if UMBRAGE_HAS_DISPATCH
-/// The same for small boxes where AVX2 is: a row is a byte of bits, and all rows are one word, whose bits are counted.
-/// By what every x86-64 has: compilers refuse instructions of a wider set in a function that does not name the set.
-template <int Width>
-struct box_bits {
-    static_assert(Width <= 8);
-    static constexpr int reach = 8;
-    std::ptrdiff_t stride;
-
-    UMBRAGE_INLINE box_bits(std::ptrdiff_t bytes, int) : stride(bytes) {}
-
-    [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
-        typedef short shorts __attribute__((vector_size(16)));
-        typedef char chars __attribute__((vector_size(16)));
-        std::uint64_t bits = 0, row_of_ones = ((std::uint64_t(1) << Width) - 1) << moved;
-        shorts rows[2];
-#pragma GCC unroll 8
-        for (int j = 0; j < Width; ++j, row += stride) {
-            vectors<8>::ints lit;
-            vectors<4>::ints halves[2];
-            compare_lanes<8>(reinterpret_cast<const float*>(row) - moved, receiver, lit);
-            std::memcpy(halves, &lit, sizeof lit);
-            rows[j % 2] = __builtin_ia32_packssdw128(halves[0], halves[1]);
-            if (j % 2 == 0 && j + 1 < Width) continue;
-            if (j % 2 == 0) rows[1] = shorts{};
-            const chars two = (chars)__builtin_ia32_packsswb128(rows[0], rows[1]);
-            bits = bits << 16 | static_cast<std::uint64_t>(static_cast<unsigned>(__builtin_ia32_pmovmskb128(two)));
-        }
-        return static_cast<std::int32_t>(__builtin_popcountll(bits & row_of_ones * 0x0101010101010101u));
-    }
-};
-#endif
 #else
 #define UMBRAGE_HAS_VECTORS 0
 
@@ -160,9 +146,9 @@ template <>
 struct block_filter<filters::box, depth32f> {
     static constexpr int least = 1;
     struct placed {
-        std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
-        std::int32_t inside[block], in_space[block];
-        float z[block];
+        alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
+        alignas(64) std::int32_t inside[block], in_space[block];
+        alignas(64) float z[block];
     };
     image_view<const float> map;
     const depth32f& encoding;
@@ -179,7 +165,7 @@ struct block_filter<filters::box, depth32f> {
             at.in_space[i] = texel_space_mask(receivers.x(i), receivers.y(i));
             const std::int32_t x = floor_int(masked(receivers.x(i), at.in_space[i])) - before;
             const std::int32_t y = floor_int(masked(receivers.y(i), at.in_space[i])) - before;
-            at.inside[i] = -(std::int32_t(x >= 0) & std::int32_t(x <= last_x) & std::int32_t(y >= 0) & std::int32_t(y <= last_y));
+            at.inside[i] = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
             at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
             at.x[i] = x;
             at.y[i] = y;
@@ -193,13 +179,11 @@ struct block_filter<filters::box, depth32f> {
         const int width = 2 * radius() + 1;
 #if UMBRAGE_HAS_VECTORS
         constexpr int lanes = Isa::value == isa::base ? 4 : 8;
-#if UMBRAGE_HAS_DISPATCH
         if constexpr (lanes == 8) {
-            if (width == 3) return count_with<box_bits<3>>(at, count, visibility);
-            if (width == 5) return count_with<box_bits<5>>(at, count, visibility);
-            if (width == 7) return count_with<box_bits<7>>(at, count, visibility);
+            if (width == 3) return count_with<box_rows<8, 0, 3>>(at, count, visibility);
+            if (width == 5) return count_with<box_rows<8, 0, 5>>(at, count, visibility);
+            if (width == 7) return count_with<box_rows<8, 0, 7>>(at, count, visibility);
         }
-#endif
         if (width / lanes == 0) return count_with<box_rows<lanes, 0>>(at, count, visibility);
         if (width / lanes == 1) return count_with<box_rows<lanes, 1>>(at, count, visibility);
         if (width / lanes == 2) return count_with<box_rows<lanes, 2>>(at, count, visibility);
@@ -218,10 +202,10 @@ private:
         const int width = 2 * radius() + 1, last_load = map.size.x - Boxes::reach;
         const Boxes boxes(map.stride, width);
         const texel_bytes memory(map);
-        std::int32_t moved[block], lit[block]{}, plain = last_load >= 0 ? -1 : 0;
+        alignas(64) std::int32_t lit[block]{};
+        std::int32_t plain = last_load >= 0 ? -1 : 0;
         for (int i = 0; i < block; ++i) {
-            moved[i] = at.x[i] > last_load ? at.x[i] - last_load : 0;
-            plain &= -std::int32_t(moved[i] == 0) & at.inside[i] & at.in_space[i];
+            plain &= at.inside[i] & at.in_space[i] & -std::int32_t(at.x[i] <= last_load);
             plain &= -std::int32_t((std::bit_cast<std::int32_t>(at.z[i]) & 0x7FFFFFFF) <= 0x7F800000);
         }
         if (plain)  // as nearly all are
@@ -229,7 +213,8 @@ private:
         else
             for (int i = 0; i < count; ++i) {
                 if (is_nan(at.z[i]) || !at.in_space[i]) continue;
-                lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved[i], at.z[i])
+                const int moved = at.x[i] > last_load ? at.x[i] - last_load : 0;
+                lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved, at.z[i])
                                                         : count_at_border<Boxes>({at.x[i], at.y[i]}, width, at.z[i]);
             }
         const float scale = box_scale<float>(radius());

@@ -20,6 +20,7 @@
 #include <umbrage/image.hpp>
 #include <umbrage/image_ops/isa.hpp>
 #include <umbrage/image_ops/parallel.hpp>
+#include <umbrage/image_ops/streaming.hpp>
 
 namespace umbrage {
 namespace detail {
@@ -141,14 +142,23 @@ void encode(image_view<const float> depth, image_view<typename Encoding::texel> 
             ParallelFor&& parallel = {}) {
     if (depth.size != texels.size) throw std::invalid_argument("umbrage::encode: sizes differ");
     if (depth.empty()) return;
+    const bool large = detail::past_cache(texels);
     parallel(depth.size.y, [&](int first, int last) {
         detail::on_best_isa([&](auto) UMBRAGE_INLINE {
+            using texel = typename Encoding::texel;
+            const auto in_place = [&](const float* from, texel* to) UMBRAGE_INLINE {
+                detail::block_codec<Encoding>::encode(from, to, encoding);
+            };
+            const auto by_a_copy = [&](const float* from, texel* to) UMBRAGE_INLINE {
+                alignas(64) texel texels_of_block[detail::block];
+                in_place(from, texels_of_block);
+                detail::store_block(to, texels_of_block, true);
+            };
             for (int y = first; y < last; ++y)
-                detail::convert_row(depth.row(y), texels.row(y), depth.size.x,
-                                    [&](const auto* from, auto* to) UMBRAGE_INLINE {
-                                        detail::block_codec<Encoding>::encode(from, to, encoding);
-                                    });
+                if (large) detail::convert_row(depth.row(y), texels.row(y), depth.size.x, by_a_copy);
+                else detail::convert_row(depth.row(y), texels.row(y), depth.size.x, in_place);
         });
+        if (large) detail::finish_streaming();
     });
 }
 

@@ -89,7 +89,7 @@ private:
 struct hierarchical_blocks {
     struct placed {
         receiver_block r;
-        std::int32_t offsets[block], in_space[block];
+        alignas(64) std::int32_t offsets[block], in_space[block];
     };
     const box_bounds& tree;
     block_filter<filters::box, depth32f> brute_force;
@@ -116,8 +116,9 @@ struct hierarchical_blocks {
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
         const texel_bytes memory(tree.bounds.view());
         const receiver_block& r = at.r;
-        std::int32_t open[block], any = 0;
-        glm::vec2 bounds[block];
+        alignas(64) std::int32_t open[block];
+        alignas(64) glm::vec2 bounds[block];
+        std::int32_t any = 0;
         for (int i = 0; i < block; ++i) bounds[i] = *memory.at(at.offsets[i]);
         for (int i = 0; i < block; ++i) {
             const std::int32_t lit = is_lit(r.z(i), bounds[i].x), dark = std::int32_t(r.z(i) > bounds[i].y);
@@ -128,7 +129,7 @@ struct hierarchical_blocks {
         if (!any) return;
 
         receiver_block rest;  // those that need the box
-        float shares[block];
+        alignas(64) float shares[block];
         int indices[block], found = 0;
         for (int i = 0; i < count; ++i) {
             indices[found] = i;

@@ -23,6 +23,7 @@
 #include <umbrage/image.hpp>
 #include <umbrage/image_ops/isa.hpp>
 #include <umbrage/image_ops/parallel.hpp>
+#include <umbrage/image_ops/streaming.hpp>
 #include <umbrage/image_ops/strict_math.hpp>
 
 UMBRAGE_STRICT_MATH
@@ -58,22 +59,6 @@ struct group {
     static UMBRAGE_INLINE void load(const T* from, lanes& v) { std::memcpy(&v, from, sizeof v); }
     static UMBRAGE_INLINE void store(const lanes& v, T* to) { std::memcpy(to, &v, sizeof v); }
 
-    /// Past the cache, which a large table would only push everything else out of: half the traffic. Wants a multiple
-    /// of 16 bytes, and finish_streaming() before anybody else looks.
-    static UMBRAGE_INLINE void stream(const lanes& v, T* to) {
-#if defined(__clang__)
-        __builtin_nontemporal_store(v, reinterpret_cast<lanes*>(to));
-#elif defined(__GNUC__) && defined(__x86_64__)
-        typedef float four __attribute__((vector_size(16)));
-        four parts[sizeof v / sizeof(four)];
-        std::memcpy(parts, &v, sizeof v);
-        for (std::size_t i = 0; i < sizeof v / sizeof(four); ++i)
-            __builtin_ia32_movntps(reinterpret_cast<float*>(to) + 4 * i, parts[i]);
-#else
-        store(v, to);
-#endif
-    }
-
     /// Each plus those before it.
     static UMBRAGE_INLINE void running_sum(lanes& v) {
 #if UMBRAGE_HAS_SHUFFLES
@@ -103,12 +88,6 @@ struct group {
 /// Floats are always added in fours, in the order that summed_area states; integers in any.
 template <class T, isa Set>
 inline constexpr int group_lanes = std::is_integral_v<T> && UMBRAGE_HAS_EIGHT_LANES && Set != isa::base ? 8 : 4;
-
-inline void finish_streaming() {
-#if defined(__GNUC__) && defined(__x86_64__)
-    __builtin_ia32_sfence();
-#endif
-}
 
 /// The running sums of a band, and what lies under it. Machines compare the last twelve bits of addresses first, and let a
 /// load wait for a store that looks like it: so these lie where rows of the image and of the table do not. The worst
@@ -153,15 +132,15 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         few::store(sums, lines);
         if constexpr (Store == table_store::none) return;
         few::load(under, there);
-        if constexpr (Store == table_store::plain) few::store(sums + there, result);
-        if constexpr (Store == table_store::streaming) few::stream(sums + there, result);
+        sums = sums + there;
+        if constexpr (Store == table_store::plain) few::store(sums, result);
+        if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
     };
     int x = 0;
     Sum values[2][block];  // of this block and the next: a load would wait for the stores to a like address in another page
     const auto load = [&](int first) UMBRAGE_INLINE {
         Sum* const into = values[first / block % 2];
-        for (int i = 0; i < block; i += 64 / static_cast<int>(sizeof(From)))  // measured: what the machine does itself is too late
-            UMBRAGE_PREFETCH(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(from + first + i) + 1536));
+        prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));  // measured: what the machine does itself is too late
         for (int i = 0; i < block; ++i) into[i] = from[first + i];
     };
     if (block <= count) load(0);
@@ -186,15 +165,14 @@ inline constexpr int band_rows = 64;  ///< rows of a table that are summed from 
 /// Rows first <= y < last of one band into the table; `line` becomes the sums of the band down to there.
 template <class From, class Sum>
 void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, int last, const Sum* base, Sum* line) {
-    constexpr std::ptrdiff_t large = std::ptrdiff_t(1) << 22;  // bytes: beyond what stays in a cache
     const int width = sums.size.x;
-    const bool is_large = sums.size.y * (width * static_cast<std::ptrdiff_t>(sizeof(Sum))) >= large;
+    const bool is_large = past_cache(sums);
     on_best_isa([&](auto set) UMBRAGE_INLINE {
         constexpr int lanes = group_lanes<Sum, decltype(set)::value>;
         for (int y = first; y < last; ++y) {
             const From* from = values.row(y);
             Sum* to = sums.row(y);
-            if (is_large && reinterpret_cast<std::uintptr_t>(to) % 16 == 0)
+            if (is_large && streams_to(to))
                 sum_row<table_store::streaming, lanes>(from, base, line, to, width);
             else
                 sum_row<table_store::plain, lanes>(from, base, line, to, width);

@@ -138,6 +138,17 @@ UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const bloc
     use(r);
 }
 
+/// Starts to fetch the receivers some blocks ahead. A machine that guesses them stops at the end of a page, which is soon.
+template <class T>
+UMBRAGE_INLINE inline void prefetch(const image_view<const T>& from, const block_walk& at) {
+    constexpr int bytes = block * static_cast<int>(sizeof(T)), blocks = 4;
+    prefetch_bytes(from.row(at.y) + at.x, blocks * bytes, bytes);
+}
+UMBRAGE_INLINE inline void prefetch(const receiver_planes& from, const block_walk& at) {
+    for (const auto* plane : {&from.x, &from.y, &from.depth}) prefetch(*plane, at);
+}
+UMBRAGE_INLINE inline void prefetch(const depth_receivers& from, const block_walk& at) { prefetch(from.depth, at); }
+
 [[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
 [[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
 [[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
@@ -150,22 +161,27 @@ UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const bloc
 template <class Receivers, class Filter, class ParallelFor>
 void filter_rows(const Receivers& receivers, const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
     parallel(out.size.y, [&](int first, int last) {
+        const bool large = past_cache(out);
         on_best_isa([&](auto set) UMBRAGE_INLINE {
             constexpr unsigned ring = 4;  // blocks on their way
             typename Filter::placed placed[ring];
-            float visibility[block];
+            alignas(64) float visibility[block];
             block_walk ahead{0, first, out.size.x}, at = ahead;
             for (unsigned n = 0; at.y < last; ++n) {
                 if (ahead.y < last) {
+                    prefetch(receivers, ahead);
                     use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE { filter.place(of_block, placed[n % ring]); });
                     ahead.step();
                 }
                 if (n + 1 < ring) continue;
                 filter(placed[(n + 1) % ring], at.count(), visibility, set);
-                copy_floats(out.row(at.y) + at.x, visibility, at.count());
+                float* const to = out.row(at.y) + at.x;
+                if (at.count() == block) store_block(to, visibility, large);
+                else copy_floats(to, visibility, at.count());
                 at.step();
             }
         });
+        if (large) finish_streaming();
     });
 }
 

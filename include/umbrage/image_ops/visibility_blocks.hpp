@@ -24,6 +24,7 @@
 #include <umbrage/image_ops/encode.hpp>
 #include <umbrage/image_ops/filters.hpp>
 #include <umbrage/image_ops/isa.hpp>
+#include <umbrage/image_ops/streaming.hpp>
 
 namespace umbrage::detail {
 
@@ -105,7 +106,7 @@ struct receiver_block {
 template <class Encoding>
 struct loaded_texels {
     const Encoding& encoding;
-    float depths[2 * block];
+    alignas(64) float depths[2 * block];
     explicit loaded_texels(const Encoding& e) : encoding(e) {}
     UMBRAGE_INLINE void load_one(int i, const typename Encoding::texel* t) { depths[i] = encoding.decode(*t); }
     UMBRAGE_INLINE void load_two(int i, const typename Encoding::texel* t) {
@@ -121,7 +122,7 @@ struct loaded_texels {
 /// Floats need no decoding, but two of them are one load.
 template <>
 struct loaded_texels<depth32f> {
-    float depths[2 * block];
+    alignas(64) float depths[2 * block];
     explicit loaded_texels(const depth32f&) {}
     UMBRAGE_INLINE void load_one(int i, const float* t) { depths[i] = *t; }
     UMBRAGE_INLINE void load_two(int i, const float* t) { std::memcpy(depths + 2 * i, t, 2 * sizeof(float)); }
@@ -136,7 +137,7 @@ template <int Bits>
 struct loaded_texels<rg<Bits>> {
     static constexpr bool little = std::endian::native == std::endian::little;
     float edge;
-    std::uint32_t words[block];
+    alignas(64) std::uint32_t words[block];
     explicit loaded_texels(const rg<Bits>& encoding) : edge(encoding.edge) {}
     UMBRAGE_INLINE void load_one(int i, const glm::u8vec2* t) {
         std::uint16_t word;
@@ -190,11 +191,12 @@ template <class T>
 }
 
 /// Starts to fetch the texels of a block, of which neighbours mostly share a line of the cache. Where a block starts on
-/// another row of the map than the one before, the machine cannot guess them.
+/// another row of the map than the one before, the machine cannot guess them; and the rows above and below are where
+/// receivers come to that lie askew to the map.
 template <class T>
 UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
-    for (int row = 0; row < rows; ++row)
-        for (int i = 0; i < block; i += 16) UMBRAGE_PREFETCH(memory.data + offsets[i] + row * memory.stride);
+    for (int row = -1; row <= rows; ++row)
+        for (int i = 0; i < block; i += 16) prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
 }
 
 /// Any filter, one receiver after the other.
@@ -218,7 +220,7 @@ struct one_by_one {
 
 /// Taps that are receivers' own texels, clamped to the map.
 struct placed_tap {
-    std::int32_t offsets[block], inside[block];
+    alignas(64) std::int32_t offsets[block], inside[block];
 
     template <class T>
     UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset) {
@@ -268,7 +270,7 @@ struct block_filter<filters::hard, Encoding> {
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
-        std::int32_t lit[block]{};
+        alignas(64) std::int32_t lit[block]{};
         at.tap.count(map, encoding, at.r.zs, lit);
         for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
     }
@@ -292,7 +294,7 @@ struct block_filter<filters::four_tap, Encoding> {
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
-        std::int32_t lit[block]{};
+        alignas(64) std::int32_t lit[block]{};
         for (const placed_tap& tap : at.taps) tap.count(map, encoding, at.r.zs, lit);
         for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]) * 0.25f;
     }
@@ -304,8 +306,8 @@ template <class Encoding>
 struct block_filter<filters::pcf_2x2, Encoding> {
     static constexpr int least = 2;
     struct placed {
-        std::int32_t offsets[block], inside[block];
-        float hi_x[block], hi_y[block], z[block];
+        alignas(64) std::int32_t offsets[block], inside[block];
+        alignas(64) float hi_x[block], hi_y[block], z[block];
     };
     image_view<const typename Encoding::texel> map;
     const Encoding& encoding;

@@ -252,3 +252,38 @@ TEST_CASE("visibility: whole blocks inside the map, and rows that collide in the
         }
     }
 }
+
+TEST_CASE("encode, visibility: large images, which bypass the cache, rows on and off multiples of 16 bytes") {
+    const glm::ivec2 size(1057, 1001), map_size(67, 45);
+    values v;
+    gapped<float> depth(size), visibility(size);
+    gapped<glm::u8vec4> texels(size);
+    image<glm::u8vec2> map(map_size);
+    image<glm::vec3> receivers(size);
+    const umbrage::rg<11> rg;
+    const umbrage::float_bits float_bits;
+    for (auto& texel : map.texels()) texel = rg.encode(v.unit());
+    for (auto& receiver : receivers.texels()) receiver = {v.coord(map_size.x), v.coord(map_size.y), v.unit()};
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) depth.view()[{x, y}] = v.depth();
+    REQUIRE(umbrage::detail::past_cache(visibility.view()));
+    REQUIRE(umbrage::detail::past_cache(texels.view()));
+    const auto fetch = umbrage::decoded(std::as_const(map).view(), rg);
+    const umbrage::filters::pcf_2x2 filter;
+    image<float> wanted(size);
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) wanted[{x, y}] = filter(fetch, glm::vec2(receivers[{x, y}]), receivers[{x, y}].z);
+    for_each_path([&] {
+        umbrage::encode(depth.view(), texels.view(), float_bits, bands{3});
+        umbrage::visibility(map, rg, receivers, filter, visibility.view(), bands{3});
+        int different = 0;
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                different += texels.view()[{x, y}] != float_bits.encode(depth.view()[{x, y}]);
+                different += visibility_bits(wanted[{x, y}]) != visibility_bits(visibility.view()[{x, y}]);
+            }
+        CHECK(different == 0);
+        CHECK(texels.gaps_untouched());
+        CHECK(visibility.gaps_untouched());
+    });
+}
