@@ -14,11 +14,9 @@
 #include "data.hpp"
 #include "peers/depth_pass.hpp"
 #include "scenes.hpp"
-#include "schedulers.hpp"
 
 namespace {
 
-using bench::hills;
 using bench::mesh;
 using bench::scattered;
 
@@ -87,28 +85,6 @@ const bench::registration rows([] {
                     return differ * 100 < ours.size() && shadowed * 10 > ours.size() && shadowed * 10 < 9 * ours.size();
                 }});
 #endif
-    // both cores
-    struct threads_state {
-        mesh scene = hills(724), large = scattered(10000, 100.0f);
-        umbrage::image<float> one{bench::screen, 1.0f}, two{bench::screen, 1.0f};
-    };
-    const auto t = std::make_shared<threads_state>();
-    const std_threads two_threads{2};
-    const auto same = [t] { return std::ranges::equal(t->one.texels(), t->two.texels()); };
-    for (const bool large : {false, true})
-        bench::add({.work = large ? "depth pass, 100-pixel triangles, two threads" : "depth pass, hills, two threads",
-                    .peer = "one thread", .at_least = 1.75,
-                    .items = double((large ? t->large : t->scene).triangles.size()),
-                    .ours = [=] {
-                        std::ranges::fill(t->two.texels(), 1.0f);
-                        umbrage::rasterize_depth(t->two, large ? t->large : t->scene, glm::mat4(1.0f), {},
-                                                 umbrage::cull_mode::none, two_threads);
-                    },
-                    .theirs = [=] {
-                        std::ranges::fill(t->one.texels(), 1.0f);
-                        umbrage::rasterize_depth(t->one, large ? t->large : t->scene, glm::mat4(1.0f), {});
-                    },
-                    .agree = same, .measured = bench::clock::wall});
 });
 
 }  // namespace

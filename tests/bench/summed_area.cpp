@@ -11,7 +11,6 @@
 
 #include "bench.hpp"
 #include "data.hpp"
-#include "schedulers.hpp"
 #ifdef UMBRAGE_BENCH_OPENCV
 #include "peers/opencv.hpp"
 #endif
@@ -22,7 +21,7 @@ using bench::map_size;
 using umbrage::image;
 
 struct state {
-    image<std::uint32_t> words{map_size}, sums{map_size}, sums_of_two{map_size}, byte_sums{map_size}, their_sums{map_size + 1};
+    image<std::uint32_t> words{map_size}, sums{map_size}, byte_sums{map_size}, their_sums{map_size + 1};
     image<std::uint8_t> bytes{map_size};
     image<float> floats{map_size}, float_sums{map_size}, their_float_sums{map_size + 1};
     state() {
@@ -43,8 +42,6 @@ struct state {
     }
 };
 
-const std_threads two_threads{2};
-
 const bench::registration rows([] {
     const auto s = std::make_shared<state>();
     const auto copy = [s] { std::memcpy(s->their_sums.texels().data(), s->words.texels().data(), sizeof(std::uint32_t) << 22); };
@@ -54,10 +51,6 @@ const bench::registration rows([] {
                 .ours = words, .theirs = copy, .agree = {}});
     bench::add({.work = "summed-area table of floats, 2048 x 2048", .peer = "memcpy", .items = bench::map_texels,
                 .ours = floats, .theirs = copy, .agree = {}});
-    bench::add({.work = "summed-area table of uint32, two threads", .peer = "ours, one thread", .items = bench::map_texels,
-                .ours = [s] { umbrage::summed_area(s->words.view(), s->sums_of_two.view(), two_threads); }, .theirs = words,
-                .agree = [s] { return std::ranges::equal(s->sums.texels(), s->sums_of_two.texels()); },
-                .measured = bench::clock::wall});
 #ifdef UMBRAGE_BENCH_OPENCV
     // OpenCV takes no integers wider than bytes: against our words its floats, of the same size.
     const auto their_floats = [s] { peers::opencv::integral(s->floats, s->their_float_sums); };

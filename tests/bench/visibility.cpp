@@ -10,7 +10,6 @@
 #include "data.hpp"
 #include "default_scene.hpp"
 #include "peers/glm.hpp"
-#include "schedulers.hpp"
 #ifdef UMBRAGE_BENCH_LLVMPIPE
 #include "peers/llvmpipe.hpp"
 #endif
@@ -37,8 +36,6 @@ struct state {
     }
 };
 
-const std_threads two_threads{2};
-
 const bench::registration rows([] {
     const auto s = std::make_shared<state>();
     umbrage::encode(s->map, s->packed, umbrage::rg<11>{.edge = umbrage::lower_edge<float>});
@@ -64,11 +61,6 @@ const bench::registration rows([] {
                 .items = bench::pixels, .ours = on_packed(s->random, pcf_2x2{}),
                 .theirs = [=] { umbrage::visibility(s->map, f32, s->random, pcf_2x2{}, s->other); },
                 .agree = [s] { return std::ranges::equal(s->ours.texels(), s->other.texels()); }});
-    bench::add({.work = "PCF 5x5, float map, two threads", .peer = "ours, one thread", .at_least = 1.75, .items = bench::pixels,
-                .ours = [=] { umbrage::visibility(s->map, f32, s->coherent, box{2}, s->ours, two_threads); },
-                .theirs = [=] { umbrage::visibility(s->map, f32, s->coherent, box{2}, s->other); },
-                .agree = [s] { return std::ranges::equal(s->ours.texels(), s->other.texels()); },
-                .measured = bench::clock::wall});
     const auto scene = std::make_shared<bench::shadowed_scene>(bench::default_scene(8));
     bench::add({.work = "box 17 x 17, hierarchical, default scene, bounds too", .peer = "ours, brute force", .at_least = 6,
                 .items = bench::pixels,
