@@ -22,6 +22,7 @@
 #include <umbrage/image.hpp>
 #include <umbrage/image_ops/isa.hpp>
 #include <umbrage/image_ops/parallel.hpp>
+#include <umbrage/image_ops/streaming.hpp>
 
 namespace umbrage {
 
@@ -93,16 +94,19 @@ UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap
     }
 }
 
-/// A row; tap(i) is where the row at distance i begins.
+/// A row; tap(i) is where the row at distance i begins, and `next` a row that will be needed after it.
 template <class Tap>
-UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width) {
+UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width, const float* next = nullptr) {
     if (width < block) return blur_some(weights, radius, tap, to, width);
     const auto each = [&](auto&& blur_at) UMBRAGE_INLINE {
         for (int x = 0; x + block <= width; x += block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
         if (const int x = width - block; width % block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
     };
     const auto with_radius = [&](auto taps) UMBRAGE_INLINE {
-        each([&](const auto& at, float* result) UMBRAGE_INLINE { blur_block(weights, at, result, taps); });
+        each([&](const auto& at, float* result) UMBRAGE_INLINE {
+            if (next) prefetch_bytes(next + (result - to), 0, block * static_cast<int>(sizeof(float)));
+            blur_block(weights, at, result, taps);
+        });
     };
     switch (radius) {
         case 1: return with_radius(std::make_index_sequence<1>{});
@@ -129,10 +133,10 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
         const float* const weights = kernel.weights.data();
         const float** const around = rows.data() + radius;
         float* const line = padded.data() + border;
+        const auto row = [&](int y) { return from.row(y < 0 ? 0 : (y < height ? y : height - 1)); };
         for (int y = first; y < last; ++y) {
-            for (int i = -radius; i <= radius; ++i)
-                around[i] = from.row(y + i < 0 ? 0 : (y + i < height ? y + i : height - 1));
-            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return around[i]; }, line, width);
+            for (int i = -radius; i <= radius; ++i) around[i] = row(y + i);
+            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return around[i]; }, line, width, row(y + radius + 1));
             for (int i = 0; i < border; ++i) {
                 line[i - border] = line[i % Channels];
                 line[width + i] = line[width - Channels + i % Channels];
