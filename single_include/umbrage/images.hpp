@@ -192,6 +192,68 @@ struct serial {
 
 }  // namespace umbrage
 
+// ---- umbrage/image_ops/streaming.hpp
+// How large images get to memory: past the cache, and asked for before they are needed.
+//
+//     const bool large = umbrage::detail::past_cache(out);
+//     umbrage::detail::store_block(to, from, large);
+//     if (large) umbrage::detail::finish_streaming();
+//
+
+namespace umbrage::detail {
+
+/// Whether an image is so large that writing it would only push out of the cache what is read meanwhile, and fetch what
+/// is overwritten anyway.
+template <class T>
+[[nodiscard]] inline bool past_cache(const image_view<T>& image) {
+    constexpr double large = 4.0 * (1 << 20);  // bytes
+    return static_cast<double>(sizeof(T)) * image.size.x * image.size.y >= large;
+}
+
+/// Whether stream() can store there.
+[[nodiscard]] UMBRAGE_INLINE inline bool streams_to(const void* to) { return reinterpret_cast<std::uintptr_t>(to) % 16 == 0; }
+
+/// Stores past the cache. Wants multiples of 16 bytes, and finish_streaming() before anybody else looks.
+template <std::size_t Bytes>
+UMBRAGE_INLINE inline void stream(void* to, const void* from) {
+#if (defined(__GNUC__) && defined(__x86_64__)) || defined(__clang__)
+    typedef float four __attribute__((vector_size(16)));
+    static_assert(Bytes % sizeof(four) == 0);
+    four parts[Bytes / sizeof(four)];
+    std::memcpy(parts, from, Bytes);
+    for (std::size_t i = 0; i < Bytes / sizeof(four); ++i) {
+#if defined(__clang__)
+        __builtin_nontemporal_store(parts[i], static_cast<four*>(to) + i);
+#else
+        __builtin_ia32_movntps(static_cast<float*>(to) + 4 * i, parts[i]);
+#endif
+    }
+#else
+    std::memcpy(to, from, Bytes);
+#endif
+}
+
+inline void finish_streaming() {
+#if defined(__GNUC__) && defined(__x86_64__)
+    __builtin_ia32_sfence();
+#endif
+}
+
+/// A block of texels to where it belongs.
+template <class T>
+UMBRAGE_INLINE inline void store_block(T* to, const T* from, bool large) {
+    if (large && streams_to(to)) stream<block * sizeof(T)>(to, from);
+    else std::memcpy(static_cast<void*>(to), from, block * sizeof(T));
+}
+
+/// Starts to fetch what lies there, which may be behind the end of an array.
+UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead, int count) {
+    const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(from) + static_cast<std::uintptr_t>(ahead);
+    for (int line = 0; line < count; line += 64) UMBRAGE_PREFETCH(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
+}
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/image_ops/blur.hpp
 // Separable blur of images of one to four floats a texel, such as moments.
 //
@@ -268,16 +330,19 @@ UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap
     }
 }
 
-/// A row; tap(i) is where the row at distance i begins.
+/// A row; tap(i) is where the row at distance i begins, and `next` a row that will be needed after it.
 template <class Tap>
-UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width) {
+UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width, const float* next = nullptr) {
     if (width < block) return blur_some(weights, radius, tap, to, width);
     const auto each = [&](auto&& blur_at) UMBRAGE_INLINE {
         for (int x = 0; x + block <= width; x += block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
         if (const int x = width - block; width % block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
     };
     const auto with_radius = [&](auto taps) UMBRAGE_INLINE {
-        each([&](const auto& at, float* result) UMBRAGE_INLINE { blur_block(weights, at, result, taps); });
+        each([&](const auto& at, float* result) UMBRAGE_INLINE {
+            if (next) prefetch_bytes(next + (result - to), 0, block * static_cast<int>(sizeof(float)));
+            blur_block(weights, at, result, taps);
+        });
     };
     switch (radius) {
         case 1: return with_radius(std::make_index_sequence<1>{});
@@ -304,10 +369,10 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
         const float* const weights = kernel.weights.data();
         const float** const around = rows.data() + radius;
         float* const line = padded.data() + border;
+        const auto row = [&](int y) { return from.row(y < 0 ? 0 : (y < height ? y : height - 1)); };
         for (int y = first; y < last; ++y) {
-            for (int i = -radius; i <= radius; ++i)
-                around[i] = from.row(y + i < 0 ? 0 : (y + i < height ? y + i : height - 1));
-            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return around[i]; }, line, width);
+            for (int i = -radius; i <= radius; ++i) around[i] = row(y + i);
+            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return around[i]; }, line, width, row(y + radius + 1));
             for (int i = 0; i < border; ++i) {
                 line[i - border] = line[i % Channels];
                 line[width + i] = line[width - Channels + i % Channels];
@@ -345,68 +410,6 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
 }
 
 }  // namespace umbrage
-
-// ---- umbrage/image_ops/streaming.hpp
-// How large images get to memory: past the cache, and asked for before they are needed.
-//
-//     const bool large = umbrage::detail::past_cache(out);
-//     umbrage::detail::store_block(to, from, large);
-//     if (large) umbrage::detail::finish_streaming();
-//
-
-namespace umbrage::detail {
-
-/// Whether an image is so large that writing it would only push out of the cache what is read meanwhile, and fetch what
-/// is overwritten anyway.
-template <class T>
-[[nodiscard]] inline bool past_cache(const image_view<T>& image) {
-    constexpr double large = 4.0 * (1 << 20);  // bytes
-    return static_cast<double>(sizeof(T)) * image.size.x * image.size.y >= large;
-}
-
-/// Whether stream() can store there.
-[[nodiscard]] UMBRAGE_INLINE inline bool streams_to(const void* to) { return reinterpret_cast<std::uintptr_t>(to) % 16 == 0; }
-
-/// Stores past the cache. Wants multiples of 16 bytes, and finish_streaming() before anybody else looks.
-template <std::size_t Bytes>
-UMBRAGE_INLINE inline void stream(void* to, const void* from) {
-#if (defined(__GNUC__) && defined(__x86_64__)) || defined(__clang__)
-    typedef float four __attribute__((vector_size(16)));
-    static_assert(Bytes % sizeof(four) == 0);
-    four parts[Bytes / sizeof(four)];
-    std::memcpy(parts, from, Bytes);
-    for (std::size_t i = 0; i < Bytes / sizeof(four); ++i) {
-#if defined(__clang__)
-        __builtin_nontemporal_store(parts[i], static_cast<four*>(to) + i);
-#else
-        __builtin_ia32_movntps(static_cast<float*>(to) + 4 * i, parts[i]);
-#endif
-    }
-#else
-    std::memcpy(to, from, Bytes);
-#endif
-}
-
-inline void finish_streaming() {
-#if defined(__GNUC__) && defined(__x86_64__)
-    __builtin_ia32_sfence();
-#endif
-}
-
-/// A block of texels to where it belongs.
-template <class T>
-UMBRAGE_INLINE inline void store_block(T* to, const T* from, bool large) {
-    if (large && streams_to(to)) stream<block * sizeof(T)>(to, from);
-    else std::memcpy(static_cast<void*>(to), from, block * sizeof(T));
-}
-
-/// Starts to fetch what lies there, which may be behind the end of an array.
-UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead, int count) {
-    const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(from) + static_cast<std::uintptr_t>(ahead);
-    for (int line = 0; line < count; line += 64) UMBRAGE_PREFETCH(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
-}
-
-}  // namespace umbrage::detail
 
 // ---- umbrage/image_ops/encode.hpp
 // Whole depth images into texels of an encoding, and back, about as fast as memory can be copied.
