@@ -147,7 +147,9 @@ void on_best_isa_without_fma(const Body& body) {
     body(isa_constant<isa::base>{});
 }
 
-inline constexpr int block = 64;  ///< elements of a loop whose count the compiler knows
+/// Elements of a loop whose count the compiler knows. Arrays of as many start at a cache line: where they do not, which on
+/// a stack is chance, a loop over them can take several times as long.
+inline constexpr int block = 64;
 
 /// saturate() on the bits: the magnitude up to `highest`, or 0 for what is negative and not a NaN.
 [[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v, float highest = 1.0f) {
@@ -219,13 +221,14 @@ UMBRAGE_INLINE inline void stream(void* to, const void* from) {
 #if (defined(__GNUC__) && defined(__x86_64__)) || defined(__clang__)
     typedef float four __attribute__((vector_size(16)));
     static_assert(Bytes % sizeof(four) == 0);
-    four parts[Bytes / sizeof(four)];
-    std::memcpy(parts, from, Bytes);
-    for (std::size_t i = 0; i < Bytes / sizeof(four); ++i) {
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < Bytes; i += sizeof(four)) {
+        four part;
+        std::memcpy(&part, static_cast<const std::byte*>(from) + i, sizeof part);
 #if defined(__clang__)
-        __builtin_nontemporal_store(parts[i], static_cast<four*>(to) + i);
+        __builtin_nontemporal_store(part, reinterpret_cast<four*>(static_cast<std::byte*>(to) + i));
 #else
-        __builtin_ia32_movntps(static_cast<float*>(to) + 4 * i, parts[i]);
+        __builtin_ia32_movntps(reinterpret_cast<float*>(static_cast<std::byte*>(to) + i), part);
 #endif
     }
 #else
@@ -249,6 +252,7 @@ UMBRAGE_INLINE inline void store_block(T* to, const T* from, bool large) {
 /// Starts to fetch what lies there, which may be behind the end of an array.
 UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead, int count) {
     const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(from) + static_cast<std::uintptr_t>(ahead);
+#pragma GCC unroll 16
     for (int line = 0; line < count; line += 64) UMBRAGE_PREFETCH(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
 }
 
@@ -352,7 +356,7 @@ UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap&
         case 5: return with_radius(std::make_index_sequence<5>{});
     }
     each([&](const auto& at, float* result) UMBRAGE_INLINE {
-        float sums[block];
+        alignas(64) float sums[block];
         blur_some(weights, radius, at, sums, block);
         std::memcpy(result, sums, sizeof sums);
     });
@@ -473,7 +477,7 @@ struct block_codec<rg<Bits>> {
 template <>
 struct block_codec<rgb24> {
     static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec3* texels, const rgb24&) {
-        std::int32_t x[block];
+        alignas(64) std::int32_t x[block];
         for (int i = 0; i < block; ++i) x[i] = depth_code_bits<24>(depth[i]);
         for (int i = 0; i < block; ++i)
             texels[i] = {static_cast<std::uint8_t>(x[i] >> 16), static_cast<std::uint8_t>(x[i] >> 8 & 0xFF),
@@ -830,6 +834,7 @@ template <class T>
 template <class T>
 UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
     for (int row = -1; row <= rows; ++row)
+#pragma GCC unroll 4
         for (int i = 0; i < block; i += 16) prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
 }
 
@@ -1385,9 +1390,9 @@ public:
         const bits lowest = forward ? 0 : minus_zero;
         const bits highest = forward ? std::numeric_limits<bits>::max() : std::bit_cast<bits>(1.0);
         detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
-            float x[detail::block], y[detail::block], z[detail::block];
-            double column[detail::block], row[detail::block], depth[detail::block];
-            bits outside[detail::block];
+            alignas(64) float x[detail::block], y[detail::block], z[detail::block];
+            alignas(64) double column[detail::block], row[detail::block], depth[detail::block];
+            alignas(64) bits outside[detail::block];
             for (int i = 0; i < detail::block; ++i)
                 x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
             const glm::dmat4 m = matrix_;
@@ -1413,7 +1418,7 @@ public:
                 d = d > highest ? highest : d;
                 depth[i] = std::bit_cast<double>(d & inside);
             }
-            std::int32_t columns[detail::block], rows[detail::block];
+            alignas(64) std::int32_t columns[detail::block], rows[detail::block];
             const auto floors = [](const double* from, std::int32_t* to) UMBRAGE_INLINE {
                 for (int i = 0; i < detail::block; ++i) {
                     const auto whole = static_cast<std::int32_t>(from[i]);
@@ -1529,8 +1534,8 @@ void halve(image_view<const float> least, image_view<const float> greatest, dept
     parallel(size.y, [&](int first, int last) {
         on_best_isa([&](auto) UMBRAGE_INLINE {
             const bool both = least.data != greatest.data;
-            std::int32_t keys[4][block];
-            float ends[2][2 * block];
+            alignas(64) std::int32_t keys[4][block];
+            alignas(64) float ends[2][2 * block];
             for (int y = first; y < last; ++y)
                 for (int x = 0; x < size.x; x += block) {
                     const int count = size.x - x < block ? size.x - x : block;
@@ -1554,7 +1559,7 @@ void halve(image_view<const float> least, image_view<const float> greatest, dept
                         }
                     };
                     const auto store = [&](auto pick, float* result) UMBRAGE_INLINE {
-                        float depths[block];
+                        alignas(64) float depths[block];
                         for (int i = 0; i < block; ++i)
                             depths[i] = from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
                         copy_floats(result + x, depths, count);
@@ -1633,7 +1638,7 @@ struct box_bounds {
             on_best_isa([&](auto) UMBRAGE_INLINE {
                 for (int y = from; y < to; ++y)
                     for (int x = 0; x < bounds.size().x; x += block) {
-                        std::int32_t lows[block], highs[block];
+                        alignas(64) std::int32_t lows[block], highs[block];
                         widen(least_of{}, lows, [&](int k) UMBRAGE_INLINE { return row(least, y + k) + x; });
                         widen(greatest_of{}, highs, [&](int k) UMBRAGE_INLINE { return row(greatest, y + k) + x; });
                         glm::vec2* out = bounds.view().row(y) + x;
@@ -1648,10 +1653,10 @@ private:
     UMBRAGE_INLINE void bounds_of_columns(const image_view<const float>& map, int y, std::vector<std::int32_t>& low,
                                           std::vector<std::int32_t>& high) const {
         for (int x = 0; x < static_cast<int>(low.size()); x += block) {
-            std::int32_t lows[block], highs[block], keys[block];
+            alignas(64) std::int32_t lows[block], highs[block], keys[block];
             for (int k = 0; k < 1 << level; ++k) {
                 const float* depths = map.row(clamp_int(y + k, map.size.y - 1)) + x;
-                float repeated[block];
+                alignas(64) float repeated[block];
                 if (x + block > map.size.x) {
                     for (int i = 0; i < block; ++i) repeated[i] = depths[clamp_int(x + i, map.size.x - 1) - x];
                     depths = repeated;
@@ -1675,7 +1680,7 @@ private:
         for (int halving = 0; halving < level; ++halving) {
             count /= 2;
             for (int x = 0; x < count; x += block) {
-                std::int32_t halves[block];
+                alignas(64) std::int32_t halves[block];
                 const std::int32_t* pairs = &columns[std::size_t(2 * x)];
                 for (int i = 0; i < block; ++i) halves[i] = pick(pairs[2 * i], pairs[2 * i + 1]);
                 std::memcpy(&columns[std::size_t(x)], halves, sizeof halves);
@@ -1692,7 +1697,7 @@ private:
     /// to[i] = pick of from(k)[i] over k < cells, for a block.
     template <class Pick, class From>
     UMBRAGE_INLINE void widen(Pick pick, std::int32_t* to, const From& from) const {
-        std::int32_t best[block];
+        alignas(64) std::int32_t best[block];
         std::memcpy(best, from(0), sizeof best);
         for (int k = 1; k < cells; ++k) {
             const std::int32_t* other = from(k);
@@ -1825,7 +1830,7 @@ template <isa Set>
 class triangle_batch {
 public:
     int count = 0;
-    unsigned id[detail::block];
+    alignas(64) unsigned id[detail::block];
 
     triangle_batch() {  // every lane is set up, used or not
         for (int i = 0; i < detail::block; ++i) {
@@ -1932,7 +1937,7 @@ private:
         }
     };
     struct edges {
-        std::int64_t quotient[detail::block], remainder[detail::block], quotient_step[detail::block],
+        alignas(64) std::int64_t quotient[detail::block], remainder[detail::block], quotient_step[detail::block],
             remainder_step[detail::block], divisor[detail::block];
     };
 
@@ -2017,11 +2022,11 @@ private:
         }
     }
 
-    std::int32_t x_[3][detail::block], y_[3][detail::block];  // counter-clockwise from the smallest
-    double z_[3][detail::block];
-    std::int32_t first_[2][detail::block], last_[2][detail::block];  // texels whose centres are within the bounds
+    alignas(64) std::int32_t x_[3][detail::block], y_[3][detail::block];  // counter-clockwise from the smallest
+    alignas(64) double z_[3][detail::block];
+    alignas(64) std::int32_t first_[2][detail::block], last_[2][detail::block];  // texels whose centres are within the bounds
     edges edges_[3];
-    double depth_[detail::block], dx_[detail::block], dy_[detail::block];
+    alignas(64) double depth_[detail::block], dx_[detail::block], dy_[detail::block];
 };
 
 }  // namespace umbrage
@@ -2159,7 +2164,7 @@ private:
     }
 
     void project_block(std::size_t first) {
-        glm::vec3 positions[block];
+        alignas(64) glm::vec3 positions[block];
         for (std::size_t i = 0; i < block; ++i)
             positions[i] = mesh_.positions[std::min(first + i, mesh_.positions.size() - 1)];
         bool finite[block];
@@ -2167,7 +2172,7 @@ private:
             finite[i] = is_finite(positions[i]);
             if (!finite[i]) positions[i] = glm::vec3(0.0f);
         }
-        snapped_vertex vertices[block];
+        alignas(64) snapped_vertex vertices[block];
         project_.snap(positions, vertices);
         for (std::size_t i = 0; i < block; ++i) vertices_[first + i] = finite[i] ? vertices[i] : outside_vertex(nowhere);
     }
@@ -2558,7 +2563,7 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
     };
     int x = 0;
-    Sum values[2][block];  // of this block and the next: a load would wait for the stores to a like address in another page
+    alignas(64) Sum values[2][block];  // of this block and the next: a load would wait for the stores to a like address in another page
     const auto load = [&](int first) UMBRAGE_INLINE {
         Sum* const into = values[first / block % 2];
         prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));  // measured: what the machine does itself is too late

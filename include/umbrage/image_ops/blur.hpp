@@ -116,7 +116,7 @@ UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap&
         case 5: return with_radius(std::make_index_sequence<5>{});
     }
     each([&](const auto& at, float* result) UMBRAGE_INLINE {
-        float sums[block];
+        alignas(64) float sums[block];
         blur_some(weights, radius, at, sums, block);
         std::memcpy(result, sums, sizeof sums);
     });

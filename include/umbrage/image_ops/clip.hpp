@@ -137,9 +137,9 @@ public:
         const bits lowest = forward ? 0 : minus_zero;
         const bits highest = forward ? std::numeric_limits<bits>::max() : std::bit_cast<bits>(1.0);
         detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
-            float x[detail::block], y[detail::block], z[detail::block];
-            double column[detail::block], row[detail::block], depth[detail::block];
-            bits outside[detail::block];
+            alignas(64) float x[detail::block], y[detail::block], z[detail::block];
+            alignas(64) double column[detail::block], row[detail::block], depth[detail::block];
+            alignas(64) bits outside[detail::block];
             for (int i = 0; i < detail::block; ++i)
                 x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
             const glm::dmat4 m = matrix_;
@@ -165,7 +165,7 @@ public:
                 d = d > highest ? highest : d;
                 depth[i] = std::bit_cast<double>(d & inside);
             }
-            std::int32_t columns[detail::block], rows[detail::block];
+            alignas(64) std::int32_t columns[detail::block], rows[detail::block];
             const auto floors = [](const double* from, std::int32_t* to) UMBRAGE_INLINE {
                 for (int i = 0; i < detail::block; ++i) {
                     const auto whole = static_cast<std::int32_t>(from[i]);

@@ -75,7 +75,7 @@ struct block_codec<rg<Bits>> {
 template <>
 struct block_codec<rgb24> {
     static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec3* texels, const rgb24&) {
-        std::int32_t x[block];
+        alignas(64) std::int32_t x[block];
         for (int i = 0; i < block; ++i) x[i] = depth_code_bits<24>(depth[i]);
         for (int i = 0; i < block; ++i)
             texels[i] = {static_cast<std::uint8_t>(x[i] >> 16), static_cast<std::uint8_t>(x[i] >> 8 & 0xFF),

@@ -50,7 +50,7 @@ struct box_bounds {
             on_best_isa([&](auto) UMBRAGE_INLINE {
                 for (int y = from; y < to; ++y)
                     for (int x = 0; x < bounds.size().x; x += block) {
-                        std::int32_t lows[block], highs[block];
+                        alignas(64) std::int32_t lows[block], highs[block];
                         widen(least_of{}, lows, [&](int k) UMBRAGE_INLINE { return row(least, y + k) + x; });
                         widen(greatest_of{}, highs, [&](int k) UMBRAGE_INLINE { return row(greatest, y + k) + x; });
                         glm::vec2* out = bounds.view().row(y) + x;
@@ -65,10 +65,10 @@ private:
     UMBRAGE_INLINE void bounds_of_columns(const image_view<const float>& map, int y, std::vector<std::int32_t>& low,
                                           std::vector<std::int32_t>& high) const {
         for (int x = 0; x < static_cast<int>(low.size()); x += block) {
-            std::int32_t lows[block], highs[block], keys[block];
+            alignas(64) std::int32_t lows[block], highs[block], keys[block];
             for (int k = 0; k < 1 << level; ++k) {
                 const float* depths = map.row(clamp_int(y + k, map.size.y - 1)) + x;
-                float repeated[block];
+                alignas(64) float repeated[block];
                 if (x + block > map.size.x) {
                     for (int i = 0; i < block; ++i) repeated[i] = depths[clamp_int(x + i, map.size.x - 1) - x];
                     depths = repeated;
@@ -92,7 +92,7 @@ private:
         for (int halving = 0; halving < level; ++halving) {
             count /= 2;
             for (int x = 0; x < count; x += block) {
-                std::int32_t halves[block];
+                alignas(64) std::int32_t halves[block];
                 const std::int32_t* pairs = &columns[std::size_t(2 * x)];
                 for (int i = 0; i < block; ++i) halves[i] = pick(pairs[2 * i], pairs[2 * i + 1]);
                 std::memcpy(&columns[std::size_t(x)], halves, sizeof halves);
@@ -109,7 +109,7 @@ private:
     /// to[i] = pick of from(k)[i] over k < cells, for a block.
     template <class Pick, class From>
     UMBRAGE_INLINE void widen(Pick pick, std::int32_t* to, const From& from) const {
-        std::int32_t best[block];
+        alignas(64) std::int32_t best[block];
         std::memcpy(best, from(0), sizeof best);
         for (int k = 1; k < cells; ++k) {
             const std::int32_t* other = from(k);

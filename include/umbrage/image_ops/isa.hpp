@@ -101,7 +101,9 @@ void on_best_isa_without_fma(const Body& body) {
     body(isa_constant<isa::base>{});
 }
 
-inline constexpr int block = 64;  ///< elements of a loop whose count the compiler knows
+/// Elements of a loop whose count the compiler knows. Arrays of as many start at a cache line: where they do not, which on
+/// a stack is chance, a loop over them can take several times as long.
+inline constexpr int block = 64;
 
 /// saturate() on the bits: the magnitude up to `highest`, or 0 for what is negative and not a NaN.
 [[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v, float highest = 1.0f) {

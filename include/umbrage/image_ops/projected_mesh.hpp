@@ -150,7 +150,7 @@ private:
     }
 
     void project_block(std::size_t first) {
-        glm::vec3 positions[block];
+        alignas(64) glm::vec3 positions[block];
         for (std::size_t i = 0; i < block; ++i)
             positions[i] = mesh_.positions[std::min(first + i, mesh_.positions.size() - 1)];
         bool finite[block];
@@ -158,7 +158,7 @@ private:
             finite[i] = is_finite(positions[i]);
             if (!finite[i]) positions[i] = glm::vec3(0.0f);
         }
-        snapped_vertex vertices[block];
+        alignas(64) snapped_vertex vertices[block];
         project_.snap(positions, vertices);
         for (std::size_t i = 0; i < block; ++i) vertices_[first + i] = finite[i] ? vertices[i] : outside_vertex(nowhere);
     }

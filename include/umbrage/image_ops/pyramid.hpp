@@ -51,8 +51,8 @@ void halve(image_view<const float> least, image_view<const float> greatest, dept
     parallel(size.y, [&](int first, int last) {
         on_best_isa([&](auto) UMBRAGE_INLINE {
             const bool both = least.data != greatest.data;
-            std::int32_t keys[4][block];
-            float ends[2][2 * block];
+            alignas(64) std::int32_t keys[4][block];
+            alignas(64) float ends[2][2 * block];
             for (int y = first; y < last; ++y)
                 for (int x = 0; x < size.x; x += block) {
                     const int count = size.x - x < block ? size.x - x : block;
@@ -76,7 +76,7 @@ void halve(image_view<const float> least, image_view<const float> greatest, dept
                         }
                     };
                     const auto store = [&](auto pick, float* result) UMBRAGE_INLINE {
-                        float depths[block];
+                        alignas(64) float depths[block];
                         for (int i = 0; i < block; ++i)
                             depths[i] = from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
                         copy_floats(result + x, depths, count);

@@ -34,13 +34,14 @@ UMBRAGE_INLINE inline void stream(void* to, const void* from) {
 #if (defined(__GNUC__) && defined(__x86_64__)) || defined(__clang__)
     typedef float four __attribute__((vector_size(16)));
     static_assert(Bytes % sizeof(four) == 0);
-    four parts[Bytes / sizeof(four)];
-    std::memcpy(parts, from, Bytes);
-    for (std::size_t i = 0; i < Bytes / sizeof(four); ++i) {
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < Bytes; i += sizeof(four)) {
+        four part;
+        std::memcpy(&part, static_cast<const std::byte*>(from) + i, sizeof part);
 #if defined(__clang__)
-        __builtin_nontemporal_store(parts[i], static_cast<four*>(to) + i);
+        __builtin_nontemporal_store(part, reinterpret_cast<four*>(static_cast<std::byte*>(to) + i));
 #else
-        __builtin_ia32_movntps(static_cast<float*>(to) + 4 * i, parts[i]);
+        __builtin_ia32_movntps(reinterpret_cast<float*>(static_cast<std::byte*>(to) + i), part);
 #endif
     }
 #else
@@ -64,6 +65,7 @@ UMBRAGE_INLINE inline void store_block(T* to, const T* from, bool large) {
 /// Starts to fetch what lies there, which may be behind the end of an array.
 UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead, int count) {
     const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(from) + static_cast<std::uintptr_t>(ahead);
+#pragma GCC unroll 16
     for (int line = 0; line < count; line += 64) UMBRAGE_PREFETCH(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
 }
 

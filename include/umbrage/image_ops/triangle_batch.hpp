@@ -74,7 +74,7 @@ template <isa Set>
 class triangle_batch {
 public:
     int count = 0;
-    unsigned id[detail::block];
+    alignas(64) unsigned id[detail::block];
 
     triangle_batch() {  // every lane is set up, used or not
         for (int i = 0; i < detail::block; ++i) {
@@ -181,7 +181,7 @@ private:
         }
     };
     struct edges {
-        std::int64_t quotient[detail::block], remainder[detail::block], quotient_step[detail::block],
+        alignas(64) std::int64_t quotient[detail::block], remainder[detail::block], quotient_step[detail::block],
             remainder_step[detail::block], divisor[detail::block];
     };
 
@@ -266,11 +266,11 @@ private:
         }
     }
 
-    std::int32_t x_[3][detail::block], y_[3][detail::block];  // counter-clockwise from the smallest
-    double z_[3][detail::block];
-    std::int32_t first_[2][detail::block], last_[2][detail::block];  // texels whose centres are within the bounds
+    alignas(64) std::int32_t x_[3][detail::block], y_[3][detail::block];  // counter-clockwise from the smallest
+    alignas(64) double z_[3][detail::block];
+    alignas(64) std::int32_t first_[2][detail::block], last_[2][detail::block];  // texels whose centres are within the bounds
     edges edges_[3];
-    double depth_[detail::block], dx_[detail::block], dy_[detail::block];
+    alignas(64) double depth_[detail::block], dx_[detail::block], dy_[detail::block];
 };
 
 }  // namespace umbrage

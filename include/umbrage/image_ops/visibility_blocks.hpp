@@ -196,6 +196,7 @@ template <class T>
 template <class T>
 UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
     for (int row = -1; row <= rows; ++row)
+#pragma GCC unroll 4
         for (int i = 0; i < block; i += 16) prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
 }
 
