@@ -32,7 +32,7 @@ template <class T>
 template <std::size_t Bytes>
 UMBRAGE_INLINE inline void stream(void* to, const void* from) {
 #if (defined(__GNUC__) && defined(__x86_64__)) || defined(__clang__)
-    typedef float four __attribute__((vector_size(16)));
+    typedef float four __attribute__((vector_size(16), may_alias));
     static_assert(Bytes % sizeof(four) == 0);
 #pragma GCC unroll 16
     for (std::size_t i = 0; i < Bytes; i += sizeof(four)) {
