@@ -152,7 +152,7 @@ struct hierarchical_blocks {
         alignas(64) std::int32_t open[block];
         alignas(64) glm::vec2 bounds[block];
         std::int32_t any = 0;
-        for (int i = 0; i < block; ++i) bounds[i] = *memory.at(at.offsets[i]);
+        gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }});
         for (int i = 0; i < block; ++i) {
             const std::int32_t lit = is_lit(r.z(i), bounds[i].x), dark = std::int32_t(r.z(i) > bounds[i].y);
             visibility[i] = select(-lit | ~at.in_space[i], 1.0f, 0.0f);

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -101,17 +102,57 @@ struct receiver_block {
     return static_cast<std::int32_t>(std::bit_cast<float>(positive < top ? positive : top));
 }
 
-/// What is loaded for a block of receivers: a texel each, or two neighbours. The depths in them and the
-/// receiver's are asked for in loops that vectorise; this general form decodes while it loads.
+/// Where a block of words comes from, at(i), and where it goes.
+template <class At>
+struct gathered {
+    void* to;
+    At at;
+};
+template <class At>
+gathered(void*, At) -> gathered<At>;
+
+/// Blocks of words, in turns. As many as fill a small register make one store: left alone, compilers want more at once than
+/// they can hold.
+template <class Word, class... At>
+UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
+    const auto word = [](const void* from) UMBRAGE_INLINE {
+        Word w;
+        std::memcpy(&w, from, sizeof w);
+        return w;
+    };
+#if defined(__GNUC__) || defined(__clang__)
+    typedef Word words __attribute__((vector_size(16)));
+#else
+    struct words {
+        Word w;
+    };
+#endif
+    constexpr std::size_t some = sizeof(words) / sizeof(Word);
+    const auto load = [&]<std::size_t... I>(int i, const auto& from, std::index_sequence<I...>) UMBRAGE_INLINE {
+        const words together{word(from.at(i + static_cast<int>(I)))...};
+        std::memcpy(static_cast<std::byte*>(from.to) + static_cast<std::size_t>(i) * sizeof(Word), &together, sizeof together);
+    };
+    for (int i = 0; i < block; i += static_cast<int>(some)) (load(i, blocks, std::make_index_sequence<some>{}), ...);
+}
+
+/// What is loaded for a block of receivers, from where at(i) points to: a texel each, or two neighbours of two rows. The
+/// depths in them and the receiver's are asked for in loops that vectorise; this general form decodes while it loads.
 template <class Encoding>
 struct loaded_texels {
     const Encoding& encoding;
     alignas(64) float depths[2 * block];
     explicit loaded_texels(const Encoding& e) : encoding(e) {}
-    UMBRAGE_INLINE void load_one(int i, const typename Encoding::texel* t) { depths[i] = encoding.decode(*t); }
-    UMBRAGE_INLINE void load_two(int i, const typename Encoding::texel* t) {
-        depths[2 * i] = encoding.decode(t[0]);
-        depths[2 * i + 1] = encoding.decode(t[1]);
+    template <class At>
+    UMBRAGE_INLINE void load_one(const At& at) {
+        for (int i = 0; i < block; ++i) depths[i] = encoding.decode(*at(i));
+    }
+    template <class At, class Below>
+    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
+        for (int i = 0; i < block; ++i)
+            for (int k = 0; k < 2; ++k) {
+                low.depths[2 * i + k] = low.encoding.decode(at(i)[k]);
+                high.depths[2 * i + k] = high.encoding.decode(below(i)[k]);
+            }
     }
     static UMBRAGE_INLINE float receiver(float depth) { return depth; }
     UMBRAGE_INLINE float one(int i) const { return depths[i]; }
@@ -119,13 +160,19 @@ struct loaded_texels {
     UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
 };
 
-/// Floats need no decoding, but two of them are one load.
+/// Floats need no decoding, and two of them are one word.
 template <>
 struct loaded_texels<depth32f> {
     alignas(64) float depths[2 * block];
     explicit loaded_texels(const depth32f&) {}
-    UMBRAGE_INLINE void load_one(int i, const float* t) { depths[i] = *t; }
-    UMBRAGE_INLINE void load_two(int i, const float* t) { std::memcpy(depths + 2 * i, t, 2 * sizeof(float)); }
+    template <class At>
+    UMBRAGE_INLINE void load_one(const At& at) {
+        gather<std::uint32_t>(gathered{depths, at});
+    }
+    template <class At, class Below>
+    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
+        gather<std::uint64_t>(gathered{low.depths, at}, gathered{high.depths, below});
+    }
     static UMBRAGE_INLINE float receiver(float depth) { return depth; }
     UMBRAGE_INLINE float one(int i) const { return depths[i]; }
     UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
@@ -139,12 +186,18 @@ struct loaded_texels<rg<Bits>> {
     float edge;
     alignas(64) std::uint32_t words[block];
     explicit loaded_texels(const rg<Bits>& encoding) : edge(encoding.edge) {}
-    UMBRAGE_INLINE void load_one(int i, const glm::u8vec2* t) {
-        std::uint16_t word;
-        std::memcpy(&word, t, sizeof word);
-        words[i] = word;
+    template <class At>
+    UMBRAGE_INLINE void load_one(const At& at) {
+        for (int i = 0; i < block; ++i) {
+            std::uint16_t word;
+            std::memcpy(&word, at(i), sizeof word);
+            words[i] = word;
+        }
     }
-    UMBRAGE_INLINE void load_two(int i, const glm::u8vec2* t) { std::memcpy(words + i, t, sizeof *words); }
+    template <class At, class Below>
+    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
+        gather<std::uint32_t>(gathered{low.words, at}, gathered{high.words, below});
+    }
     static UMBRAGE_INLINE float receiver(float depth) { return depth * float(1 << Bits); }
     UMBRAGE_INLINE float one(int i) const { return number(codes(i) & 0xFFFF); }
     UMBRAGE_INLINE float first(int i) const { return number(little ? codes(i) & 0xFFFF : codes(i) >> 16); }
@@ -241,7 +294,7 @@ struct placed_tap {
                               std::int32_t* lit) const {
         const texel_bytes memory(map);
         loaded_texels<Encoding> texels(encoding);
-        for (int i = 0; i < block; ++i) texels.load_one(i, memory.at(offsets[i]));
+        texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
         for (int i = 0; i < block; ++i)
             lit[i] += (is_lit(texels.receiver(z[i]), texels.one(i)) & inside[i]) | (1 & ~inside[i]);
     }
@@ -337,10 +390,8 @@ struct block_filter<filters::pcf_2x2, Encoding> {
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         const texel_bytes memory(map);
         loaded_texels<Encoding> low(encoding), high(encoding);
-        for (int i = 0; i < block; ++i) {
-            low.load_two(i, memory.at(at.offsets[i]));
-            high.load_two(i, memory.below(at.offsets[i]));
-        }
+        loaded_texels<Encoding>::load_two(low, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); },
+                                          high, [&](int i) UMBRAGE_INLINE { return memory.below(at.offsets[i]); });
         for (int i = 0; i < block; ++i) {
             const float z = low.receiver(at.z[i]), lo_x = 256.0f - at.hi_x[i], lo_y = 256.0f - at.hi_y[i];
             const auto weigh = [&](const auto& row) UMBRAGE_INLINE {
