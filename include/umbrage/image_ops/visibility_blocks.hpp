@@ -373,7 +373,8 @@ struct block_filter<filters::pcf_2x2, Encoding> {
         const int last_x = last_in_space(map.size.x), last_y = last_in_space(map.size.y);
         const auto axis = [](float coord, int last, float& hi) UMBRAGE_INLINE {
             const std::int32_t position = floor_within(coord * 256.0f - 128.0f, static_cast<float>(last * 256));
-            const std::int32_t texel = (position >> 8) < last ? position >> 8 : last - 1;
+            const std::int32_t here = position >> 8, last_pair = last - 1;
+            const std::int32_t texel = here < last_pair ? here : last_pair;
             hi = static_cast<float>(position - texel * 256);
             return texel;
         };
