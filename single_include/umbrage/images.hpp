@@ -1080,7 +1080,7 @@ UMBRAGE_INLINE inline void compare_lanes(const float* texels, float receiver, ty
 #endif
 }
 
-/// The sum of small numbers, none negative, together below 256.
+/// The sum of numbers between 0 and 127.
 template <int Lanes>
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t sum_lanes(const typename vectors<Lanes>::ints& numbers) {
     vectors<4>::ints parts[Lanes / 4], sum{};
