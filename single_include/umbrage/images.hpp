@@ -213,7 +213,9 @@ template <class T>
 }
 
 /// Whether stream() can store there.
-[[nodiscard]] UMBRAGE_INLINE inline bool streams_to(const void* to) { return reinterpret_cast<std::uintptr_t>(to) % 16 == 0; }
+[[nodiscard]] UMBRAGE_INLINE inline bool streams_to(const void* to) {
+    return reinterpret_cast<std::uintptr_t>(to) % 16 == 0;
+}
 
 /// Stores past the cache. Wants multiples of 16 bytes, and finish_streaming() before anybody else looks.
 template <std::size_t Bytes>
@@ -253,7 +255,8 @@ UMBRAGE_INLINE inline void store_block(T* to, const T* from, bool large) {
 UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead, int count) {
     const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(from) + static_cast<std::uintptr_t>(ahead);
 #pragma GCC unroll 16
-    for (int line = 0; line < count; line += 64) UMBRAGE_PREFETCH(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
+    for (int line = 0; line < count; line += 64)
+        UMBRAGE_PREFETCH(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
 }
 
 }  // namespace umbrage::detail
@@ -336,7 +339,8 @@ UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap
 
 /// A row; tap(i) is where the row at distance i begins, and `next` a row that will be needed after it.
 template <class Tap>
-UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width, const float* next = nullptr) {
+UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width,
+                                    const float* next = nullptr) {
     if (width < block) return blur_some(weights, radius, tap, to, width);
     const auto each = [&](auto&& blur_at) UMBRAGE_INLINE {
         for (int x = 0; x + block <= width; x += block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
@@ -381,7 +385,8 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
                 line[i - border] = line[i % Channels];
                 line[width + i] = line[width - Channels + i % Channels];
             }
-            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return static_cast<const float*>(line) + i * Channels; }, to.row(y), width);
+            const float* const centre = line;
+            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return centre + i * Channels; }, to.row(y), width);
         }
     });
 }
@@ -401,8 +406,10 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
 template <class From, class T, class ParallelFor = serial>
 void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, ParallelFor&& parallel = {}) {
     constexpr int channels = detail::float_channels<T>;
-    static_assert(std::is_same_v<std::remove_const_t<From>, T> && sizeof(T) == channels * sizeof(float) && alignof(T) == alignof(float) &&
-                  (std::is_same_v<T, float> || std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::vec3> || std::is_same_v<T, glm::vec4>));
+    static_assert(std::is_same_v<std::remove_const_t<From>, T>);
+    static_assert(std::is_same_v<T, float> || std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::vec3> ||
+                  std::is_same_v<T, glm::vec4>);
+    static_assert(sizeof(T) == channels * sizeof(float) && alignof(T) == alignof(float));
     if (from.size != to.size) throw std::invalid_argument("umbrage::blur: sizes differ");
     if (kernel.weights.empty()) throw std::invalid_argument("umbrage::blur: no weights");
     if (from.empty()) return;
@@ -703,7 +710,9 @@ struct receiver_block {
 /// less_equal as a number. -ffast-math makes compilers forget what NaN does to <=; then the bits say it.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-    const auto number = [](float v) UMBRAGE_INLINE { return std::int32_t((std::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000); };
+    const auto number = [](float v) UMBRAGE_INLINE {
+        return std::int32_t((std::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000);
+    };
     return std::int32_t(receiver <= stored) & number(receiver) & number(stored);
 #else
     return std::int32_t(receiver <= stored);
@@ -1273,8 +1282,10 @@ private:
                 map_tile tile;
                 tile.copy(map, first, last);
                 const Boxes of_tile(sizeof tile.texels[0], 2 * radius() + 1);
-                for (int i = 0; i < count; ++i)
-                    lit[i] = of_tile.count(reinterpret_cast<const std::byte*>(&tile.texels[at.y[i] - first.y][at.x[i] - first.x]), 0, at.z[i]);
+                for (int i = 0; i < count; ++i) {
+                    const float* box = &tile.texels[at.y[i] - first.y][at.x[i] - first.x];
+                    lit[i] = of_tile.count(reinterpret_cast<const std::byte*>(box), 0, at.z[i]);
+                }
                 return;
             }
         }
@@ -1633,7 +1644,8 @@ void halve(image_view<const float> least, image_view<const float> greatest, dept
 /// @throws std::invalid_argument  empty map, or negative levels
 /// @exactness       A: selects, never computes
 template <class ParallelFor = serial>
-[[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels, ParallelFor&& parallel = {}) {
+[[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels,
+                                                             ParallelFor&& parallel = {}) {
     if (map.empty() || levels < 0) throw std::invalid_argument("umbrage::make_min_max_pyramid: empty map or negative levels");
     std::vector<depth_bounds> pyramid;
     for (int level = 0; level < levels; ++level) {
@@ -1685,7 +1697,9 @@ struct box_bounds {
             });
         });
         parallel(bounds.size().y, [&](int from, int to) {
-            const auto row = [&](const image<std::int32_t>& of, int y) { return of.view().row(clamp_int(y - (cells - 1), squares.y - 1)); };
+            const auto row = [&](const image<std::int32_t>& of, int y) {
+                return of.view().row(clamp_int(y - (cells - 1), squares.y - 1));
+            };
             on_best_isa([&](auto) UMBRAGE_INLINE {
                 for (int y = from; y < to; ++y)
                     for (int x = 0; x < bounds.size().x; x += block) {
@@ -1808,7 +1822,8 @@ struct hierarchical_blocks {
             rest.set(found, r.x(i), r.y(i), r.z(i));
             found -= open[i];
         }
-        for (int i = found; i < block; ++i) rest.set(i, rest.xs[0], rest.ys[0], rest.zs[0]);  // a copy: if all 64 boxes are in the map, none needs care
+        // Copies behind them: if all 64 boxes are in the map, none needs care.
+        for (int i = found; i < block; ++i) rest.set(i, rest.xs[0], rest.ys[0], rest.zs[0]);
         block_filter<filters::box, depth32f>::placed boxes;
         brute_force.place(rest, boxes);
         brute_force(boxes, found, shares, set);
@@ -2614,10 +2629,12 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
     };
     int x = 0;
-    alignas(64) Sum values[2][block];  // of this block and the next: a load would wait for the stores to a like address in another page
+    // Of this block and the next: a load would wait for the stores to a like address in another page.
+    alignas(64) Sum values[2][block];
     const auto load = [&](int first) UMBRAGE_INLINE {
         Sum* const into = values[first / block % 2];
-        prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));  // measured: what the machine does itself is too late
+        // Measured: what the machine does itself is too late.
+        prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));
         for (int i = 0; i < block; ++i) into[i] = from[first + i];
     };
     if (block <= count) load(0);
@@ -2907,7 +2924,9 @@ void filter_rows(const Receivers& receivers, const Filter& filter, image_view<fl
             for (unsigned n = 0; at.y < last; ++n) {
                 if (ahead.y < last) {
                     prefetch(receivers, ahead);
-                    use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE { filter.place(of_block, placed[n % ring]); });
+                    use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE {
+                        filter.place(of_block, placed[n % ring]);
+                    });
                     ahead.step();
                 }
                 if (n + 1 < ring) continue;

@@ -50,7 +50,8 @@ struct state {
     void copy(int bytes) {
         const std::size_t half = std::size_t(bench::map_texels) * std::size_t(bytes) / 2;
         two_threads(2, [&](int first, int last) {
-            std::memcpy(to.data() + half * std::size_t(first), from.data() + half * std::size_t(first), half * std::size_t(last - first));
+            const std::size_t start = half * std::size_t(first);
+            std::memcpy(to.data() + start, from.data() + start, half * std::size_t(last - first));
         });
     }
 };
@@ -59,15 +60,17 @@ const bench::registration rows([] {
     const auto s = std::make_shared<state>();
 
     const auto on_both = [s](const std::string& work, double at_least, int bytes, const auto& ours) {
-        bench::add({.work = work + ", two threads", .peer = "memcpy, two threads", .at_least = at_least, .items = bench::map_texels,
-                    .ours = ours, .theirs = [=] { s->copy(bytes); }, .agree = {}, .measured = bench::clock::wall});
+        bench::add({.work = work + ", two threads", .peer = "memcpy, two threads", .at_least = at_least,
+                    .items = bench::map_texels, .ours = ours, .theirs = [=] { s->copy(bytes); }, .agree = {},
+                    .measured = bench::clock::wall});
     };
     const umbrage::rg<11> rg;
     on_both("encode 11 bits", 0.9, 3, [=] { umbrage::encode(s->depth, s->packed, rg, two_threads); });
     on_both("decode 11 bits", 0.9, 3, [=] { umbrage::decode(s->packed, s->back, rg, two_threads); });
     on_both("summed-area table of uint32", 0, 4, [=] { umbrage::summed_area(s->words.view(), s->sums.view(), two_threads); });
 
-    const auto against_one = [](const std::string& work, double at_least, double items, const auto& two, const auto& one, const auto& agree) {
+    const auto against_one = [](const std::string& work, double at_least, double items, const auto& two, const auto& one,
+                                const auto& agree) {
         bench::add({.work = work + ", two threads", .peer = "one thread", .at_least = at_least, .items = items,
                     .ours = two, .theirs = one, .agree = agree, .measured = bench::clock::wall});
     };
@@ -80,7 +83,8 @@ const bench::registration rows([] {
             umbrage::visibility(s->depth, umbrage::depth32f{}, s->receivers, umbrage::filters::box{2}, out, threads);
         };
     };
-    against_one("PCF 5x5, float map", 1.75, bench::pixels, filtered(s->two, two_threads), filtered(s->one, umbrage::serial{}), same);
+    against_one("PCF 5x5, float map", 1.75, bench::pixels, filtered(s->two, two_threads),
+                filtered(s->one, umbrage::serial{}), same);
     const auto drawn = [=](const bench::mesh& mesh, image<float>& out, const auto& threads) {
         return [=, &mesh, &out] {
             std::ranges::fill(out.texels(), 1.0f);

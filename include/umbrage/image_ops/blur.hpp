@@ -96,7 +96,8 @@ UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap
 
 /// A row; tap(i) is where the row at distance i begins, and `next` a row that will be needed after it.
 template <class Tap>
-UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width, const float* next = nullptr) {
+UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width,
+                                    const float* next = nullptr) {
     if (width < block) return blur_some(weights, radius, tap, to, width);
     const auto each = [&](auto&& blur_at) UMBRAGE_INLINE {
         for (int x = 0; x + block <= width; x += block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
@@ -141,7 +142,8 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
                 line[i - border] = line[i % Channels];
                 line[width + i] = line[width - Channels + i % Channels];
             }
-            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return static_cast<const float*>(line) + i * Channels; }, to.row(y), width);
+            const float* const centre = line;
+            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return centre + i * Channels; }, to.row(y), width);
         }
     });
 }
@@ -161,8 +163,10 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
 template <class From, class T, class ParallelFor = serial>
 void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, ParallelFor&& parallel = {}) {
     constexpr int channels = detail::float_channels<T>;
-    static_assert(std::is_same_v<std::remove_const_t<From>, T> && sizeof(T) == channels * sizeof(float) && alignof(T) == alignof(float) &&
-                  (std::is_same_v<T, float> || std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::vec3> || std::is_same_v<T, glm::vec4>));
+    static_assert(std::is_same_v<std::remove_const_t<From>, T>);
+    static_assert(std::is_same_v<T, float> || std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::vec3> ||
+                  std::is_same_v<T, glm::vec4>);
+    static_assert(sizeof(T) == channels * sizeof(float) && alignof(T) == alignof(float));
     if (from.size != to.size) throw std::invalid_argument("umbrage::blur: sizes differ");
     if (kernel.weights.empty()) throw std::invalid_argument("umbrage::blur: no weights");
     if (from.empty()) return;

@@ -240,8 +240,10 @@ private:
                 map_tile tile;
                 tile.copy(map, first, last);
                 const Boxes of_tile(sizeof tile.texels[0], 2 * radius() + 1);
-                for (int i = 0; i < count; ++i)
-                    lit[i] = of_tile.count(reinterpret_cast<const std::byte*>(&tile.texels[at.y[i] - first.y][at.x[i] - first.x]), 0, at.z[i]);
+                for (int i = 0; i < count; ++i) {
+                    const float* box = &tile.texels[at.y[i] - first.y][at.x[i] - first.x];
+                    lit[i] = of_tile.count(reinterpret_cast<const std::byte*>(box), 0, at.z[i]);
+                }
                 return;
             }
         }

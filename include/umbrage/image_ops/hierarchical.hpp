@@ -46,7 +46,9 @@ struct box_bounds {
             });
         });
         parallel(bounds.size().y, [&](int from, int to) {
-            const auto row = [&](const image<std::int32_t>& of, int y) { return of.view().row(clamp_int(y - (cells - 1), squares.y - 1)); };
+            const auto row = [&](const image<std::int32_t>& of, int y) {
+                return of.view().row(clamp_int(y - (cells - 1), squares.y - 1));
+            };
             on_best_isa([&](auto) UMBRAGE_INLINE {
                 for (int y = from; y < to; ++y)
                     for (int x = 0; x < bounds.size().x; x += block) {
@@ -169,7 +171,8 @@ struct hierarchical_blocks {
             rest.set(found, r.x(i), r.y(i), r.z(i));
             found -= open[i];
         }
-        for (int i = found; i < block; ++i) rest.set(i, rest.xs[0], rest.ys[0], rest.zs[0]);  // a copy: if all 64 boxes are in the map, none needs care
+        // Copies behind them: if all 64 boxes are in the map, none needs care.
+        for (int i = found; i < block; ++i) rest.set(i, rest.xs[0], rest.ys[0], rest.zs[0]);
         block_filter<filters::box, depth32f>::placed boxes;
         brute_force.place(rest, boxes);
         brute_force(boxes, found, shares, set);

@@ -99,7 +99,8 @@ void halve(image_view<const float> least, image_view<const float> greatest, dept
 /// @throws std::invalid_argument  empty map, or negative levels
 /// @exactness       A: selects, never computes
 template <class ParallelFor = serial>
-[[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels, ParallelFor&& parallel = {}) {
+[[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels,
+                                                             ParallelFor&& parallel = {}) {
     if (map.empty() || levels < 0) throw std::invalid_argument("umbrage::make_min_max_pyramid: empty map or negative levels");
     std::vector<depth_bounds> pyramid;
     for (int level = 0; level < levels; ++level) {

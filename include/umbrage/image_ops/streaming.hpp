@@ -26,7 +26,9 @@ template <class T>
 }
 
 /// Whether stream() can store there.
-[[nodiscard]] UMBRAGE_INLINE inline bool streams_to(const void* to) { return reinterpret_cast<std::uintptr_t>(to) % 16 == 0; }
+[[nodiscard]] UMBRAGE_INLINE inline bool streams_to(const void* to) {
+    return reinterpret_cast<std::uintptr_t>(to) % 16 == 0;
+}
 
 /// Stores past the cache. Wants multiples of 16 bytes, and finish_streaming() before anybody else looks.
 template <std::size_t Bytes>
@@ -66,7 +68,8 @@ UMBRAGE_INLINE inline void store_block(T* to, const T* from, bool large) {
 UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead, int count) {
     const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(from) + static_cast<std::uintptr_t>(ahead);
 #pragma GCC unroll 16
-    for (int line = 0; line < count; line += 64) UMBRAGE_PREFETCH(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
+    for (int line = 0; line < count; line += 64)
+        UMBRAGE_PREFETCH(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
 }
 
 }  // namespace umbrage::detail

@@ -137,10 +137,12 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
     };
     int x = 0;
-    alignas(64) Sum values[2][block];  // of this block and the next: a load would wait for the stores to a like address in another page
+    // Of this block and the next: a load would wait for the stores to a like address in another page.
+    alignas(64) Sum values[2][block];
     const auto load = [&](int first) UMBRAGE_INLINE {
         Sum* const into = values[first / block % 2];
-        prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));  // measured: what the machine does itself is too late
+        // Measured: what the machine does itself is too late.
+        prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));
         for (int i = 0; i < block; ++i) into[i] = from[first + i];
     };
     if (block <= count) load(0);

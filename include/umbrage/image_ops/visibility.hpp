@@ -170,7 +170,9 @@ void filter_rows(const Receivers& receivers, const Filter& filter, image_view<fl
             for (unsigned n = 0; at.y < last; ++n) {
                 if (ahead.y < last) {
                     prefetch(receivers, ahead);
-                    use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE { filter.place(of_block, placed[n % ring]); });
+                    use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE {
+                        filter.place(of_block, placed[n % ring]);
+                    });
                     ahead.step();
                 }
                 if (n + 1 < ring) continue;

@@ -66,7 +66,9 @@ struct receiver_block {
 /// less_equal as a number. -ffast-math makes compilers forget what NaN does to <=; then the bits say it.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-    const auto number = [](float v) UMBRAGE_INLINE { return std::int32_t((std::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000); };
+    const auto number = [](float v) UMBRAGE_INLINE {
+        return std::int32_t((std::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000);
+    };
     return std::int32_t(receiver <= stored) & number(receiver) & number(stored);
 #else
     return std::int32_t(receiver <= stored);
