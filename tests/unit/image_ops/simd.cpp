@@ -182,8 +182,10 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
 /// Receivers that follow each other through a map, most of them well inside: whole blocks that need no care.
 /// Rows of 512 and 1024 floats push each other out of the cache, and large boxes then go through a copy.
 template <class Encoding, class Filter>
-void check_coherent(Encoding encoding, Filter filter, glm::ivec2 map_size) {
+void check_coherent(Encoding encoding, Filter filter, glm::ivec2 map_size, glm::vec2 start = {12.0f, 9.0f},
+                    glm::vec2 step = {1.03f, 1.7f}) {
     CAPTURE(map_size.x);
+    CAPTURE(start.x);
     values v;
     image<typename Encoding::texel> map(map_size);
     for (auto& texel : map.texels()) texel = encoding.encode(0.3f + 0.4f * v.unit());
@@ -191,7 +193,7 @@ void check_coherent(Encoding encoding, Filter filter, glm::ivec2 map_size) {
     image<glm::vec3> receivers(size);
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x)
-            receivers[{x, y}] = {12.0f + 1.03f * static_cast<float>(x), 9.0f + 1.7f * static_cast<float>(y), 0.3f + 0.02f * static_cast<float>(y)};
+            receivers[{x, y}] = glm::vec3(start + step * glm::vec2(x, y), 0.3f + 0.02f * static_cast<float>(y));
     receivers[{5, 3}].z = std::numeric_limits<float>::quiet_NaN();
     receivers[{70, 4}].x = -3.0f;
     receivers[{130, 5}].x = static_cast<float>(map_size.x) - 0.5f;
@@ -249,6 +251,11 @@ TEST_CASE("visibility: whole blocks inside the map, and rows that collide in the
             check_coherent(umbrage::depth32f{}, umbrage::filters::box{radius}, map_size);
             check_coherent(umbrage::depth32f{}, umbrage::filters::hierarchical_box{radius}, map_size);
             check_coherent(umbrage::rg<16>{}, umbrage::filters::box{radius}, map_size);
+            // From the far corner of the map on: as near to it as eight lanes can be loaded for every row, and one texel on.
+            for (const float beyond : {7.5f, 6.5f}) {
+                const auto corner = glm::vec2(map_size - radius) - glm::vec2(beyond, 0.5f);
+                check_coherent(umbrage::depth32f{}, umbrage::filters::box{radius}, map_size, corner, {-1.03f, -1.7f});
+            }
         }
     }
 }
