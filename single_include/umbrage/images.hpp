@@ -198,7 +198,7 @@ struct serial {
 // How large images get to memory: past the cache, and asked for before they are needed.
 //
 //     const bool large = umbrage::detail::past_cache(out);
-//     umbrage::detail::store_block(to, from, large);
+//     if (large) umbrage::detail::stream_block(to, from);
 //     if (large) umbrage::detail::finish_streaming();
 //
 
@@ -244,10 +244,10 @@ inline void finish_streaming() {
 #endif
 }
 
-/// A block of texels to where it belongs.
+/// A block of texels past the cache, or through it where stream() cannot store.
 template <class T>
-UMBRAGE_INLINE inline void store_block(T* to, const T* from, bool large) {
-    if (large && streams_to(to)) stream<block * sizeof(T)>(to, from);
+UMBRAGE_INLINE inline void stream_block(T* to, const T* from) {
+    if (streams_to(to)) stream<block * sizeof(T)>(to, from);
     else std::memcpy(static_cast<void*>(to), from, block * sizeof(T));
 }
 
@@ -561,7 +561,7 @@ void encode(image_view<const float> depth, image_view<typename Encoding::texel> 
             const auto by_a_copy = [&](const float* from, texel* to) UMBRAGE_INLINE {
                 alignas(64) texel texels_of_block[detail::block];
                 in_place(from, texels_of_block);
-                detail::store_block(to, texels_of_block, true);
+                detail::stream_block(to, texels_of_block);
             };
             for (int y = first; y < last; ++y)
                 if (large) detail::convert_row(depth.row(y), texels.row(y), depth.size.x, by_a_copy);
@@ -2965,7 +2965,7 @@ void filter_rows(const Receivers& receivers, const Filter& filter, image_view<fl
                 if (n + 1 < ring) continue;
                 filter(placed[(n + 1) % ring], at.count(), visibility, set);
                 float* const to = out.row(at.y) + at.x;
-                if (at.count() == block) store_block(to, visibility, large);
+                if (large && at.count() == block) stream_block(to, visibility);
                 else copy_floats(to, visibility, at.count());
                 at.step();
             }

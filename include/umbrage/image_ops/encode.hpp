@@ -152,7 +152,7 @@ void encode(image_view<const float> depth, image_view<typename Encoding::texel> 
             const auto by_a_copy = [&](const float* from, texel* to) UMBRAGE_INLINE {
                 alignas(64) texel texels_of_block[detail::block];
                 in_place(from, texels_of_block);
-                detail::store_block(to, texels_of_block, true);
+                detail::stream_block(to, texels_of_block);
             };
             for (int y = first; y < last; ++y)
                 if (large) detail::convert_row(depth.row(y), texels.row(y), depth.size.x, by_a_copy);

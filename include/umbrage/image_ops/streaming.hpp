@@ -3,7 +3,7 @@
 // How large images get to memory: past the cache, and asked for before they are needed.
 //
 //     const bool large = umbrage::detail::past_cache(out);
-//     umbrage::detail::store_block(to, from, large);
+//     if (large) umbrage::detail::stream_block(to, from);
 //     if (large) umbrage::detail::finish_streaming();
 //
 #pragma once
@@ -57,10 +57,10 @@ inline void finish_streaming() {
 #endif
 }
 
-/// A block of texels to where it belongs.
+/// A block of texels past the cache, or through it where stream() cannot store.
 template <class T>
-UMBRAGE_INLINE inline void store_block(T* to, const T* from, bool large) {
-    if (large && streams_to(to)) stream<block * sizeof(T)>(to, from);
+UMBRAGE_INLINE inline void stream_block(T* to, const T* from) {
+    if (streams_to(to)) stream<block * sizeof(T)>(to, from);
     else std::memcpy(static_cast<void*>(to), from, block * sizeof(T));
 }
 

@@ -178,7 +178,7 @@ void filter_rows(const Receivers& receivers, const Filter& filter, image_view<fl
                 if (n + 1 < ring) continue;
                 filter(placed[(n + 1) % ring], at.count(), visibility, set);
                 float* const to = out.row(at.y) + at.x;
-                if (at.count() == block) store_block(to, visibility, large);
+                if (large && at.count() == block) stream_block(to, visibility);
                 else copy_floats(to, visibility, at.count());
                 at.step();
             }
