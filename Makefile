@@ -118,7 +118,7 @@ readme:
 	ctest --preset dev -R "^parity"
 	build/dev/tests/readme/readme --write README.md build/dev/tests/parity
 
-# What including umbrage.hpp costs.
+# What including umbrage.hpp and primitives.hpp costs.
 compile-time:
 	$(call install,$(test_packages))
 	cmake --preset dev

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 #
-# Writes the single headers: umbrage.hpp with each of our headers put in place once and the others' hoisted, and
-# images.hpp with what it has beyond that.
+# Writes the single header: umbrage.hpp with each of our headers put in place once and the others' hoisted.
 #
 #     cmake -P single_include/amalgamate.cmake                  # or: make single-header
 #     cmake -D OUTPUT=folder -P single_include/amalgamate.cmake # the test: elsewhere, and compare
@@ -20,7 +19,7 @@ file(READ ${root}/LICENSE licence)
 string(REGEX REPLACE "\n" "\n// " licence "// ${licence}")
 string(REGEX REPLACE " +\n" "\n" licence "${licence}\n")
 
-# Macros, so that these lists are the only state.
+# A macro, so that these lists are the only state.
 macro(put_in header)
     list(APPEND done ${header})
     file(READ ${root}/include/${header} text_of_${header})
@@ -39,33 +38,27 @@ macro(put_in header)
     string(REGEX REPLACE "\n\n\n+" "\n\n" text "${text}")
     string(APPEND body "\n// ---- ${header}\n${text}")
 endmacro()
-macro(single_header name what first_line)
-    put_in(umbrage/${name})
-    list(REMOVE_DUPLICATES others)
-    list(SORT others)
-    list(TRANSFORM others REPLACE "(.+)" "#include <\\1>\n")
-    list(JOIN others "" others)
-    file(WRITE ${OUTPUT}/${name} "// SPDX-License-Identifier: MIT
+put_in(umbrage/umbrage.hpp)
+list(REMOVE_DUPLICATES others)
+list(SORT others)
+list(TRANSFORM others REPLACE "(.+)" "#include <\\1>\n")
+list(JOIN others "" others)
+file(WRITE ${OUTPUT}/umbrage.hpp "// SPDX-License-Identifier: MIT
 //
-// ${what}, made by single_include/amalgamate.cmake: do not edit.
+// All of umbrage in one file, made by single_include/amalgamate.cmake: do not edit.
 //
 ${licence}
 #pragma once
 
-${first_line}${others}${body}")
-    set(others "")
-    set(body "")
-    execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${OUTPUT}/${name} ${committed}/${name} RESULT_VARIABLE different)
-    if(different)
-        message(FATAL_ERROR "${committed}/${name} is stale; make it anew:\n  make single-header")
-    endif()
-endmacro()
-single_header(umbrage.hpp "All primitives of umbrage in one file" "")
-single_header(images.hpp "The rest of umbrage, functions over whole images, in one file" "#include <umbrage/umbrage.hpp>\n\n")
+${others}${body}")
+execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${OUTPUT}/umbrage.hpp ${committed}/umbrage.hpp RESULT_VARIABLE different)
+if(different)
+    message(FATAL_ERROR "${committed}/umbrage.hpp is stale; make it anew:\n  make single-header")
+endif()
 
 file(GLOB_RECURSE headers RELATIVE ${root}/include ${root}/include/*.hpp)
 foreach(header IN LISTS headers)
     if(NOT header IN_LIST done)
-        message(SEND_ERROR "${header} is not reached from umbrage/images.hpp: include it there")
+        message(SEND_ERROR "${header} is not reached from umbrage/umbrage.hpp: include it there")
     endif()
 endforeach()

@@ -20,7 +20,7 @@
 
 #include <umbrage/clip_space.hpp>
 #include <umbrage/image.hpp>
-#include <umbrage/image_ops/rasterize.hpp>
+#include <umbrage/images/rasterize.hpp>
 
 #include "scene.hpp"
 

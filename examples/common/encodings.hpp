@@ -15,17 +15,17 @@
 
 #include <glm/gtc/type_precision.hpp>
 
-#include <umbrage/depth/aras.hpp>
+#include <umbrage/depth/foreign/base255.hpp>
 #include <umbrage/depth/float_bits.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rgb24.hpp>
-#include <umbrage/depth/three.hpp>
+#include <umbrage/depth/foreign/threejs.hpp>
 
 namespace example {
 
 inline const std::vector<std::string> encoding_names{
-    "float", "rg9", "rg10", "rg11", "rg12", "rg13", "rg14", "rg15", "rg16", "rgb24", "float-bits",
-    "three-rgba", "three-rgb", "three-rg", "three-legacy", "three-legacy-repaired", "aras", "aras-repaired"};
+    "float", "rg9", "rg10", "rg11", "rg12", "rg13", "rg14", "rg15", "rg16", "rgb24", "float_bits",
+    "threejs_rgba", "threejs_rgb", "threejs_rg", "threejs_legacy", "threejs_legacy_repaired", "base255", "base255_repaired"};
 
 /// Somebody else's format: a writer of UNORM values or of bytes, and a reader of what sampling gives back.
 /// The 8-bit store between the two is part of the format.
@@ -54,10 +54,10 @@ auto with_encoding(std::string_view name, float edge, Use&& use) {
         return use(foreign<decltype(write), decltype(read)>{write, read}, below);
     };
     using namespace umbrage;
-    const auto read_legacy = [](glm::vec4 c) { return decode_three_legacy(c); };
-    const auto read_aras = [](glm::vec4 c) { return decode_aras(c); };
+    const auto read_legacy = [](glm::vec4 c) { return decode_threejs_legacy(c); };
+    const auto read_base255 = [](glm::vec4 c) { return decode_base255(c); };
     if (name == "float") return use(depth32f{}, 0.0f);
-    if (name == "float-bits") return use(float_bits{}, 0.0f);
+    if (name == "float_bits") return use(float_bits{}, 0.0f);
     if (name == "rg9") return own(rg<9>{});
     if (name == "rg10") return own(rg<10>{});
     if (name == "rg11") return own(rg<11>{});
@@ -67,20 +67,20 @@ auto with_encoding(std::string_view name, float edge, Use&& use) {
     if (name == "rg15") return own(rg<15>{});
     if (name == "rg16") return own(rg<16>{});
     if (name == "rgb24") return own(rgb24{});
-    if (name == "three-rgba")
-        return others([](float d) { return encode_three_rgba(d); },
-                      [](glm::vec4 c) { return decode_three_rgba(c); }, 0x1p-24f);
-    if (name == "three-rgb")
-        return others([](float d) { return encode_three_rgb(d); },
-                      [](glm::vec3 c) { return decode_three_rgb(c); }, 0x1p-23f);
-    if (name == "three-rg")
-        return others([](float d) { return encode_three_rg(d); },
-                      [](glm::vec2 c) { return decode_three_rg(c); }, 0x1p-16f);
-    if (name == "three-legacy") return others([](float d) { return encode_three_legacy(d); }, read_legacy, 0x1p-23f);
-    if (name == "three-legacy-repaired")
-        return others([](float d) { return encode_three_legacy_repaired(d); }, read_legacy, 0x1p-23f);
-    if (name == "aras") return others([](float d) { return encode_aras(d); }, read_aras, 0x1p-21f);
-    if (name == "aras-repaired") return others([](float d) { return encode_aras_repaired(d); }, read_aras, 0x1p-21f);
+    if (name == "threejs_rgba")
+        return others([](float d) { return write_threejs_rgba(d); },
+                      [](glm::vec4 c) { return decode_threejs_rgba(c); }, 0x1p-24f);
+    if (name == "threejs_rgb")
+        return others([](float d) { return write_threejs_rgb(d); },
+                      [](glm::vec3 c) { return decode_threejs_rgb(c); }, 0x1p-23f);
+    if (name == "threejs_rg")
+        return others([](float d) { return write_threejs_rg(d); },
+                      [](glm::vec2 c) { return decode_threejs_rg(c); }, 0x1p-16f);
+    if (name == "threejs_legacy") return others([](float d) { return write_threejs_legacy(d); }, read_legacy, 0x1p-23f);
+    if (name == "threejs_legacy_repaired")
+        return others([](float d) { return encode_threejs_legacy_repaired(d); }, read_legacy, 0x1p-23f);
+    if (name == "base255") return others([](float d) { return write_base255(d); }, read_base255, 0x1p-21f);
+    if (name == "base255_repaired") return others([](float d) { return encode_base255_repaired(d); }, read_base255, 0x1p-21f);
     throw std::invalid_argument("no encoding is called " + std::string(name));
 }
 

@@ -20,8 +20,8 @@
 #include <utility>
 #include <vector>
 
-#include <umbrage/image_ops/visibility.hpp>
-#include <umbrage/registry.hpp>
+#include <umbrage/images/visibility.hpp>
+#include <umbrage/shader/registry.hpp>
 #include <umbrage/view/false_colour.hpp>
 
 #include <command_line.hpp>
@@ -246,39 +246,39 @@ facts facts_of(std::string_view name) {
         return facts_of<umbrage::rgb24>("24 bits in three channels, R most significant.",
                                         {encode_rgb24, to_unorm, decode_rgb24, fetch_depth},
                                         fetching("umbrage_decode_rgb24", ".xyz, 1.0"));
-    if (name == "float-bits")
+    if (name == "float_bits")
         return facts_of<umbrage::float_bits>("The bit pattern of the float itself, R least significant.",
                                              {encode_float_bits, to_unorm, decode_float_bits, fetch_depth},
                                              fetching("umbrage_decode_float_bits", ""));
-    if (name == "three-rgba")
-        return facts_of<umbrage::three_rgba>("RGBA of three.js since r167: three whole bytes and the rest.",
-                                             {encode_three_rgba, decode_three_rgba, fetch_depth},
-                                             fetching("umbrage_decode_three_rgba", ""));
-    if (name == "three-rgb")
-        return facts_of<umbrage::three_rgb>("RGB of three.js since r167: two whole bytes and the rest.",
-                                            {encode_three_rgb, decode_three_rgb, fetch_depth},
-                                            fetching("umbrage_decode_three_rgb", ".xyz"));
-    if (name == "three-rg")
-        return facts_of<umbrage::three_rg>("RG of three.js since r167: one whole byte and the rest.",
-                                           {encode_three_rg, decode_three_rg, fetch_depth},
-                                           fetching("umbrage_decode_three_rg", ".xy"));
-    if (name == "three-legacy")
-        return facts_of<umbrage::three_legacy>(
+    if (name == "threejs_rgba")
+        return facts_of<umbrage::threejs_rgba>("RGBA of three.js since r167: three whole bytes and the rest.",
+                                             {write_threejs_rgba, decode_threejs_rgba, fetch_depth},
+                                             fetching("umbrage_decode_threejs_rgba", ""));
+    if (name == "threejs_rgb")
+        return facts_of<umbrage::threejs_rgb>("RGB of three.js since r167: two whole bytes and the rest.",
+                                            {write_threejs_rgb, decode_threejs_rgb, fetch_depth},
+                                            fetching("umbrage_decode_threejs_rgb", ".xyz"));
+    if (name == "threejs_rg")
+        return facts_of<umbrage::threejs_rg>("RG of three.js since r167: one whole byte and the rest.",
+                                           {write_threejs_rg, decode_threejs_rg, fetch_depth},
+                                           fetching("umbrage_decode_threejs_rg", ".xy"));
+    if (name == "threejs_legacy")
+        return facts_of<umbrage::threejs_legacy>(
             "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.",
-            {encode_three_legacy, decode_three_legacy, fetch_depth}, fetching("umbrage_decode_three_legacy", ""));
-    if (name == "three-legacy-repaired")
-        return facts_of<umbrage::three_legacy_repaired>(
+            {write_threejs_legacy, decode_threejs_legacy, fetch_depth}, fetching("umbrage_decode_threejs_legacy", ""));
+    if (name == "threejs_legacy_repaired")
+        return facts_of<umbrage::threejs_legacy_repaired>(
             "For readers of three.js r73 to r166, written without the fault.",
-            {encode_three_legacy_repaired, to_unorm, decode_three_legacy, fetch_depth},
-            fetching("umbrage_decode_three_legacy", ""));
-    if (name == "aras")
-        return facts_of<umbrage::aras>(
+            {encode_threejs_legacy_repaired, to_unorm, decode_threejs_legacy, fetch_depth},
+            fetching("umbrage_decode_threejs_legacy", ""));
+    if (name == "base255")
+        return facts_of<umbrage::base255>(
             "Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0.",
-            {encode_aras, decode_aras, fetch_depth}, fetching("umbrage_decode_aras", ""));
-    if (name == "aras-repaired")
-        return facts_of<umbrage::aras_repaired>("For readers of base 255, written without the fault.",
-                                                {encode_aras_repaired, to_unorm, decode_aras, fetch_depth},
-                                                fetching("umbrage_decode_aras", ""));
+            {write_base255, decode_base255, fetch_depth}, fetching("umbrage_decode_base255", ""));
+    if (name == "base255_repaired")
+        return facts_of<umbrage::base255_repaired>("For readers of base 255, written without the fault.",
+                                                {encode_base255_repaired, to_unorm, decode_base255, fetch_depth},
+                                                fetching("umbrage_decode_base255", ""));
     throw std::logic_error("nothing is known of the encoding " + std::string(name));
 }
 

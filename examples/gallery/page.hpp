@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-#include <umbrage/glsl.hpp>
+#include <umbrage/shader/glsl.hpp>
 #include <umbrage/image.hpp>
 
 #include <png.hpp>

@@ -19,10 +19,10 @@
 #include <utility>
 #include <vector>
 
-#include <umbrage/depth/ps14.hpp>
-#include <umbrage/filter/four_tap.hpp>
-#include <umbrage/filter/pcf_2x2.hpp>
-#include <umbrage/image_ops/encode.hpp>
+#include <umbrage/depth/foreign/ps14.hpp>
+#include <umbrage/filter/pcf/four_tap.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/images/encode.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include <stage.hpp>

@@ -4,8 +4,8 @@
 // bilinear mean, on diffuse and ambient light.
 //
 //     light -> depth pass -> [map] -> fetch -> compare -> filter -> visibility -> shade
-#include <umbrage/filter/box.hpp>
-#include <umbrage/filter/pcf_2x2.hpp>
+#include <umbrage/filter/pcf/box.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include "stage.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <umbrage/compare.hpp>
-#include <umbrage/filter/pcf_2x2.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include "stage.hpp"

@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include <umbrage/depth/ps14.hpp>
+#include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/rg_table.hpp>
-#include <umbrage/filter/four_tap.hpp>
+#include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include "stage.hpp"

@@ -9,10 +9,10 @@
 // Texel 256 of that texture is (0, 32, 0, 0) by the article's own formula, not (255, 32, 0, 0) as its text has it.
 #include <algorithm>
 
-#include <umbrage/depth/ps14.hpp>
+#include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/rg_table.hpp>
-#include <umbrage/filter/hard.hpp>
-#include <umbrage/filter/pcf_2x2.hpp>
+#include <umbrage/filter/pcf/hard.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include "stage.hpp"

@@ -17,9 +17,9 @@
 #include <utility>
 #include <vector>
 
-#include <umbrage/image_ops/rasterize.hpp>
+#include <umbrage/images/rasterize.hpp>
 #include <umbrage/unorm.hpp>
-#include <umbrage/view/overlay.hpp>
+#include <umbrage/images/overlay.hpp>
 
 #include <camera.hpp>
 #include <command_line.hpp>

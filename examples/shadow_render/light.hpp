@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include <umbrage/depth/linear.hpp>
+#include <umbrage/depth/kinds.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/shade/lighting.hpp>

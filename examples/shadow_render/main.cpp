@@ -12,12 +12,12 @@
 #include <system_error>
 #include <utility>
 
-#include <umbrage/image_ops/encode.hpp>
-#include <umbrage/image_ops/rasterize.hpp>
-#include <umbrage/image_ops/visibility.hpp>
+#include <umbrage/images/encode.hpp>
+#include <umbrage/images/rasterize.hpp>
+#include <umbrage/images/visibility.hpp>
 #include <umbrage/shade/lighting.hpp>
 #include <umbrage/view/false_colour.hpp>
-#include <umbrage/view/overlay.hpp>
+#include <umbrage/images/overlay.hpp>
 
 #include <camera.hpp>
 #include <command_line.hpp>

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include <umbrage/image_ops/visibility.hpp>
+#include <umbrage/images/visibility.hpp>
 
 #include "schedulers.hpp"
 

@@ -18,8 +18,8 @@
 #define STBI_ONLY_PNG
 #include <stb/stb_image.h>
 
-#include <umbrage/filter/hard.hpp>
-#include <umbrage/image_ops/rasterize.hpp>
+#include <umbrage/filter/pcf/hard.hpp>
+#include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include "headless.hpp"
@@ -210,7 +210,7 @@ TEST_CASE("choices: every encoding and filter draws, fine encodings as floats do
             const int other = differing(viewed(with_filter + " --encoding " + encoding), floats);
             CAPTURE(filter);
             CAPTURE(encoding);
-            const bool faulty = encoding == "three-legacy" || encoding == "aras";  // decode the cleared 1 lower
+            const bool faulty = encoding == "threejs_legacy" || encoding == "base255";  // decode the cleared 1 lower
             const bool coarse = encoding >= "rg10" && encoding <= "rg14";
             if (encoding == "rg9" || faulty)
                 CHECK(other > 150);
@@ -239,7 +239,7 @@ TEST_CASE("refusals: one line and an exit code") {
         CHECK_MESSAGE(r.said.find('\n') == r.said.size() - 1, r.said);
     };
     fails("--headless --system dx_sdk --es2", 2, "needs a float map");
-    fails("--headless --es2 --encoding float-bits", 2, "float-bits");
+    fails("--headless --es2 --encoding float-bits", 2, "float_bits");
     fails("--headless --system nothing", 2, "nothing");
     fails("--headless --map-size 0", 2, "0");
     fails("--headless --mesh no_such_file.obj", 1, "no_such_file.obj");

@@ -13,11 +13,11 @@
 #include <string_view>
 #include <vector>
 
-#include <umbrage/depth/aras.hpp>
+#include <umbrage/depth/foreign/base255.hpp>
 #include <umbrage/depth/float_bits.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rgb24.hpp>
-#include <umbrage/depth/three.hpp>
+#include <umbrage/depth/foreign/threejs.hpp>
 
 namespace viewer {
 
@@ -74,14 +74,14 @@ inline constexpr std::array encodings{
     encoding{"rg15", &glsl::encode_rg<15>, &glsl::decode_rg<15>, 2},
     encoding{"rg16", &glsl::encode_rg<16>, &glsl::decode_rg<16>, 2},
     encoding{"rgb24", &glsl::encode_rgb24, &glsl::decode_rgb24, 3},
-    encoding{"float-bits", &glsl::encode_float_bits, &glsl::decode_float_bits, 4, true, false},
-    encoding{"three-rgba", &glsl::encode_three_rgba, &glsl::decode_three_rgba, 4, false, false},
-    encoding{"three-rgb", &glsl::encode_three_rgb, &glsl::decode_three_rgb, 3, false, false},
-    encoding{"three-rg", &glsl::encode_three_rg, &glsl::decode_three_rg, 2, false, false},
-    encoding{"three-legacy", &glsl::encode_three_legacy, &glsl::decode_three_legacy, 4, false, false},
-    encoding{"three-legacy-repaired", &glsl::encode_three_legacy_repaired, &glsl::decode_three_legacy, 4, true, false},
-    encoding{"aras", &glsl::encode_aras, &glsl::decode_aras, 4, false, false},
-    encoding{"aras-repaired", &glsl::encode_aras_repaired, &glsl::decode_aras, 4, true, false}};
+    encoding{"float_bits", &glsl::encode_float_bits, &glsl::decode_float_bits, 4, true, false},
+    encoding{"threejs_rgba", &glsl::write_threejs_rgba, &glsl::decode_threejs_rgba, 4, false, false},
+    encoding{"threejs_rgb", &glsl::write_threejs_rgb, &glsl::decode_threejs_rgb, 3, false, false},
+    encoding{"threejs_rg", &glsl::write_threejs_rg, &glsl::decode_threejs_rg, 2, false, false},
+    encoding{"threejs_legacy", &glsl::write_threejs_legacy, &glsl::decode_threejs_legacy, 4, false, false},
+    encoding{"threejs_legacy_repaired", &glsl::encode_threejs_legacy_repaired, &glsl::decode_threejs_legacy, 4, true, false},
+    encoding{"base255", &glsl::write_base255, &glsl::decode_base255, 4, false, false},
+    encoding{"base255_repaired", &glsl::encode_base255_repaired, &glsl::decode_base255, 4, true, false}};
 
 /// @throws std::invalid_argument  no such name
 [[nodiscard]] inline const encoding& encoding_called(std::string_view name) {

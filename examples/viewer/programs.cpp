@@ -6,13 +6,13 @@
 #include <vector>
 
 #include <umbrage/compare.hpp>
-#include <umbrage/depth/linear.hpp>
-#include <umbrage/depth/ps14.hpp>
+#include <umbrage/depth/kinds.hpp>
+#include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/rg_table.hpp>
-#include <umbrage/filter/box.hpp>
-#include <umbrage/filter/four_tap.hpp>
-#include <umbrage/filter/hard.hpp>
-#include <umbrage/filter/pcf_2x2.hpp>
+#include <umbrage/filter/pcf/box.hpp>
+#include <umbrage/filter/pcf/four_tap.hpp>
+#include <umbrage/filter/pcf/hard.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shade/lighting.hpp>
 

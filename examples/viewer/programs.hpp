@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include <umbrage/glsl.hpp>
+#include <umbrage/shader/glsl.hpp>
 
 #include <systems.hpp>
 

@@ -9,7 +9,7 @@
 
 #include <optional>
 
-#include <umbrage/view/overlay.hpp>
+#include <umbrage/images/overlay.hpp>
 
 #include "gl.hpp"
 #include "session.hpp"

@@ -8,7 +8,7 @@
 // define UMBRAGE_LIT). A NaN on either side is in shadow.
 #pragma once
 
-#include <umbrage/glsl.hpp>
+#include <umbrage/shader/glsl.hpp>
 #include <umbrage/scalar.hpp>
 
 namespace umbrage {

@@ -13,14 +13,14 @@
 #include <limits>
 #include <new>
 #include <span>
-#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/glsl.hpp>
+#include <umbrage/config.hpp>
+#include <umbrage/shader/glsl.hpp>
 
 namespace umbrage {
 
@@ -43,14 +43,14 @@ struct image_view {
     ///                                or not a multiple of the alignment of T
     constexpr image_view(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
         : data(pixels), size(extent), stride(stride_bytes) {
-        if (extent.x < 0 || extent.y < 0) throw std::invalid_argument("umbrage::image_view: negative size");
+        if (extent.x < 0 || extent.y < 0) detail::fail("umbrage::image_view: negative size");
         if (empty()) return;
         const auto row_bytes = extent.x * static_cast<std::ptrdiff_t>(sizeof(T));
         const auto distance = stride_bytes < 0 ? -stride_bytes : stride_bytes;
-        if (!pixels) throw std::invalid_argument("umbrage::image_view: no pixels");
-        if (extent.y > 1 && distance < row_bytes) throw std::invalid_argument("umbrage::image_view: stride shorter than a row");
+        if (!pixels) detail::fail("umbrage::image_view: no pixels");
+        if (extent.y > 1 && distance < row_bytes) detail::fail("umbrage::image_view: stride shorter than a row");
         if (distance % static_cast<std::ptrdiff_t>(alignof(T)) != 0)
-            throw std::invalid_argument("umbrage::image_view: stride breaks the alignment of a texel");
+            detail::fail("umbrage::image_view: stride breaks the alignment of a texel");
     }
 
     /// A view that may write is also a view that may read.
@@ -108,7 +108,7 @@ public:
 
     /// @throws std::invalid_argument  negative size
     explicit image(glm::ivec2 size, const T& value = T{}) : size_(size) {
-        if (size.x < 0 || size.y < 0) throw std::invalid_argument("umbrage::image: negative size");
+        if (size.x < 0 || size.y < 0) detail::fail("umbrage::image: negative size");
         texels_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), value);
     }
 
@@ -154,7 +154,7 @@ template <class T>
 /// @throws std::invalid_argument  empty map
 template <class T>
 [[nodiscard]] auto clamped(image_view<T> map) {
-    if (map.empty()) throw std::invalid_argument("umbrage::clamped: empty map");
+    if (map.empty()) detail::fail("umbrage::clamped: empty map");
     return [map](glm::ivec2 texel) { return fetch_clamped(map, texel); };
 }
 template <class T>

@@ -11,7 +11,8 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <umbrage/glsl.hpp>
+#include <umbrage/config.hpp>
+#include <umbrage/shader/glsl.hpp>
 
 namespace umbrage {
 
@@ -21,18 +22,18 @@ concept real = std::same_as<T, float> || std::same_as<T, double>;
 
 /// Tests the bits, so that -ffast-math cannot remove it.
 [[nodiscard]] constexpr bool is_nan(float v) {
-    return (std::bit_cast<std::uint32_t>(v) & 0x7FFFFFFFu) > 0x7F800000u;
+    return (detail::bit_cast<std::uint32_t>(v) & 0x7FFFFFFFu) > 0x7F800000u;
 }
 [[nodiscard]] constexpr bool is_nan(double v) {
-    return (std::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) > 0x7FF0000000000000ull;
+    return (detail::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) > 0x7FF0000000000000ull;
 }
 
 /// True for everything but NaN and the infinities.
 [[nodiscard]] constexpr bool is_finite(float v) {
-    return (std::bit_cast<std::uint32_t>(v) & 0x7FFFFFFFu) < 0x7F800000u;
+    return (detail::bit_cast<std::uint32_t>(v) & 0x7FFFFFFFu) < 0x7F800000u;
 }
 [[nodiscard]] constexpr bool is_finite(double v) {
-    return (std::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) < 0x7FF0000000000000ull;
+    return (detail::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) < 0x7FF0000000000000ull;
 }
 
 /// Clamps to [0, 1]. NaN of either sign becomes 1, the cleared depth; -0 becomes +0.
@@ -42,8 +43,8 @@ concept real = std::same_as<T, float> || std::same_as<T, double>;
 template <real T>
 [[nodiscard]] constexpr T saturate(T v) {
     using bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-    if (is_nan(v) || std::bit_cast<bits>(v) >= std::bit_cast<bits>(T(1))) return T(1);
-    return std::bit_cast<bits>(v) > 0 ? v : T(0);
+    if (is_nan(v) || detail::bit_cast<bits>(v) >= detail::bit_cast<bits>(T(1))) return T(1);
+    return detail::bit_cast<bits>(v) > 0 ? v : T(0);
 }
 
 namespace glsl {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// All primitives of umbrage in one file, made by single_include/amalgamate.cmake: do not edit.
+// All of umbrage in one file, made by single_include/amalgamate.cmake: do not edit.
 //
 // MIT License
 //
@@ -27,13 +27,18 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <compare>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_precision.hpp>
@@ -43,6 +48,7 @@
 #include <glm/vec4.hpp>
 #include <glm/vector_relational.hpp>
 #include <initializer_list>
+#include <iterator>
 #include <limits>
 #include <new>
 #include <numbers>
@@ -51,6 +57,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 // ---- umbrage/clip_space.hpp
@@ -92,7 +99,65 @@ inline constexpr clip_space direct3d_clip_space{.hand = handedness::left, .origi
 
 }  // namespace umbrage
 
-// ---- umbrage/glsl.hpp
+// ---- umbrage/config.hpp
+// What depends on the compiler or its flags, outside of simd/: how errors are reported, and how bits are read.
+//
+//     umbrage::set_error_handler([](const char* message) { log(message); std::exit(1); });  // with -fno-exceptions
+//
+
+// A function that is compiled for whatever instruction set its caller is compiled for.
+#if defined(__GNUC__) || defined(__clang__)
+#define UMBRAGE_INLINE __attribute__((always_inline))
+#else
+#define UMBRAGE_INLINE
+#endif
+
+namespace umbrage {
+
+/// Takes the message of an error, "umbrage::function: what is wrong". Where exceptions are switched off, set-up functions
+/// call it in place of throwing std::invalid_argument, and end the program if it returns.
+using error_handler = void (*)(const char* message);
+
+namespace detail {
+
+inline error_handler handler = nullptr;
+
+/// Reports bad input to a set-up function.
+/// @throws std::invalid_argument   where exceptions are switched on
+[[noreturn]] inline void fail(const std::string& message) {
+#if defined(__cpp_exceptions)
+    throw std::invalid_argument(message);
+#else
+    if (handler) handler(message.c_str());
+    else std::fprintf(stderr, "%s\n", message.c_str());
+    std::abort();
+#endif
+}
+
+/// std::bit_cast, which some libraries of C++20 lack.
+template <class To, class From>
+[[nodiscard]] UMBRAGE_INLINE constexpr To bit_cast(const From& from) {
+#if defined(__cpp_lib_bit_cast)
+    return std::bit_cast<To>(from);
+#else
+    return __builtin_bit_cast(To, from);
+#endif
+}
+
+}  // namespace detail
+
+/// Sets what bad input leads to where exceptions are switched off; where they are on, nothing calls it.
+/// @param handler   nullptr: the message goes to standard error and the program ends
+/// @return          the one before
+inline error_handler set_error_handler(error_handler handler) {
+    const error_handler before = detail::handler;
+    detail::handler = handler;
+    return before;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/shader/glsl.hpp
 // GLSL twins: what a snippet is, and how to put snippets into a shader.
 //
 //     std::string shader = umbrage::glsl::source(umbrage::glsl::version::v330, {umbrage::glsl::pcf_2x2}) + my_main;
@@ -201,7 +266,7 @@ inline void append(std::string& out, std::vector<std::string_view>& done, const 
 [[nodiscard]] inline std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
     for (const snippet& s : snippets)
         if (!supports(s, v))
-            throw std::invalid_argument("umbrage::glsl::source: " + std::string(s.name) + " needs GLSL 330 or 300 es");
+            umbrage::detail::fail("umbrage::glsl::source: " + std::string(s.name) + " needs GLSL 330 or 300 es");
     std::string out = "#version ";
     out += directive(v);
     out += '\n';
@@ -269,18 +334,18 @@ concept real = std::same_as<T, float> || std::same_as<T, double>;
 
 /// Tests the bits, so that -ffast-math cannot remove it.
 [[nodiscard]] constexpr bool is_nan(float v) {
-    return (std::bit_cast<std::uint32_t>(v) & 0x7FFFFFFFu) > 0x7F800000u;
+    return (detail::bit_cast<std::uint32_t>(v) & 0x7FFFFFFFu) > 0x7F800000u;
 }
 [[nodiscard]] constexpr bool is_nan(double v) {
-    return (std::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) > 0x7FF0000000000000ull;
+    return (detail::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) > 0x7FF0000000000000ull;
 }
 
 /// True for everything but NaN and the infinities.
 [[nodiscard]] constexpr bool is_finite(float v) {
-    return (std::bit_cast<std::uint32_t>(v) & 0x7FFFFFFFu) < 0x7F800000u;
+    return (detail::bit_cast<std::uint32_t>(v) & 0x7FFFFFFFu) < 0x7F800000u;
 }
 [[nodiscard]] constexpr bool is_finite(double v) {
-    return (std::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) < 0x7FF0000000000000ull;
+    return (detail::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) < 0x7FF0000000000000ull;
 }
 
 /// Clamps to [0, 1]. NaN of either sign becomes 1, the cleared depth; -0 becomes +0.
@@ -290,8 +355,8 @@ concept real = std::same_as<T, float> || std::same_as<T, double>;
 template <real T>
 [[nodiscard]] constexpr T saturate(T v) {
     using bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-    if (is_nan(v) || std::bit_cast<bits>(v) >= std::bit_cast<bits>(T(1))) return T(1);
-    return std::bit_cast<bits>(v) > 0 ? v : T(0);
+    if (is_nan(v) || detail::bit_cast<bits>(v) >= detail::bit_cast<bits>(T(1))) return T(1);
+    return detail::bit_cast<bits>(v) > 0 ? v : T(0);
 }
 
 namespace glsl {
@@ -433,14 +498,14 @@ struct image_view {
     ///                                or not a multiple of the alignment of T
     constexpr image_view(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
         : data(pixels), size(extent), stride(stride_bytes) {
-        if (extent.x < 0 || extent.y < 0) throw std::invalid_argument("umbrage::image_view: negative size");
+        if (extent.x < 0 || extent.y < 0) detail::fail("umbrage::image_view: negative size");
         if (empty()) return;
         const auto row_bytes = extent.x * static_cast<std::ptrdiff_t>(sizeof(T));
         const auto distance = stride_bytes < 0 ? -stride_bytes : stride_bytes;
-        if (!pixels) throw std::invalid_argument("umbrage::image_view: no pixels");
-        if (extent.y > 1 && distance < row_bytes) throw std::invalid_argument("umbrage::image_view: stride shorter than a row");
+        if (!pixels) detail::fail("umbrage::image_view: no pixels");
+        if (extent.y > 1 && distance < row_bytes) detail::fail("umbrage::image_view: stride shorter than a row");
         if (distance % static_cast<std::ptrdiff_t>(alignof(T)) != 0)
-            throw std::invalid_argument("umbrage::image_view: stride breaks the alignment of a texel");
+            detail::fail("umbrage::image_view: stride breaks the alignment of a texel");
     }
 
     /// A view that may write is also a view that may read.
@@ -498,7 +563,7 @@ public:
 
     /// @throws std::invalid_argument  negative size
     explicit image(glm::ivec2 size, const T& value = T{}) : size_(size) {
-        if (size.x < 0 || size.y < 0) throw std::invalid_argument("umbrage::image: negative size");
+        if (size.x < 0 || size.y < 0) detail::fail("umbrage::image: negative size");
         texels_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), value);
     }
 
@@ -544,7 +609,7 @@ template <class T>
 /// @throws std::invalid_argument  empty map
 template <class T>
 [[nodiscard]] auto clamped(image_view<T> map) {
-    if (map.empty()) throw std::invalid_argument("umbrage::clamped: empty map");
+    if (map.empty()) detail::fail("umbrage::clamped: empty map");
     return [map](glm::ivec2 texel) { return fetch_clamped(map, texel); };
 }
 template <class T>
@@ -712,126 +777,11 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
 #define UMBRAGE_VERSION_MINOR 1
 #define UMBRAGE_VERSION_PATCH 0
 
-// ---- umbrage/depth/aras.hpp
-// The RGBA format of Aras Pranckevicius, base 255, as Cesium, Babylon.js and bgfx use it, to read and write such maps.
-//
-//     float stored = umbrage::decode_aras(umbrage::load_unorm8(texel));
-//
-// Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error is
-// up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left is
-// the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighbouring floats decode 1 ulp out of it.
-//
-
-namespace umbrage {
-
-/// @param depth   clamped to [0, 1]; NaN counts as 1, which decodes to 0: the fault of the format
-/// @return        UNORM values
-/// @formula       e_i = fract(255^i depth), each less 1/255 of the next
-/// @exactness     B
-/// @cite          Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
-template <real T>
-[[nodiscard]] glm::vec<4, T> encode_aras(T depth) {
-    const T v = saturate(depth);
-    const T x = v - std::floor(v);
-    const T y = v * T(255) - std::floor(v * T(255));
-    const T z = v * T(65025) - std::floor(v * T(65025));
-    const T w = v * T(16581375) - std::floor(v * T(16581375));
-    constexpr T step = T(1.0 / 255.0);
-    return {x - y * step, y - z * step, z - w * step, w};
-}
-
-/// @param c      as sampled
-/// @formula      R + G/255 + B/255^2 + A/255^3
-/// @exactness    B
-template <real T>
-[[nodiscard]] constexpr T decode_aras(glm::vec<4, T> c) {
-    return c.x + c.y * T(1.0 / 255.0) + c.z * T(1.0 / 65025.0) + c.w * T(1.0 / 16581375.0);
-}
-
-/// A writer without the faults, for decode_aras on the other side: the digits of depth in base 255.
-/// @return        integer channels 0..255 (to_unorm writes them); 1 gives (255, 0, 0, 0)
-/// @exactness     B
-template <real T>
-[[nodiscard]] glm::u8vec4 encode_aras_repaired(T depth) {
-    T rest = saturate(depth) * T(255);
-    glm::u8vec4 digits(0);
-    for (int i = 0; i < 4; ++i) {
-        const T digit = std::floor(rest);
-        digits[i] = static_cast<std::uint8_t>(digit);
-        rest = (rest - digit) * T(255);
-    }
-    return digits;
-}
-
-/// The format as a value, for functions over images, faults and all; the store rounds.
-struct aras {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-    static constexpr double max_error = 1.0;  ///< at 1.0; below it 2^-23, or 2^-7.98 where the store truncates
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_aras(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_aras(load_unorm8(t)); }
-};
-
-/// The same, written without the faults.
-struct aras_repaired {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(255) * 255 * 255 * 255 + 1;
-    static constexpr double max_error = 0x1p-23;  ///< whether the store rounds or truncates
-
-    [[nodiscard]] texel encode(float depth) const { return encode_aras_repaired(depth); }
-    [[nodiscard]] float decode(texel t) const { return decode_aras(load_unorm8(t)); }
-};
-
-namespace glsl {
-
-inline constexpr snippet encode_aras{
-    .name = "encode_aras", .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
-    .exactness = tier::b, .needs = {&saturate}, .source = R"GLSL(
-// umbrage_encode_aras: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
-//   round: umbrage_encode_aras_repaired has neither fault
-UMBRAGE_HIGHP vec4 umbrage_encode_aras(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 e = vec4(v, v * 255.0, v * 65025.0, v * 16581375.0);
-    e = e - floor(e);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c =
-        vec4(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
-    return c;
-}
-)GLSL"};
-
-inline constexpr snippet decode_aras{
-    .name = "decode_aras", .summary = "base-255 RGBA to depth", .exactness = tier::b, .source = R"GLSL(
-// umbrage_decode_aras: base-255 RGBA, as sampled, to depth
-UMBRAGE_HIGHP float umbrage_decode_aras(UMBRAGE_HIGHP vec4 c) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
-        c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
-    return depth;
-}
-)GLSL"};
-
-inline constexpr snippet encode_aras_repaired{
-    .name = "encode_aras_repaired", .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
-    .exactness = tier::b, .needs = {&saturate}, .source = R"GLSL(
-// umbrage_encode_aras_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
-//   whole numbers 0..255 (umbrage_to_unorm writes them)
-UMBRAGE_HIGHP vec4 umbrage_encode_aras_repaired(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = umbrage_saturate(depth) * 255.0;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (x - floor(x)) * 255.0;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (y - floor(y)) * 255.0;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (z - floor(z)) * 255.0;
-    return vec4(floor(x), floor(y), floor(z), floor(w));
-}
-)GLSL"};
-
-}  // namespace glsl
-}  // namespace umbrage
-
 // ---- umbrage/depth/code.hpp
 // A depth as a whole number of 2^Bits steps, and back: what every encoding of ours is made of.
 //
-//     std::uint32_t x = umbrage::depth_code<11>(0.5f);                         // 1024
-//     float d = umbrage::code_depth<11>(float(x), umbrage::upper_edge<float>);  // 1025 / 2048
+//     std::uint32_t x = umbrage::to_code<11>(0.5f);                         // 1024
+//     float d = umbrage::from_code<11>(float(x), umbrage::upper_edge<float>);  // 1025 / 2048
 //
 
 namespace umbrage {
@@ -850,7 +800,7 @@ inline constexpr T upper_edge = T(1);
 /// @formula       min(floor(depth 2^Bits), 2^Bits - 1)
 /// @exactness     A: scaling by a power of two, floor, min
 template <int Bits, real T>
-[[nodiscard]] constexpr std::uint32_t depth_code(T depth) {
+[[nodiscard]] constexpr std::uint32_t to_code(T depth) {
     static_assert(Bits >= 1 && Bits <= 24, "a binary32 significand has 24 bits");
     constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
     const auto x = static_cast<std::uint32_t>(saturate(depth) * T(codes));
@@ -862,7 +812,7 @@ template <int Bits, real T>
 /// @return        (code + edge) 2^-Bits
 /// @exactness     A, but for the centre of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
 template <int Bits, real T>
-[[nodiscard]] constexpr T code_depth(T code, T edge) {
+[[nodiscard]] constexpr T from_code(T code, T edge) {
     return (code + edge) * (T(1) / T(std::uint32_t(1) << Bits));
 }
 
@@ -883,14 +833,14 @@ namespace umbrage {
 /// @return        integer channels 0..255, R least significant
 /// @exactness     A: no arithmetic. Hardware that flushes denormals may deliver them as zero before we see them.
 [[nodiscard]] constexpr glm::u8vec4 encode_float_bits(float v) {
-    const auto bits = std::bit_cast<std::uint32_t>(v);
+    const auto bits = detail::bit_cast<std::uint32_t>(v);
     return {static_cast<std::uint8_t>(bits & 0xFF), static_cast<std::uint8_t>(bits >> 8 & 0xFF),
             static_cast<std::uint8_t>(bits >> 16 & 0xFF), static_cast<std::uint8_t>(bits >> 24)};
 }
 
 /// Bytes to float.
 [[nodiscard]] constexpr float decode_float_bits(glm::u8vec4 texel) {
-    return std::bit_cast<float>(std::uint32_t(texel.x) | std::uint32_t(texel.y) << 8 | std::uint32_t(texel.z) << 16 |
+    return detail::bit_cast<float>(std::uint32_t(texel.x) | std::uint32_t(texel.y) << 8 | std::uint32_t(texel.z) << 16 |
                                 std::uint32_t(texel.w) << 24);
 }
 
@@ -951,7 +901,458 @@ UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/depth/linear.hpp
+// ---- umbrage/depth/foreign/base255.hpp
+// The RGBA format of Aras Pranckevicius, base 255, as Cesium, Babylon.js and bgfx use it, to read and write such maps.
+//
+//     float stored = umbrage::decode_base255(umbrage::load_unorm8(texel));
+//
+// Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error is
+// up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left is
+// the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighbouring floats decode 1 ulp out of it.
+//
+
+namespace umbrage {
+
+/// @param depth   clamped to [0, 1]; NaN counts as 1, which decodes to 0: the fault of the format
+/// @return        UNORM values
+/// @formula       e_i = fract(255^i depth), each less 1/255 of the next
+/// @exactness     B
+/// @cite          Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
+template <real T>
+[[nodiscard]] glm::vec<4, T> write_base255(T depth) {
+    const T v = saturate(depth);
+    const T x = v - std::floor(v);
+    const T y = v * T(255) - std::floor(v * T(255));
+    const T z = v * T(65025) - std::floor(v * T(65025));
+    const T w = v * T(16581375) - std::floor(v * T(16581375));
+    constexpr T step = T(1.0 / 255.0);
+    return {x - y * step, y - z * step, z - w * step, w};
+}
+
+/// @param c      as sampled
+/// @formula      R + G/255 + B/255^2 + A/255^3
+/// @exactness    B
+template <real T>
+[[nodiscard]] constexpr T decode_base255(glm::vec<4, T> c) {
+    return c.x + c.y * T(1.0 / 255.0) + c.z * T(1.0 / 65025.0) + c.w * T(1.0 / 16581375.0);
+}
+
+/// A writer without the faults, for decode_base255 on the other side: the digits of depth in base 255.
+/// @return        integer channels 0..255 (to_unorm writes them); 1 gives (255, 0, 0, 0)
+/// @exactness     B
+template <real T>
+[[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth) {
+    T rest = saturate(depth) * T(255);
+    glm::u8vec4 digits(0);
+    for (int i = 0; i < 4; ++i) {
+        const T digit = std::floor(rest);
+        digits[i] = static_cast<std::uint8_t>(digit);
+        rest = (rest - digit) * T(255);
+    }
+    return digits;
+}
+
+/// The format as a value, for functions over images, faults and all; the store rounds.
+struct base255 {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+    static constexpr double max_error = 1.0;  ///< at 1.0; below it 2^-23, or 2^-7.98 where the store truncates
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_base255(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
+};
+
+/// The same, written without the faults.
+struct base255_repaired {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(255) * 255 * 255 * 255 + 1;
+    static constexpr double max_error = 0x1p-23;  ///< whether the store rounds or truncates
+
+    [[nodiscard]] texel encode(float depth) const { return encode_base255_repaired(depth); }
+    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
+};
+
+namespace glsl {
+
+inline constexpr snippet write_base255{
+    .name = "write_base255", .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
+    .exactness = tier::b, .needs = {&saturate}, .source = R"GLSL(
+// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
+//   round: umbrage_encode_base255_repaired has neither fault
+UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 e = vec4(v, v * 255.0, v * 65025.0, v * 16581375.0);
+    e = e - floor(e);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c =
+        vec4(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
+    return c;
+}
+)GLSL"};
+
+inline constexpr snippet decode_base255{
+    .name = "decode_base255", .summary = "base-255 RGBA to depth", .exactness = tier::b, .source = R"GLSL(
+// umbrage_decode_base255: base-255 RGBA, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
+        c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
+    return depth;
+}
+)GLSL"};
+
+inline constexpr snippet encode_base255_repaired{
+    .name = "encode_base255_repaired", .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
+    .exactness = tier::b, .needs = {&saturate}, .source = R"GLSL(
+// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = umbrage_saturate(depth) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (x - floor(x)) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (y - floor(y)) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (z - floor(z)) * 255.0;
+    return vec4(floor(x), floor(y), floor(z), floor(w));
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/depth/foreign/ps14.hpp
+// The Radeon 8500's own way to unpack 11 bits: r / 8 + g on the channels as sampled. Its values are x / 2040, not
+// x / 2048, so the receiver it is compared with must be scaled by 256 / 255 too.
+//
+//     bool lit = umbrage::receiver_ps14(depth) <= umbrage::decode_ps14(sampled);
+//
+
+namespace umbrage {
+
+/// @param c      the two channels of encode_rg<11> as sampled, k / 255
+/// @return       x / 2040, in [0, 2047 / 2040]
+/// @formula      r / 8 + g
+/// @exactness    B: one rounded addition
+/// @cite         ATI Radeon SDK, ShadowMap sample, 2002: mov_d8 and add in pixel shader 1.4
+template <real T>
+[[nodiscard]] constexpr T decode_ps14(glm::vec<2, T> c) {
+    return c.x * T(0.125) + c.y;
+}
+
+/// A depth on the scale of decode_ps14.
+/// @param depth   in [0, 1], not clamped
+/// @formula       depth * 256 / 255
+/// @exactness     B: one product with the rounded quotient
+template <real T>
+[[nodiscard]] constexpr T receiver_ps14(T depth) {
+    return depth * T(256.0 / 255.0);
+}
+
+namespace glsl {
+
+inline constexpr snippet decode_ps14{
+    .name = "decode_ps14", .summary = "r / 8 + g as the Radeon 8500 computed it", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14
+UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
+    return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
+}
+)GLSL"};
+
+inline constexpr snippet receiver_ps14{
+    .name = "receiver_ps14", .summary = "receiver on the scale of decode_ps14", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14
+UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
+    return depth * 1.00392163;
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/depth/foreign/threejs.hpp
+// The depth formats of three.js, to read and write its maps: RGBA, RGB and RG of r167 and later, and the RGBA layout
+// of r73 to r166. Writers give UNORM values as three.js does; what the 8-bit store makes of the channels that hold a
+// fraction is part of the format.
+//
+//     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::write_threejs_rgba(depth));
+//     float stored = umbrage::decode_threejs_rgba(umbrage::load_unorm8(texel));
+//
+// Worst error of any binary32 depth, and the faults, as measured by the tests:
+//
+//     format             store rounds     store truncates   faults
+//     rgba               2^-32            2^-31.99          none
+//     rgb                2^-24            2^-23.99          none
+//     rg                 2^-16.99         2^-15.99          none
+//     legacy             2^-32, below 1   2^-32, below 1    1.0 decodes to 255/256, below depths that come before it
+//     legacy, repaired   2^-24            2^-24             none
+//
+
+namespace umbrage {
+
+/// Three whole bytes, R most significant, and the fraction that is left in A.
+/// @param depth   clamped to [0, 1]; NaN counts as 1; 1 gives all ones
+/// @return        UNORM values
+/// @exactness     B
+/// @cite          three.js r167 and later, packing chunk (format)
+template <real T>
+[[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth) {
+    const T v = saturate(depth);
+    if (!(v < T(1))) return glm::vec<4, T>(1);
+    const T x = v * T(16777216);
+    const T whole = std::floor(x);
+    const T high = std::floor(whole * T(1.0 / 65536.0));
+    const T rest = whole - high * T(65536);
+    const T middle = std::floor(rest * T(1.0 / 256.0));
+    return {high * T(1.0 / 255.0), middle * T(1.0 / 255.0), (rest - middle * T(256)) * T(1.0 / 255.0), x - whole};
+}
+
+/// @param c      as sampled
+/// @formula      255/256 (R + G/2^8 + B/2^16) + A/2^24
+/// @exactness    B
+template <real T>
+[[nodiscard]] constexpr T decode_threejs_rgba(glm::vec<4, T> c) {
+    return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(255.0 / 16777216.0) + c.w * T(1.0 / 16777216.0);
+}
+
+/// Two whole bytes and the fraction that is left in B.  @exactness B  @cite three.js r167 and later (format)
+template <real T>
+[[nodiscard]] glm::vec<3, T> write_threejs_rgb(T depth) {
+    const T v = saturate(depth);
+    if (!(v < T(1))) return glm::vec<3, T>(1);
+    const T x = v * T(65536);
+    const T whole = std::floor(x);
+    const T high = std::floor(whole * T(1.0 / 256.0));
+    return {high * T(1.0 / 255.0), (whole - high * T(256)) * T(1.0 / 255.0), x - whole};
+}
+
+/// @formula      255/256 (R + G/2^8) + B/2^16       @exactness B
+template <real T>
+[[nodiscard]] constexpr T decode_threejs_rgb(glm::vec<3, T> c) {
+    return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(1.0 / 65536.0);
+}
+
+/// One whole byte and the fraction that is left in G.  @exactness B  @cite three.js r167 and later (format)
+template <real T>
+[[nodiscard]] glm::vec<2, T> write_threejs_rg(T depth) {
+    const T v = saturate(depth);
+    if (!(v < T(1))) return glm::vec<2, T>(1);
+    const T x = v * T(256);
+    const T whole = std::floor(x);
+    return {whole * T(1.0 / 255.0), x - whole};
+}
+
+/// @formula      255/256 R + G/2^8                  @exactness B
+template <real T>
+[[nodiscard]] constexpr T decode_threejs_rg(glm::vec<2, T> c) {
+    return c.x * T(255.0 / 256.0) + c.y * T(1.0 / 256.0);
+}
+
+/// The layout of r73 to r166: A most significant, channels scaled by 256/255.
+/// @return        UNORM values; A exceeds 1 for depth > 255/256, and the store clamps it: the fault of the format
+/// @exactness     B
+/// @cite          three.js r73 to r166, packing chunk (format)
+template <real T>
+[[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth) {
+    const T v = saturate(depth);
+    const T x = v * T(16777216) - std::floor(v * T(16777216));
+    const T y = v * T(65536) - std::floor(v * T(65536));
+    const T z = v * T(256) - std::floor(v * T(256));
+    return {x * T(256.0 / 255.0), (y - x * T(1.0 / 256.0)) * T(256.0 / 255.0), (z - y * T(1.0 / 256.0)) * T(256.0 / 255.0),
+            (v - z * T(1.0 / 256.0)) * T(256.0 / 255.0)};
+}
+
+/// @formula      255/256 (A + B/2^8 + G/2^16 + R/2^24)   @exactness B
+template <real T>
+[[nodiscard]] constexpr T decode_threejs_legacy(glm::vec<4, T> c) {
+    return c.x * T(255.0 / 4294967296.0) + c.y * T(255.0 / 16777216.0) + c.z * T(255.0 / 65536.0) + c.w * T(255.0 / 256.0);
+}
+
+/// A writer without the fault, for decode_threejs_legacy on the other side: 24 bits, and 1 decodes to 1.
+/// @return        integer channels 0..255 (to_unorm writes them), A most significant
+/// @exactness     A
+template <real T>
+[[nodiscard]] constexpr glm::u8vec4 encode_threejs_legacy_repaired(T depth) {
+    const T v = saturate(depth);
+    if (!(v < T(1))) return glm::u8vec4(255);
+    const std::uint32_t x = to_code<24>(v);
+    return {0, static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>(x >> 8 & 0xFF),
+            static_cast<std::uint8_t>(x >> 16)};
+}
+
+// The formats as values, for functions over images; the store rounds.
+
+/// RGBA, r167 and later.
+struct threejs_rgba {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+    static constexpr double max_error = 0x1p-32;  ///< where the store truncates, 256/255 of it
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_rgba(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgba(load_unorm8(t)); }
+};
+
+/// RGB, r167 and later.
+struct threejs_rgb {
+    using texel = glm::u8vec3;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
+    static constexpr double max_error = 0x1p-24;  ///< where the store truncates, 256/255 of it
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_rgb(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgb(load_unorm8(t)); }
+};
+
+/// RG, r167 and later.
+struct threejs_rg {
+    using texel = glm::u8vec2;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 16;
+    static constexpr double max_error = 0x1.02p-17;  ///< 2^-16 * 256/255 where the store truncates
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_rg(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rg(load_unorm8(t)); }
+};
+
+/// RGBA, r73 to r166, fault and all.
+struct threejs_legacy {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+    static constexpr double max_error = 1.0 / 256.0;  ///< at 1.0; below it 2^-32
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_legacy(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
+};
+
+/// RGBA for readers of r73 to r166, written without the fault.
+struct threejs_legacy_repaired {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
+    static constexpr double max_error = 0x1p-24;  ///< whether the store rounds or truncates
+
+    [[nodiscard]] texel encode(float depth) const { return encode_threejs_legacy_repaired(depth); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
+};
+
+namespace glsl {
+
+inline constexpr snippet write_threejs_rgba{
+    .name = "write_threejs_rgba", .summary = "depth to three.js RGBA, r167 and later", .exactness = tier::b,
+    .needs = {&saturate}, .source = R"GLSL(
+// umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    if (!(v < 1.0)) return vec4(1.0, 1.0, 1.0, 1.0);
+    UMBRAGE_HIGHP float x = v * 16777216.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    UMBRAGE_HIGHP float high = floor(whole * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = whole - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    UMBRAGE_HIGHP float low = rest - middle * 256.0;
+    return vec4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
+}
+)GLSL"};
+
+inline constexpr snippet decode_threejs_rgba{
+    .name = "decode_threejs_rgba", .summary = "three.js RGBA, r167 and later, to depth", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) +
+                                                c.z * (255.0 / 16777216.0) + c.w * (1.0 / 16777216.0);
+    return depth;
+}
+)GLSL"};
+
+inline constexpr snippet write_threejs_rgb{
+    .name = "write_threejs_rgb", .summary = "depth to three.js RGB, r167 and later", .exactness = tier::b,
+    .needs = {&saturate}, .source = R"GLSL(
+// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    if (!(v < 1.0)) return vec3(1.0, 1.0, 1.0);
+    UMBRAGE_HIGHP float x = v * 65536.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    UMBRAGE_HIGHP float high = floor(whole * (1.0 / 256.0));
+    return vec3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+}
+)GLSL"};
+
+inline constexpr snippet decode_threejs_rgb{
+    .name = "decode_threejs_rgb", .summary = "three.js RGB, r167 and later, to depth", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
+        c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
+    return depth;
+}
+)GLSL"};
+
+inline constexpr snippet write_threejs_rg{
+    .name = "write_threejs_rg", .summary = "depth to three.js RG, r167 and later", .exactness = tier::b,
+    .needs = {&saturate}, .source = R"GLSL(
+// umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    if (!(v < 1.0)) return vec2(1.0, 1.0);
+    UMBRAGE_HIGHP float x = v * 256.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    return vec2(whole * 0.00392156886, x - whole);
+}
+)GLSL"};
+
+inline constexpr snippet decode_threejs_rg{
+    .name = "decode_threejs_rg", .summary = "three.js RG, r167 and later, to depth", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
+    return depth;
+}
+)GLSL"};
+
+inline constexpr snippet write_threejs_legacy{
+    .name = "write_threejs_legacy", .summary = "depth to three.js RGBA, r73 to r166", .exactness = tier::b,
+    .needs = {&saturate}, .source = R"GLSL(
+// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
+//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+UMBRAGE_HIGHP vec4 umbrage_write_threejs_legacy(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = v * 16777216.0 - floor(v * 16777216.0);
+    UMBRAGE_HIGHP float y = v * 65536.0 - floor(v * 65536.0);
+    UMBRAGE_HIGHP float z = v * 256.0 - floor(v * 256.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = vec4(x, y - x * (1.0 / 256.0), z - y * (1.0 / 256.0), v - z * (1.0 / 256.0));
+    return c * 1.00392163;
+}
+)GLSL"};
+
+inline constexpr snippet decode_threejs_legacy{
+    .name = "decode_threejs_legacy", .summary = "three.js RGBA, r73 to r166, to depth", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 4294967296.0) + c.y * (255.0 / 16777216.0) +
+                                                c.z * (255.0 / 65536.0) + c.w * (255.0 / 256.0);
+    return depth;
+}
+)GLSL"};
+
+inline constexpr snippet encode_threejs_legacy_repaired{
+    .name = "encode_threejs_legacy_repaired", .summary = "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
+    .exactness = tier::a, .needs = {&saturate}, .source = R"GLSL(
+// umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    if (!(v < 1.0)) return vec4(255.0, 255.0, 255.0, 255.0);
+    UMBRAGE_HIGHP float x = floor(v * 16777216.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = x - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    return vec4(0.0, rest - middle * 256.0, middle, high);
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/depth/kinds.hpp
 // Kinds of depth, and the way from one to another.
 //   z/w               what the rasterizer interpolates: project_depth
 //   linear depth      view-space distance along the light's axis over z_far: linear_depth
@@ -1100,57 +1501,6 @@ UMBRAGE_HIGHP float umbrage_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAG
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/depth/ps14.hpp
-// The Radeon 8500's own way to unpack 11 bits: r / 8 + g on the channels as sampled. Its values are x / 2040, not
-// x / 2048, so the receiver it is compared with must be scaled by 256 / 255 too.
-//
-//     bool lit = umbrage::receiver_ps14(depth) <= umbrage::decode_ps14(sampled);
-//
-
-namespace umbrage {
-
-/// @param c      the two channels of encode_rg<11> as sampled, k / 255
-/// @return       x / 2040, in [0, 2047 / 2040]
-/// @formula      r / 8 + g
-/// @exactness    B: one rounded addition
-/// @cite         ATI Radeon SDK, ShadowMap sample, 2002: mov_d8 and add in pixel shader 1.4
-template <real T>
-[[nodiscard]] constexpr T decode_ps14(glm::vec<2, T> c) {
-    return c.x * T(0.125) + c.y;
-}
-
-/// A depth on the scale of decode_ps14.
-/// @param depth   in [0, 1], not clamped
-/// @formula       depth * 256 / 255
-/// @exactness     B: one product with the rounded quotient
-template <real T>
-[[nodiscard]] constexpr T receiver_ps14(T depth) {
-    return depth * T(256.0 / 255.0);
-}
-
-namespace glsl {
-
-inline constexpr snippet decode_ps14{
-    .name = "decode_ps14", .summary = "r / 8 + g as the Radeon 8500 computed it", .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14
-UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
-    return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
-}
-)GLSL"};
-
-inline constexpr snippet receiver_ps14{
-    .name = "receiver_ps14", .summary = "receiver on the scale of decode_ps14", .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14
-UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
-    return depth * 1.00392163;
-}
-)GLSL"};
-
-}  // namespace glsl
-}  // namespace umbrage
-
 // ---- umbrage/depth/rg.hpp
 // Depth in two 8-bit channels, 9 to 16 bits: the layout of the Radeon 8500 shadow map sample and its family.
 // x has Bits = 8 + M bits:  R = low byte,  G = high bits, moved to the top of their byte,  value = R / 2^M + G.
@@ -1172,7 +1522,7 @@ namespace umbrage {
 template <int Bits, real T>
 [[nodiscard]] constexpr glm::u8vec2 encode_rg(T depth) {
     static_assert(Bits >= 9 && Bits <= 16);
-    const std::uint32_t x = depth_code<Bits>(depth);
+    const std::uint32_t x = to_code<Bits>(depth);
     return {static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>((x >> 8) << (16 - Bits))};
 }
 
@@ -1187,14 +1537,14 @@ template <int Bits, real T>
 [[nodiscard]] T decode_rg(glm::vec<2, T> c, T edge) {
     static_assert(Bits >= 9 && Bits <= 16);
     const glm::vec<2, T> k = from_unorm(c);
-    return code_depth<Bits>(k.x + k.y * T(1 << (Bits - 8)), edge);
+    return from_code<Bits>(k.x + k.y * T(1 << (Bits - 8)), edge);
 }
 
 /// Bytes to depth.
 template <int Bits, real T>
 [[nodiscard]] constexpr T decode_rg(glm::u8vec2 texel, T edge) {
     static_assert(Bits >= 9 && Bits <= 16);
-    return code_depth<Bits>(T(texel.x + (texel.y << (Bits - 8))), edge);
+    return from_code<Bits>(T(texel.x + (texel.y << (Bits - 8))), edge);
 }
 
 /// The encoding as a value, for functions over images.
@@ -1364,7 +1714,7 @@ inline constexpr glm::ivec2 rg_table_size = Bits <= 11 ? glm::ivec2(1 << Bits, 1
 /// @exactness     A
 template <int Bits, real T, class Fetch>
 [[nodiscard]] constexpr glm::u8vec2 encode_rg_table(Fetch&& fetch, T depth) {
-    const auto texel = fetch(static_cast<int>(depth_code<Bits>(depth)));
+    const auto texel = fetch(static_cast<int>(to_code<Bits>(depth)));
     return {texel[0], texel[1]};
 }
 
@@ -1416,7 +1766,7 @@ namespace umbrage {
 /// @exactness     A
 template <real T>
 [[nodiscard]] constexpr glm::u8vec3 encode_rgb24(T depth) {
-    const std::uint32_t x = depth_code<24>(depth);
+    const std::uint32_t x = to_code<24>(depth);
     return {static_cast<std::uint8_t>(x >> 16), static_cast<std::uint8_t>(x >> 8 & 0xFF),
             static_cast<std::uint8_t>(x & 0xFF)};
 }
@@ -1430,13 +1780,13 @@ template <real T>
 template <real T>
 [[nodiscard]] T decode_rgb24(glm::vec<3, T> c, T edge) {
     const glm::vec<3, T> k = from_unorm(c);
-    return code_depth<24>((k.x * T(256) + k.y) * T(256) + k.z, edge);
+    return from_code<24>((k.x * T(256) + k.y) * T(256) + k.z, edge);
 }
 
 /// Bytes to depth.
 template <real T>
 [[nodiscard]] constexpr T decode_rgb24(glm::u8vec3 texel, T edge) {
-    return code_depth<24>(T((texel.x << 16) + (texel.y << 8) + texel.z), edge);
+    return from_code<24>(T((texel.x << 16) + (texel.y << 8) + texel.z), edge);
 }
 
 /// The encoding as a value, for functions over images.
@@ -1482,285 +1832,374 @@ UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP flo
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/depth/three.hpp
-// The depth formats of three.js, to read and write its maps: RGBA, RGB and RG of r167 and later, and the RGBA layout
-// of r73 to r166. Writers give UNORM values as three.js does; what the 8-bit store makes of the channels that hold a
-// fraction is part of the format.
+// ---- umbrage/light/light_space.hpp
+// A light's view of the world: two matrices and the convention they follow.
 //
-//     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::encode_three_rgba(depth));
-//     float stored = umbrage::decode_three_rgba(umbrage::load_unorm8(texel));
-//
-// Worst error of any binary32 depth, and the faults, as measured by the tests:
-//
-//     format             store rounds     store truncates   faults
-//     rgba               2^-32            2^-31.99          none
-//     rgb                2^-24            2^-23.99          none
-//     rg                 2^-16.99         2^-15.99          none
-//     legacy             2^-32, below 1   2^-32, below 1    1.0 decodes to 255/256, below depths that come before it
-//     legacy, repaired   2^-24            2^-24             none
+//     auto light = umbrage::make_spot_light({.position = {0, 5, 0}, .direction = {0, -1, 0}});
+//     glm::mat4 clip_from_world = light.projection * light.view;
 //
 
 namespace umbrage {
 
-/// Three whole bytes, R most significant, and the fraction that is left in A.
-/// @param depth   clamped to [0, 1]; NaN counts as 1; 1 gives all ones
-/// @return        UNORM values
+template <real T>
+struct light_space {
+    glm::mat<4, 4, T> view{T(1)};        ///< world -> light's view space, looking down -z (right) or +z (left)
+    glm::mat<4, 4, T> projection{T(1)};  ///< view space -> clip space
+    clip_space clip;
+};
+
+namespace detail {
+
+/// Unit vector; scaled first, so that nothing overflows or underflows. Zero stays zero.
+template <real T>
+[[nodiscard]] glm::vec<3, T> unit(glm::vec<3, T> v) {
+    const T scale = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
+    return scale > T(0) ? glm::normalize(v / scale) : v;
+}
+
+}  // namespace detail
+
+/// World to light's view space: x to the right, y up, whichever hand, so that a mesh keeps its winding.
+///
+/// @param position    of the light, world
+/// @param direction   it looks along, any length > 0
+/// @param up          hint; where it is parallel to direction, or nearly (1e-3), the world axis least along direction
+///                    takes its place, so that any direction works
+/// @param hand        right: looks down -z, left: down +z
+/// @throws std::invalid_argument  zero or non-finite direction or position
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
+                                           handedness hand) {
+    for (int i = 0; i < 3; ++i)
+        if (!is_finite(position[i]) || !is_finite(direction[i]) || !is_finite(up[i]))
+            detail::fail("umbrage: a light's position, direction and up must be finite");
+    const glm::vec<3, T> forward = detail::unit(direction);
+    if (forward == glm::vec<3, T>(0)) detail::fail("umbrage: a light's direction must not be zero");
+
+    glm::vec<3, T> side = glm::cross(forward, detail::unit(up));
+    if (!(glm::length(side) > T(1e-3))) {
+        const glm::vec<3, T> along = glm::abs(forward);
+        const int least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
+        glm::vec<3, T> axis(0);
+        axis[least] = T(1);
+        side = glm::cross(forward, axis);
+    }
+    const glm::vec<3, T> above = glm::normalize(glm::cross(side, forward));
+    side = glm::cross(forward, above);  // again: up nearly parallel to forward leaves the first a hundred ulp askew
+    const glm::vec<3, T> depth = hand == handedness::right ? -forward : forward;
+
+    glm::mat<4, 4, T> view(T(1));
+    for (int i = 0; i < 3; ++i) {
+        view[i][0] = side[i];
+        view[i][1] = above[i];
+        view[i][2] = depth[i];
+    }
+    view[3][0] = -glm::dot(side, position);
+    view[3][1] = -glm::dot(above, position);
+    view[3][2] = -glm::dot(depth, position);
+    return view;
+}
+
+namespace detail {
+
+/// Rows that send view-space distance z_near to the near depth and z_far to the far depth of the convention.
+template <real T>
+struct depth_ends {
+    T at_near, at_far;
+};
+template <real T>
+[[nodiscard]] constexpr depth_ends<T> ends(clip_space clip) {
+    const T low = clip.range == depth_range::zero_to_one ? T(0) : T(-1);
+    return clip.direction == depth_direction::forward ? depth_ends<T>{low, T(1)} : depth_ends<T>{T(1), low};
+}
+
+template <real T>
+void check_planes(T z_near, T z_far) {
+    if (!is_finite(z_near) || !is_finite(z_far) || !(z_near < z_far))
+        detail::fail("umbrage: a light needs finite z_near < z_far");
+}
+
+}  // namespace detail
+
+/// Perspective projection.
+///
+/// @param tan_half_x, tan_half_y   tangent of half the opening angle, > 0
+/// @param z_near, z_far            0 < z_near < z_far, world units
+/// @throws std::invalid_argument   anything else
+/// @formula       z/w = A + B / distance through (z_near, near depth), (z_far, far depth)
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip) {
+    detail::check_planes(z_near, z_far);
+    if (!(z_near > T(0))) detail::fail("umbrage: a perspective light needs z_near > 0");
+    if (!is_finite(tan_half_x) || !is_finite(tan_half_y) || !(tan_half_x > T(0)) || !(tan_half_y > T(0)))
+        detail::fail(
+            "umbrage: a perspective light needs an opening angle above 0 and below 180 degrees");
+    const auto [at_near, at_far] = detail::ends<T>(clip);
+    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
+    glm::mat<4, 4, T> m(T(0));
+    m[0][0] = T(1) / tan_half_x;
+    m[1][1] = T(1) / tan_half_y;
+    m[2][2] = forward * (z_far * at_far - z_near * at_near) / (z_far - z_near);
+    m[3][2] = z_near * z_far * (at_near - at_far) / (z_far - z_near);
+    m[2][3] = forward;
+    return m;
+}
+
+/// Orthographic projection of the box between two corners of view space, z given as distances in front of the light.
+///
+/// @param low, high        x and y of the corners, low < high
+/// @param z_near, z_far    z_near < z_far, world units, may be negative (behind the light's position)
+/// @throws std::invalid_argument   an empty or non-finite box
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
+                                             clip_space clip) {
+    detail::check_planes(z_near, z_far);
+    for (int i = 0; i < 2; ++i)
+        if (!is_finite(low[i]) || !is_finite(high[i]) || !(low[i] < high[i]))
+            detail::fail("umbrage: an orthographic light needs a box with some width and height");
+    const auto [at_near, at_far] = detail::ends<T>(clip);
+    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
+    glm::mat<4, 4, T> m(T(1));
+    for (int i = 0; i < 2; ++i) {
+        m[i][i] = T(2) / (high[i] - low[i]);
+        m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
+    }
+    m[2][2] = forward * (at_far - at_near) / (z_far - z_near);
+    m[3][2] = (z_far * at_near - z_near * at_far) / (z_far - z_near);
+    return m;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/directional_light.hpp
+// A directional light's space: the classic course exercise's set-up, and the tight fit to bounds.
+//
+//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024});
+//     auto tight = umbrage::fit_directional_light({.direction = d, .low = scene_low, .high = scene_high});
+//
+
+namespace umbrage {
+
+template <real T = float>
+struct directional_light {
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
+    glm::vec<3, T> target{T(0)};                  ///< what it looks at
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    T offset = T(10);                             ///< from target back to the light, world units
+    int map_size = 1024;                          ///< texels, >= 1
+    T divisor = T(10);                            ///< texels per world unit, > 0
+    T z_near = T(0.1);                            ///< world units from the light
+    T z_far = T(100);
+    clip_space clip{};
+};
+
+/// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / divisor.
+/// @throws std::invalid_argument  zero or non-finite direction, map_size or divisor not above 0, planes out of order
+template <real T = float>
+[[nodiscard]] light_space<T> make_directional_light(const directional_light<T>& light) {
+    if (light.map_size < 1 || !is_finite(light.divisor) || !(light.divisor > T(0)))
+        detail::fail("umbrage::make_directional_light: map_size and divisor must be above 0");
+    // along the normalised direction, moved by the offset: the view's last row holds the light's distance
+    light_space<T> space{look_along(light.target, light.direction, light.up, light.clip.hand), {}, light.clip};
+    space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
+    if (!is_finite(space.view[3][2]))
+        detail::fail("umbrage::make_directional_light: offset must be finite");
+    const T half = T(light.map_size) / light.divisor / T(2);
+    space.projection = orthographic(glm::vec<2, T>(-half), glm::vec<2, T>(half), light.z_near, light.z_far, light.clip);
+    return space;
+}
+
+template <real T = float>
+struct directional_fit {
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    glm::vec<3, T> low{T(-1)}, high{T(1)};        ///< bounds of all casters and receivers, low <= high
+    T margin = T(0.01);                           ///< added on every side, as a share of the bounds' diagonal, > 0
+    clip_space clip{};
+};
+
+/// The smallest box along the light that holds the bounds, and the margin.
+/// @throws std::invalid_argument  zero or non-finite direction, bounds empty, inverted or of no extent
+template <real T = float>
+[[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
+    const T diagonal = glm::length(fit.high - fit.low);
+    if (!is_finite(diagonal) || !(diagonal > T(0)) || glm::any(glm::greaterThan(fit.low, fit.high)))
+        detail::fail("umbrage::fit_directional_light: bounds must be finite, in order, of some extent");
+    if (!is_finite(fit.margin) || !(fit.margin > T(0)))
+        detail::fail("umbrage::fit_directional_light: margin must be above 0");
+    light_space<T> space{look_along((fit.low + fit.high) * T(0.5), fit.direction, fit.up, fit.clip.hand), {}, fit.clip};
+    // the box is centred on the bounds' centre, so it is enough to know how far it reaches
+    const glm::vec<3, T> half = (fit.high - fit.low) * T(0.5);
+    glm::vec<3, T> reach(fit.margin * diagonal);
+    for (int row = 0; row < 3; ++row)
+        for (int i = 0; i < 3; ++i) reach[row] += glm::abs(space.view[i][row]) * half[i];
+    space.projection = orthographic(glm::vec<2, T>(-reach.x, -reach.y), glm::vec<2, T>(reach.x, reach.y), -reach.z,
+                                    reach.z, fit.clip);
+    return space;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/spot_light.hpp
+// A spot light's space.
+//
+//     auto light = umbrage::make_spot_light({.position = p, .direction = d, .outer_angle_radians = 0.6f});
+//
+
+namespace umbrage {
+
+template <real T = float>
+struct spot_light {
+    glm::vec<3, T> position{T(0)};
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};      ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};              ///< hint; may be parallel to direction
+    T outer_angle_radians = std::numbers::pi_v<T> / 6; ///< between axis and edge of the cone, above 0, below pi / 2
+    T z_near = T(0.1);                                ///< > 0, world units
+    T z_far = T(100);                                 ///< > z_near
+    clip_space clip{};
+};
+
+/// View and perspective projection around the light's cone, which the square map holds whole.
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), planes out of order
+template <real T = float>
+[[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
+    if (!is_finite(light.outer_angle_radians) || !(light.outer_angle_radians > T(0)) ||
+        !(light.outer_angle_radians < std::numbers::pi_v<T> / 2))
+        detail::fail("umbrage::make_spot_light: outer_angle_radians must lie between 0 and pi / 2");
+    const T extent = std::tan(light.outer_angle_radians);
+    return {look_along(light.position, light.direction, light.up, light.clip.hand),
+            perspective(extent, extent, light.z_near, light.z_far, light.clip), light.clip};
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/texture_matrix.hpp
+// From world to the shadow map: the texture matrix, the four tap matrices, and what a vertex shader does with them.
+//
+//     glm::mat4 m = umbrage::texture_matrix(light, {1024, 1024});
+//     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, world));  // texels, texels, depth
+//
+
+namespace umbrage {
+
+/// World to texels and depth, before the division by w.
+///
+/// @param map_size   texels, each >= 1; the first texel's centre is (0.5, 0.5)
+/// @return           (x w, y w, depth w, w); depth in [0, 1] whatever the clip space, reversed stays reversed
+/// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
+///                   [-1, 1] clip space becomes z / 2 + 1 / 2
+/// @throws std::invalid_argument  map_size below 1
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
+    if (map_size.x < 1 || map_size.y < 1) detail::fail("umbrage::texture_matrix: map_size below 1");
+    const glm::vec<2, T> half = glm::vec<2, T>(map_size) * T(0.5);
+    glm::mat<4, 4, T> scale_bias(T(1));
+    scale_bias[0][0] = half.x;
+    scale_bias[1][1] = light.clip.origin == texture_origin::bottom ? half.y : -half.y;
+    scale_bias[3][0] = half.x;
+    scale_bias[3][1] = half.y;
+    if (light.clip.range == depth_range::minus_one_to_one) {
+        scale_bias[2][2] = T(0.5);
+        scale_bias[3][2] = T(0.5);
+    }
+    return scale_bias * light.projection * light.view;
+}
+
+/// The same to [0, 1]: what texture look-ups with normalised coordinates take.
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> texture_matrix_uv(const light_space<T>& light) {
+    return texture_matrix(light, {1, 1});
+}
+
+/// The taps of the 2002 sample: half a texel off in both directions.
+template <real T>
+inline constexpr std::array<glm::vec<2, T>, 4> default_taps{
+    {{T(-0.5), T(-0.5)}, {T(0.5), T(-0.5)}, {T(-0.5), T(0.5)}, {T(0.5), T(0.5)}}};
+
+/// One texture matrix per tap, for hardware and shaders that cannot move a projective coordinate afterwards.
+///
+/// @param texture_matrix   world to texels
+/// @param offsets          of the taps, in texels
+/// @return                 matrices with the offset applied before the division by w: equal in exact arithmetic to
+///                         adding it afterwards; in binary32 within 6 ulp of (|m0 x| + |m1 y| + |m2 z| + |m3|) / w,
+///                         the magnitudes that add up to a coordinate (worst seen 4.5; tap_coordinate stays closer)
+/// @formula                translate(offset) * texture_matrix
+/// @cite                   ATI Radeon SDK, ShadowMap sample, 2002
+template <real T>
+[[nodiscard]] std::array<glm::mat<4, 4, T>, 4> tap_matrices(
+    const glm::mat<4, 4, T>& texture_matrix, const std::array<glm::vec<2, T>, 4>& offsets = default_taps<T>) {
+    std::array<glm::mat<4, 4, T>, 4> taps;
+    for (std::size_t tap = 0; tap < 4; ++tap) {
+        taps[tap] = texture_matrix;
+        for (int column = 0; column < 4; ++column) {
+            taps[tap][column][0] += offsets[tap].x * texture_matrix[column][3];
+            taps[tap][column][1] += offsets[tap].y * texture_matrix[column][3];
+        }
+    }
+    return taps;
+}
+
+/// A world position through a texture matrix; the vertex shader's part.
+/// @formula       m[3] + m[0] x + m[1] y + m[2] z, sums from left to right: an order that GLSL compilers without
+///                `precise` were seen to keep, where they move m[3] forward from the end
 /// @exactness     B
-/// @cite          three.js r167 and later, packing chunk (format)
 template <real T>
-[[nodiscard]] glm::vec<4, T> encode_three_rgba(T depth) {
-    const T v = saturate(depth);
-    if (!(v < T(1))) return glm::vec<4, T>(1);
-    const T x = v * T(16777216);
-    const T whole = std::floor(x);
-    const T high = std::floor(whole * T(1.0 / 65536.0));
-    const T rest = whole - high * T(65536);
-    const T middle = std::floor(rest * T(1.0 / 256.0));
-    return {high * T(1.0 / 255.0), middle * T(1.0 / 255.0), (rest - middle * T(256)) * T(1.0 / 255.0), x - whole};
+[[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
+    glm::vec<4, T> c(0);
+    for (int row = 0; row < 4; ++row)
+        c[row] = m[3][row] + m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z;
+    return c;
 }
 
-/// @param c      as sampled
-/// @formula      255/256 (R + G/2^8 + B/2^16) + A/2^24
-/// @exactness    B
+/// A tap's coordinate from the middle's: what the tap's own matrix would have given.
+/// @param coordinate   as shadow_coordinate returns it, before the division by w;   offset  in texels
+/// @return             after the division within 3 ulp of the offset added afterwards (worst seen 1.9)
+/// @formula            (x + offset.x w, y + offset.y w, z, w)
+/// @exactness          B
 template <real T>
-[[nodiscard]] constexpr T decode_three_rgba(glm::vec<4, T> c) {
-    return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(255.0 / 16777216.0) + c.w * T(1.0 / 16777216.0);
+[[nodiscard]] constexpr glm::vec<4, T> tap_coordinate(glm::vec<4, T> coordinate, glm::vec<2, T> offset) {
+    return {coordinate.x + offset.x * coordinate.w, coordinate.y + offset.y * coordinate.w, coordinate.z, coordinate.w};
 }
 
-/// Two whole bytes and the fraction that is left in B.  @exactness B  @cite three.js r167 and later (format)
+/// The division: what filters take.
+/// @return        (x, y) in texels, z depth; for w <= 0 (not in front of the light) or NaN in w (65536, 65536, 0),
+///                which every filter takes as lit
+/// @exactness     C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
-[[nodiscard]] glm::vec<3, T> encode_three_rgb(T depth) {
-    const T v = saturate(depth);
-    if (!(v < T(1))) return glm::vec<3, T>(1);
-    const T x = v * T(65536);
-    const T whole = std::floor(x);
-    const T high = std::floor(whole * T(1.0 / 256.0));
-    return {high * T(1.0 / 255.0), (whole - high * T(256)) * T(1.0 / 255.0), x - whole};
+[[nodiscard]] constexpr glm::vec<3, T> project_coordinate(glm::vec<4, T> coordinate) {
+    if (is_nan(coordinate.w) || !(coordinate.w > T(0))) return {T(65536), T(65536), T(0)};
+    return {coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w};
 }
-
-/// @formula      255/256 (R + G/2^8) + B/2^16       @exactness B
-template <real T>
-[[nodiscard]] constexpr T decode_three_rgb(glm::vec<3, T> c) {
-    return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(1.0 / 65536.0);
-}
-
-/// One whole byte and the fraction that is left in G.  @exactness B  @cite three.js r167 and later (format)
-template <real T>
-[[nodiscard]] glm::vec<2, T> encode_three_rg(T depth) {
-    const T v = saturate(depth);
-    if (!(v < T(1))) return glm::vec<2, T>(1);
-    const T x = v * T(256);
-    const T whole = std::floor(x);
-    return {whole * T(1.0 / 255.0), x - whole};
-}
-
-/// @formula      255/256 R + G/2^8                  @exactness B
-template <real T>
-[[nodiscard]] constexpr T decode_three_rg(glm::vec<2, T> c) {
-    return c.x * T(255.0 / 256.0) + c.y * T(1.0 / 256.0);
-}
-
-/// The layout of r73 to r166: A most significant, channels scaled by 256/255.
-/// @return        UNORM values; A exceeds 1 for depth > 255/256, and the store clamps it: the fault of the format
-/// @exactness     B
-/// @cite          three.js r73 to r166, packing chunk (format)
-template <real T>
-[[nodiscard]] glm::vec<4, T> encode_three_legacy(T depth) {
-    const T v = saturate(depth);
-    const T x = v * T(16777216) - std::floor(v * T(16777216));
-    const T y = v * T(65536) - std::floor(v * T(65536));
-    const T z = v * T(256) - std::floor(v * T(256));
-    return {x * T(256.0 / 255.0), (y - x * T(1.0 / 256.0)) * T(256.0 / 255.0), (z - y * T(1.0 / 256.0)) * T(256.0 / 255.0),
-            (v - z * T(1.0 / 256.0)) * T(256.0 / 255.0)};
-}
-
-/// @formula      255/256 (A + B/2^8 + G/2^16 + R/2^24)   @exactness B
-template <real T>
-[[nodiscard]] constexpr T decode_three_legacy(glm::vec<4, T> c) {
-    return c.x * T(255.0 / 4294967296.0) + c.y * T(255.0 / 16777216.0) + c.z * T(255.0 / 65536.0) + c.w * T(255.0 / 256.0);
-}
-
-/// A writer without the fault, for decode_three_legacy on the other side: 24 bits, and 1 decodes to 1.
-/// @return        integer channels 0..255 (to_unorm writes them), A most significant
-/// @exactness     A
-template <real T>
-[[nodiscard]] constexpr glm::u8vec4 encode_three_legacy_repaired(T depth) {
-    const T v = saturate(depth);
-    if (!(v < T(1))) return glm::u8vec4(255);
-    const std::uint32_t x = depth_code<24>(v);
-    return {0, static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>(x >> 8 & 0xFF),
-            static_cast<std::uint8_t>(x >> 16)};
-}
-
-// The formats as values, for functions over images; the store rounds.
-
-/// RGBA, r167 and later.
-struct three_rgba {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-    static constexpr double max_error = 0x1p-32;  ///< where the store truncates, 256/255 of it
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_three_rgba(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_three_rgba(load_unorm8(t)); }
-};
-
-/// RGB, r167 and later.
-struct three_rgb {
-    using texel = glm::u8vec3;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
-    static constexpr double max_error = 0x1p-24;  ///< where the store truncates, 256/255 of it
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_three_rgb(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_three_rgb(load_unorm8(t)); }
-};
-
-/// RG, r167 and later.
-struct three_rg {
-    using texel = glm::u8vec2;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 16;
-    static constexpr double max_error = 0x1.02p-17;  ///< 2^-16 * 256/255 where the store truncates
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_three_rg(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_three_rg(load_unorm8(t)); }
-};
-
-/// RGBA, r73 to r166, fault and all.
-struct three_legacy {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-    static constexpr double max_error = 1.0 / 256.0;  ///< at 1.0; below it 2^-32
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(encode_three_legacy(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_three_legacy(load_unorm8(t)); }
-};
-
-/// RGBA for readers of r73 to r166, written without the fault.
-struct three_legacy_repaired {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
-    static constexpr double max_error = 0x1p-24;  ///< whether the store rounds or truncates
-
-    [[nodiscard]] texel encode(float depth) const { return encode_three_legacy_repaired(depth); }
-    [[nodiscard]] float decode(texel t) const { return decode_three_legacy(load_unorm8(t)); }
-};
 
 namespace glsl {
 
-inline constexpr snippet encode_three_rgba{
-    .name = "encode_three_rgba", .summary = "depth to three.js RGBA, r167 and later", .exactness = tier::b,
-    .needs = {&saturate}, .source = R"GLSL(
-// umbrage_encode_three_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
-UMBRAGE_HIGHP vec4 umbrage_encode_three_rgba(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    if (!(v < 1.0)) return vec4(1.0, 1.0, 1.0, 1.0);
-    UMBRAGE_HIGHP float x = v * 16777216.0;
-    UMBRAGE_HIGHP float whole = floor(x);
-    UMBRAGE_HIGHP float high = floor(whole * (1.0 / 65536.0));
-    UMBRAGE_HIGHP float rest = whole - high * 65536.0;
-    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    UMBRAGE_HIGHP float low = rest - middle * 256.0;
-    return vec4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
-}
-)GLSL"};
-
-inline constexpr snippet decode_three_rgba{
-    .name = "decode_three_rgba", .summary = "three.js RGBA, r167 and later, to depth", .exactness = tier::b,
+inline constexpr snippet shadow_coordinate{
+    .name = "shadow_coordinate", .summary = "world to texels and depth, before the division", .exactness = tier::b,
     .source = R"GLSL(
-// umbrage_decode_three_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
-UMBRAGE_HIGHP float umbrage_decode_three_rgba(UMBRAGE_HIGHP vec4 c) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) +
-                                                c.z * (255.0 / 16777216.0) + c.w * (1.0 / 16777216.0);
-    return depth;
+// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
+    return c;
 }
 )GLSL"};
 
-inline constexpr snippet encode_three_rgb{
-    .name = "encode_three_rgb", .summary = "depth to three.js RGB, r167 and later", .exactness = tier::b,
-    .needs = {&saturate}, .source = R"GLSL(
-// umbrage_encode_three_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
-UMBRAGE_HIGHP vec3 umbrage_encode_three_rgb(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    if (!(v < 1.0)) return vec3(1.0, 1.0, 1.0);
-    UMBRAGE_HIGHP float x = v * 65536.0;
-    UMBRAGE_HIGHP float whole = floor(x);
-    UMBRAGE_HIGHP float high = floor(whole * (1.0 / 256.0));
-    return vec3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+inline constexpr snippet tap_coordinate{
+    .name = "tap_coordinate", .summary = "a tap's coordinate from the middle's, before the division",
+    .exactness = tier::b, .source = R"GLSL(
+// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
+UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE_HIGHP vec2 offset) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moved = vec2(coordinate.x, coordinate.y) + offset * coordinate.w;
+    return vec4(moved.x, moved.y, coordinate.z, coordinate.w);
 }
 )GLSL"};
 
-inline constexpr snippet decode_three_rgb{
-    .name = "decode_three_rgb", .summary = "three.js RGB, r167 and later, to depth", .exactness = tier::b,
+inline constexpr snippet project_coordinate{
+    .name = "project_coordinate", .summary = "the division by w, lit behind the light", .exactness = tier::c, .ulp = 1,
     .source = R"GLSL(
-// umbrage_decode_three_rgb: the RGB format of three.js r167 and later, as sampled, to depth
-UMBRAGE_HIGHP float umbrage_decode_three_rgb(UMBRAGE_HIGHP vec3 c) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
-        c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
-    return depth;
-}
-)GLSL"};
-
-inline constexpr snippet encode_three_rg{
-    .name = "encode_three_rg", .summary = "depth to three.js RG, r167 and later", .exactness = tier::b,
-    .needs = {&saturate}, .source = R"GLSL(
-// umbrage_encode_three_rg: depth to the RG format of three.js r167 and later, values to write as they are
-UMBRAGE_HIGHP vec2 umbrage_encode_three_rg(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    if (!(v < 1.0)) return vec2(1.0, 1.0);
-    UMBRAGE_HIGHP float x = v * 256.0;
-    UMBRAGE_HIGHP float whole = floor(x);
-    return vec2(whole * 0.00392156886, x - whole);
-}
-)GLSL"};
-
-inline constexpr snippet decode_three_rg{
-    .name = "decode_three_rg", .summary = "three.js RG, r167 and later, to depth", .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_decode_three_rg: the RG format of three.js r167 and later, as sampled, to depth
-UMBRAGE_HIGHP float umbrage_decode_three_rg(UMBRAGE_HIGHP vec2 c) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
-    return depth;
-}
-)GLSL"};
-
-inline constexpr snippet encode_three_legacy{
-    .name = "encode_three_legacy", .summary = "depth to three.js RGBA, r73 to r166", .exactness = tier::b,
-    .needs = {&saturate}, .source = R"GLSL(
-// umbrage_encode_three_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
-//   1.0 reads back as 255/256: umbrage_encode_three_legacy_repaired does not
-UMBRAGE_HIGHP vec4 umbrage_encode_three_legacy(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    UMBRAGE_HIGHP float x = v * 16777216.0 - floor(v * 16777216.0);
-    UMBRAGE_HIGHP float y = v * 65536.0 - floor(v * 65536.0);
-    UMBRAGE_HIGHP float z = v * 256.0 - floor(v * 256.0);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = vec4(x, y - x * (1.0 / 256.0), z - y * (1.0 / 256.0), v - z * (1.0 / 256.0));
-    return c * 1.00392163;
-}
-)GLSL"};
-
-inline constexpr snippet decode_three_legacy{
-    .name = "decode_three_legacy", .summary = "three.js RGBA, r73 to r166, to depth", .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_decode_three_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
-UMBRAGE_HIGHP float umbrage_decode_three_legacy(UMBRAGE_HIGHP vec4 c) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 4294967296.0) + c.y * (255.0 / 16777216.0) +
-                                                c.z * (255.0 / 65536.0) + c.w * (255.0 / 256.0);
-    return depth;
-}
-)GLSL"};
-
-inline constexpr snippet encode_three_legacy_repaired{
-    .name = "encode_three_legacy_repaired", .summary = "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
-    .exactness = tier::a, .needs = {&saturate}, .source = R"GLSL(
-// umbrage_encode_three_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
-//   whole numbers 0..255 (umbrage_to_unorm writes them)
-UMBRAGE_HIGHP vec4 umbrage_encode_three_legacy_repaired(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    if (!(v < 1.0)) return vec4(255.0, 255.0, 255.0, 255.0);
-    UMBRAGE_HIGHP float x = floor(v * 16777216.0);
-    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
-    UMBRAGE_HIGHP float rest = x - high * 65536.0;
-    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    return vec4(0.0, rest - middle * 256.0, middle, high);
+// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
+UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
+    if (!(coordinate.w > 0.0)) return vec3(65536.0, 65536.0, 0.0);
+    return vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
 }
 )GLSL"};
 
@@ -1832,7 +2271,7 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/filter/box.hpp
+// ---- umbrage/filter/pcf/box.hpp
 // Percentage-closer filtering with a (2r+1) x (2r+1) box of equal weights.
 //
 //     float visibility = umbrage::box(umbrage::clamped(map), coord, depth - bias, 2);  // 5 x 5
@@ -1945,7 +2384,7 @@ UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/filter/hard.hpp
+// ---- umbrage/filter/pcf/hard.hpp
 // The unfiltered shadow test: one texel, one comparison.
 //
 //     float visibility = umbrage::hard(umbrage::clamped(map), coord, depth - bias);
@@ -1986,7 +2425,7 @@ UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/filter/four_tap.hpp
+// ---- umbrage/filter/pcf/four_tap.hpp
 // Percentage-closer filtering over four taps with coordinates of their own, as the Radeon 8500 did it: one texture
 // matrix per tap (tap_matrices), four nearest fetches, four tests, the mean.
 //
@@ -2028,7 +2467,7 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/filter/pcf_2x2.hpp
+// ---- umbrage/filter/pcf/pcf_2x2.hpp
 // Bilinear percentage-closer filtering over 2x2 texels.
 //
 //     float visibility = umbrage::pcf_2x2(umbrage::clamped(map), coord, depth - bias);
@@ -2130,380 +2569,6 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 s
     UMBRAGE_PRECISE UMBRAGE_HIGHP float high = c + weight.x * (d - c);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float visibility = low + weight.y * (high - low);
     return visibility;
-}
-)GLSL"};
-
-}  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/light/light_space.hpp
-// A light's view of the world: two matrices and the convention they follow.
-//
-//     auto light = umbrage::make_spot_light({.position = {0, 5, 0}, .direction = {0, -1, 0}});
-//     glm::mat4 clip_from_world = light.projection * light.view;
-//
-
-namespace umbrage {
-
-template <real T>
-struct light_space {
-    glm::mat<4, 4, T> view{T(1)};        ///< world -> light's view space, looking down -z (right) or +z (left)
-    glm::mat<4, 4, T> projection{T(1)};  ///< view space -> clip space
-    clip_space clip;
-};
-
-namespace detail {
-
-/// Unit vector; scaled first, so that nothing overflows or underflows. Zero stays zero.
-template <real T>
-[[nodiscard]] glm::vec<3, T> unit(glm::vec<3, T> v) {
-    const T scale = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
-    return scale > T(0) ? glm::normalize(v / scale) : v;
-}
-
-}  // namespace detail
-
-/// World to light's view space: x to the right, y up, whichever hand, so that a mesh keeps its winding.
-///
-/// @param position    of the light, world
-/// @param direction   it looks along, any length > 0
-/// @param up          hint; where it is parallel to direction, or nearly (1e-3), the world axis least along direction
-///                    takes its place, so that any direction works
-/// @param hand        right: looks down -z, left: down +z
-/// @throws std::invalid_argument  zero or non-finite direction or position
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
-                                           handedness hand) {
-    for (int i = 0; i < 3; ++i)
-        if (!is_finite(position[i]) || !is_finite(direction[i]) || !is_finite(up[i]))
-            throw std::invalid_argument("umbrage: a light's position, direction and up must be finite");
-    const glm::vec<3, T> forward = detail::unit(direction);
-    if (forward == glm::vec<3, T>(0)) throw std::invalid_argument("umbrage: a light's direction must not be zero");
-
-    glm::vec<3, T> side = glm::cross(forward, detail::unit(up));
-    if (!(glm::length(side) > T(1e-3))) {
-        const glm::vec<3, T> along = glm::abs(forward);
-        const int least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
-        glm::vec<3, T> axis(0);
-        axis[least] = T(1);
-        side = glm::cross(forward, axis);
-    }
-    const glm::vec<3, T> above = glm::normalize(glm::cross(side, forward));
-    side = glm::cross(forward, above);  // again: up nearly parallel to forward leaves the first a hundred ulp askew
-    const glm::vec<3, T> depth = hand == handedness::right ? -forward : forward;
-
-    glm::mat<4, 4, T> view(T(1));
-    for (int i = 0; i < 3; ++i) {
-        view[i][0] = side[i];
-        view[i][1] = above[i];
-        view[i][2] = depth[i];
-    }
-    view[3][0] = -glm::dot(side, position);
-    view[3][1] = -glm::dot(above, position);
-    view[3][2] = -glm::dot(depth, position);
-    return view;
-}
-
-namespace detail {
-
-/// Rows that send view-space distance z_near to the near depth and z_far to the far depth of the convention.
-template <real T>
-struct depth_ends {
-    T at_near, at_far;
-};
-template <real T>
-[[nodiscard]] constexpr depth_ends<T> ends(clip_space clip) {
-    const T low = clip.range == depth_range::zero_to_one ? T(0) : T(-1);
-    return clip.direction == depth_direction::forward ? depth_ends<T>{low, T(1)} : depth_ends<T>{T(1), low};
-}
-
-template <real T>
-void check_planes(T z_near, T z_far) {
-    if (!is_finite(z_near) || !is_finite(z_far) || !(z_near < z_far))
-        throw std::invalid_argument("umbrage: a light needs finite z_near < z_far");
-}
-
-}  // namespace detail
-
-/// Perspective projection.
-///
-/// @param tan_half_x, tan_half_y   tangent of half the opening angle, > 0
-/// @param z_near, z_far            0 < z_near < z_far, world units
-/// @throws std::invalid_argument   anything else
-/// @formula       z/w = A + B / distance through (z_near, near depth), (z_far, far depth)
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip) {
-    detail::check_planes(z_near, z_far);
-    if (!(z_near > T(0))) throw std::invalid_argument("umbrage: a perspective light needs z_near > 0");
-    if (!is_finite(tan_half_x) || !is_finite(tan_half_y) || !(tan_half_x > T(0)) || !(tan_half_y > T(0)))
-        throw std::invalid_argument(
-            "umbrage: a perspective light needs an opening angle above 0 and below 180 degrees");
-    const auto [at_near, at_far] = detail::ends<T>(clip);
-    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
-    glm::mat<4, 4, T> m(T(0));
-    m[0][0] = T(1) / tan_half_x;
-    m[1][1] = T(1) / tan_half_y;
-    m[2][2] = forward * (z_far * at_far - z_near * at_near) / (z_far - z_near);
-    m[3][2] = z_near * z_far * (at_near - at_far) / (z_far - z_near);
-    m[2][3] = forward;
-    return m;
-}
-
-/// Orthographic projection of the box between two corners of view space, z given as distances in front of the light.
-///
-/// @param low, high        x and y of the corners, low < high
-/// @param z_near, z_far    z_near < z_far, world units, may be negative (behind the light's position)
-/// @throws std::invalid_argument   an empty or non-finite box
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
-                                             clip_space clip) {
-    detail::check_planes(z_near, z_far);
-    for (int i = 0; i < 2; ++i)
-        if (!is_finite(low[i]) || !is_finite(high[i]) || !(low[i] < high[i]))
-            throw std::invalid_argument("umbrage: an orthographic light needs a box with some width and height");
-    const auto [at_near, at_far] = detail::ends<T>(clip);
-    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
-    glm::mat<4, 4, T> m(T(1));
-    for (int i = 0; i < 2; ++i) {
-        m[i][i] = T(2) / (high[i] - low[i]);
-        m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
-    }
-    m[2][2] = forward * (at_far - at_near) / (z_far - z_near);
-    m[3][2] = (z_far * at_near - z_near * at_far) / (z_far - z_near);
-    return m;
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/directional_light.hpp
-// A directional light's space: the classic course exercise's set-up, and the tight fit to bounds.
-//
-//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024});
-//     auto tight = umbrage::fit_directional_light({.direction = d, .low = scene_low, .high = scene_high});
-//
-
-namespace umbrage {
-
-template <real T = float>
-struct directional_light {
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
-    glm::vec<3, T> target{T(0)};                  ///< what it looks at
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    T offset = T(10);                             ///< from target back to the light, world units
-    int map_size = 1024;                          ///< texels, >= 1
-    T divisor = T(10);                            ///< texels per world unit, > 0
-    T z_near = T(0.1);                            ///< world units from the light
-    T z_far = T(100);
-    clip_space clip{};
-};
-
-/// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / divisor.
-/// @throws std::invalid_argument  zero or non-finite direction, map_size or divisor not above 0, planes out of order
-template <real T = float>
-[[nodiscard]] light_space<T> make_directional_light(const directional_light<T>& light) {
-    if (light.map_size < 1 || !is_finite(light.divisor) || !(light.divisor > T(0)))
-        throw std::invalid_argument("umbrage::make_directional_light: map_size and divisor must be above 0");
-    // along the normalised direction, moved by the offset: the view's last row holds the light's distance
-    light_space<T> space{look_along(light.target, light.direction, light.up, light.clip.hand), {}, light.clip};
-    space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
-    if (!is_finite(space.view[3][2]))
-        throw std::invalid_argument("umbrage::make_directional_light: offset must be finite");
-    const T half = T(light.map_size) / light.divisor / T(2);
-    space.projection = orthographic(glm::vec<2, T>(-half), glm::vec<2, T>(half), light.z_near, light.z_far, light.clip);
-    return space;
-}
-
-template <real T = float>
-struct directional_fit {
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    glm::vec<3, T> low{T(-1)}, high{T(1)};        ///< bounds of all casters and receivers, low <= high
-    T margin = T(0.01);                           ///< added on every side, as a share of the bounds' diagonal, > 0
-    clip_space clip{};
-};
-
-/// The smallest box along the light that holds the bounds, and the margin.
-/// @throws std::invalid_argument  zero or non-finite direction, bounds empty, inverted or of no extent
-template <real T = float>
-[[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
-    const T diagonal = glm::length(fit.high - fit.low);
-    if (!is_finite(diagonal) || !(diagonal > T(0)) || glm::any(glm::greaterThan(fit.low, fit.high)))
-        throw std::invalid_argument("umbrage::fit_directional_light: bounds must be finite, in order, of some extent");
-    if (!is_finite(fit.margin) || !(fit.margin > T(0)))
-        throw std::invalid_argument("umbrage::fit_directional_light: margin must be above 0");
-    light_space<T> space{look_along((fit.low + fit.high) * T(0.5), fit.direction, fit.up, fit.clip.hand), {}, fit.clip};
-    // the box is centred on the bounds' centre, so it is enough to know how far it reaches
-    const glm::vec<3, T> half = (fit.high - fit.low) * T(0.5);
-    glm::vec<3, T> reach(fit.margin * diagonal);
-    for (int row = 0; row < 3; ++row)
-        for (int i = 0; i < 3; ++i) reach[row] += glm::abs(space.view[i][row]) * half[i];
-    space.projection = orthographic(glm::vec<2, T>(-reach.x, -reach.y), glm::vec<2, T>(reach.x, reach.y), -reach.z,
-                                    reach.z, fit.clip);
-    return space;
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/spot_light.hpp
-// A spot light's space.
-//
-//     auto light = umbrage::make_spot_light({.position = p, .direction = d, .outer_angle_radians = 0.6f});
-//
-
-namespace umbrage {
-
-template <real T = float>
-struct spot_light {
-    glm::vec<3, T> position{T(0)};
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};      ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};              ///< hint; may be parallel to direction
-    T outer_angle_radians = std::numbers::pi_v<T> / 6; ///< between axis and edge of the cone, above 0, below pi / 2
-    T z_near = T(0.1);                                ///< > 0, world units
-    T z_far = T(100);                                 ///< > z_near
-    clip_space clip{};
-};
-
-/// View and perspective projection around the light's cone, which the square map holds whole.
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), planes out of order
-template <real T = float>
-[[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
-    if (!is_finite(light.outer_angle_radians) || !(light.outer_angle_radians > T(0)) ||
-        !(light.outer_angle_radians < std::numbers::pi_v<T> / 2))
-        throw std::invalid_argument("umbrage::make_spot_light: outer_angle_radians must lie between 0 and pi / 2");
-    const T extent = std::tan(light.outer_angle_radians);
-    return {look_along(light.position, light.direction, light.up, light.clip.hand),
-            perspective(extent, extent, light.z_near, light.z_far, light.clip), light.clip};
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/texture_matrix.hpp
-// From world to the shadow map: the texture matrix, the four tap matrices, and what a vertex shader does with them.
-//
-//     glm::mat4 m = umbrage::texture_matrix(light, {1024, 1024});
-//     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, world));  // texels, texels, depth
-//
-
-namespace umbrage {
-
-/// World to texels and depth, before the division by w.
-///
-/// @param map_size   texels, each >= 1; the first texel's centre is (0.5, 0.5)
-/// @return           (x w, y w, depth w, w); depth in [0, 1] whatever the clip space, reversed stays reversed
-/// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
-///                   [-1, 1] clip space becomes z / 2 + 1 / 2
-/// @throws std::invalid_argument  map_size below 1
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
-    if (map_size.x < 1 || map_size.y < 1) throw std::invalid_argument("umbrage::texture_matrix: map_size below 1");
-    const glm::vec<2, T> half = glm::vec<2, T>(map_size) * T(0.5);
-    glm::mat<4, 4, T> scale_bias(T(1));
-    scale_bias[0][0] = half.x;
-    scale_bias[1][1] = light.clip.origin == texture_origin::bottom ? half.y : -half.y;
-    scale_bias[3][0] = half.x;
-    scale_bias[3][1] = half.y;
-    if (light.clip.range == depth_range::minus_one_to_one) {
-        scale_bias[2][2] = T(0.5);
-        scale_bias[3][2] = T(0.5);
-    }
-    return scale_bias * light.projection * light.view;
-}
-
-/// The same to [0, 1]: what texture look-ups with normalised coordinates take.
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> texture_matrix_uv(const light_space<T>& light) {
-    return texture_matrix(light, {1, 1});
-}
-
-/// The taps of the 2002 sample: half a texel off in both directions.
-template <real T>
-inline constexpr std::array<glm::vec<2, T>, 4> default_taps{
-    {{T(-0.5), T(-0.5)}, {T(0.5), T(-0.5)}, {T(-0.5), T(0.5)}, {T(0.5), T(0.5)}}};
-
-/// One texture matrix per tap, for hardware and shaders that cannot move a projective coordinate afterwards.
-///
-/// @param texture_matrix   world to texels
-/// @param offsets          of the taps, in texels
-/// @return                 matrices with the offset applied before the division by w: equal in exact arithmetic to
-///                         adding it afterwards; in binary32 within 6 ulp of (|m0 x| + |m1 y| + |m2 z| + |m3|) / w,
-///                         the magnitudes that add up to a coordinate (worst seen 4.5; tap_coordinate stays closer)
-/// @formula                translate(offset) * texture_matrix
-/// @cite                   ATI Radeon SDK, ShadowMap sample, 2002
-template <real T>
-[[nodiscard]] std::array<glm::mat<4, 4, T>, 4> tap_matrices(
-    const glm::mat<4, 4, T>& texture_matrix, const std::array<glm::vec<2, T>, 4>& offsets = default_taps<T>) {
-    std::array<glm::mat<4, 4, T>, 4> taps;
-    for (std::size_t tap = 0; tap < 4; ++tap) {
-        taps[tap] = texture_matrix;
-        for (int column = 0; column < 4; ++column) {
-            taps[tap][column][0] += offsets[tap].x * texture_matrix[column][3];
-            taps[tap][column][1] += offsets[tap].y * texture_matrix[column][3];
-        }
-    }
-    return taps;
-}
-
-/// A world position through a texture matrix; the vertex shader's part.
-/// @formula       m[3] + m[0] x + m[1] y + m[2] z, sums from left to right: an order that GLSL compilers without
-///                `precise` were seen to keep, where they move m[3] forward from the end
-/// @exactness     B
-template <real T>
-[[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
-    glm::vec<4, T> c(0);
-    for (int row = 0; row < 4; ++row)
-        c[row] = m[3][row] + m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z;
-    return c;
-}
-
-/// A tap's coordinate from the middle's: what the tap's own matrix would have given.
-/// @param coordinate   as shadow_coordinate returns it, before the division by w;   offset  in texels
-/// @return             after the division within 3 ulp of the offset added afterwards (worst seen 1.9)
-/// @formula            (x + offset.x w, y + offset.y w, z, w)
-/// @exactness          B
-template <real T>
-[[nodiscard]] constexpr glm::vec<4, T> tap_coordinate(glm::vec<4, T> coordinate, glm::vec<2, T> offset) {
-    return {coordinate.x + offset.x * coordinate.w, coordinate.y + offset.y * coordinate.w, coordinate.z, coordinate.w};
-}
-
-/// The division: what filters take.
-/// @return        (x, y) in texels, z depth; for w <= 0 (not in front of the light) or NaN in w (65536, 65536, 0),
-///                which every filter takes as lit
-/// @exactness     C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> project_coordinate(glm::vec<4, T> coordinate) {
-    if (is_nan(coordinate.w) || !(coordinate.w > T(0))) return {T(65536), T(65536), T(0)};
-    return {coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w};
-}
-
-namespace glsl {
-
-inline constexpr snippet shadow_coordinate{
-    .name = "shadow_coordinate", .summary = "world to texels and depth, before the division", .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
-UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
-    return c;
-}
-)GLSL"};
-
-inline constexpr snippet tap_coordinate{
-    .name = "tap_coordinate", .summary = "a tap's coordinate from the middle's, before the division",
-    .exactness = tier::b, .source = R"GLSL(
-// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
-UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE_HIGHP vec2 offset) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moved = vec2(coordinate.x, coordinate.y) + offset * coordinate.w;
-    return vec4(moved.x, moved.y, coordinate.z, coordinate.w);
-}
-)GLSL"};
-
-inline constexpr snippet project_coordinate{
-    .name = "project_coordinate", .summary = "the division by w, lit behind the light", .exactness = tier::c, .ulp = 1,
-    .source = R"GLSL(
-// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
-UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
-    if (!(coordinate.w > 0.0)) return vec3(65536.0, 65536.0, 0.0);
-    return vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
 }
 )GLSL"};
 
@@ -2623,7 +2688,3111 @@ UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/primitives.hpp
+// The primitives of umbrage alone, for short compile times. Includes only; each header also stands alone. Functions over
+// whole images, the depth pass among them, and the registry of snippets come with <umbrage/umbrage.hpp>.
+
+
+// ---- umbrage/filter/filters.hpp
+// The filters as values, for functions over images.
+//
+//     umbrage::visibility(map.view(), umbrage::rg<11>{}, receivers.view(), umbrage::filters::box{.radius = 2}, out.view());
+//
+
+namespace umbrage {
+
+/// The filters as values: what they need beyond map, coordinate and receiver.
+namespace filters {
+
+struct hard {
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::hard(fetch, coord, receiver);
+    }
+};
+
+struct four_tap {
+    std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< in texels
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::four_tap(fetch, coord + offsets[0], coord + offsets[1], coord + offsets[2], coord + offsets[3],
+                                 receiver);
+    }
+};
+
+struct pcf_2x2 {
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::pcf_2x2(fetch, coord, receiver);
+    }
+};
+
+struct pcf_2x2_dx_sdk {
+    float epsilon = 0.0f;  ///< in depth
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::pcf_2x2_dx_sdk(fetch, coord, receiver, epsilon);
+    }
+};
+
+struct box {
+    int radius = 1;  ///< clamped to 0..8
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::box(fetch, coord, receiver, radius);
+    }
+};
+
+/// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
+/// Pays off for large radii, and where shadows have more inside than border.
+struct hierarchical_box {
+    int radius = 1;  ///< clamped to 0..8
+
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::box(fetch, coord, receiver, radius);
+    }
+};
+
+}  // namespace filters
+
+}  // namespace umbrage
+
+// ---- umbrage/simd/dispatch.hpp
+// One loop, compiled for each instruction set, the machine's best chosen when the program runs. No flags, no intrinsics.
+//
+//     umbrage::detail::on_best_isa([&](auto) UMBRAGE_INLINE { for (...) block(...); });
+//
+// A body is inlined into thin functions that carry the target; what it calls must be UMBRAGE_INLINE too, or it is
+// compiled for the base set. GCC vectorises at -O2 only loops whose count it knows, and no `c ? x : y` on floats: so
+// loops run over blocks of 64, and select on the bits.
+//
+// UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice; a machine that lacks it takes the next lower one. No choice
+// changes a bit of a result of tier A. It has to be the same in all files of a program.
+
+// UMBRAGE_PREFETCH only in functions that are UMBRAGE_INLINE or do more: GCC leaves out calls of one that only fetches.
+#if defined(__GNUC__) || defined(__clang__)
+#define UMBRAGE_PREFETCH(address) __builtin_prefetch(address)
+#else
+#define UMBRAGE_PREFETCH(address) static_cast<void>(address)
+#endif
+
+// Before a loop that writes memory which nothing it reads lies in: GCC does not check that at run time at -O2.
+#if defined(__GNUC__) && !defined(__clang__)
+#define UMBRAGE_NO_OVERLAP _Pragma("GCC ivdep")
+#else
+#define UMBRAGE_NO_OVERLAP
+#endif
+
+#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
+#define UMBRAGE_HAS_DISPATCH 1
+#define UMBRAGE_AVX2 __attribute__((target("avx2"), noinline))
+#define UMBRAGE_AVX512 __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"), noinline))
+#else
+#define UMBRAGE_HAS_DISPATCH 0
+#endif
+
+#ifndef UMBRAGE_FORCE_ISA
+#define UMBRAGE_FORCE_ISA avx512
+#endif
+
+namespace umbrage {
+
+enum class isa { base, avx2, avx512 };
+
+/// The best instruction set of this machine, of those that get a path of their own.
+[[nodiscard]] inline isa best_isa() {
+#if UMBRAGE_HAS_DISPATCH
+    __builtin_cpu_init();
+    if (!__builtin_cpu_supports("avx2")) return isa::base;
+    const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+                      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    return wide ? isa::avx512 : isa::avx2;
+#else
+    return isa::base;
+#endif
+}
+
+namespace detail {
+
+/// What image functions use; tests set it to see every path.
+inline isa isa_in_use = best_isa() < isa::UMBRAGE_FORCE_ISA ? best_isa() : isa::UMBRAGE_FORCE_ISA;
+
+template <isa Set>
+using isa_constant = std::integral_constant<isa, Set>;
+
+#if UMBRAGE_HAS_DISPATCH
+template <class Body>
+UMBRAGE_AVX2 void on_avx2(const Body& body) {
+    body(isa_constant<isa::avx2>{});
+}
+template <class Body>
+UMBRAGE_AVX512 void on_avx512(const Body& body) {
+    body(isa_constant<isa::avx512>{});
+}
+#endif
+
+/// Runs the body, compiled for the instruction set in use, which it gets as a constant. Only for results that no
+/// contraction to FMA can change.
+template <class Body>
+void on_best_isa(const Body& body) {
+#if UMBRAGE_HAS_DISPATCH
+    if (isa_in_use == isa::avx512) return on_avx512(body);
+    if (isa_in_use == isa::avx2) return on_avx2(body);
+#endif
+    body(isa_constant<isa::base>{});
+}
+
+/// The same for sums of products that round: AVX-512 brings FMA along, with which compilers change the result.
+template <class Body>
+void on_best_isa_without_fma(const Body& body) {
+#if UMBRAGE_HAS_DISPATCH
+    if (isa_in_use != isa::base) return on_avx2(body);
+#endif
+    body(isa_constant<isa::base>{});
+}
+
+/// Elements of a loop whose count the compiler knows. Arrays of as many start at a cache line: where they do not, which on
+/// a stack is chance, a loop over them can take several times as long.
+inline constexpr int block = 64;
+
+/// saturate() on the bits: the magnitude up to `highest`, or 0 for what is negative and not a NaN.
+[[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v, float highest = 1.0f) {
+    constexpr auto minus_infinity = static_cast<std::int32_t>(0xFF800000u);
+    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
+    const std::int32_t magnitude = bits & 0x7FFFFFFF, kept = -std::int32_t(bits > minus_infinity);
+    return detail::bit_cast<float>((magnitude < top ? magnitude : top) & kept);
+}
+
+/// Most blocks are whole, and then the compiler knows how much there is to copy.
+UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
+    if (count == block)
+        std::memcpy(to, from, block * sizeof(float));
+    else
+        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/images/parallel.hpp
+// How image functions use threads: they have none, and ask the caller's scheduler.
+//
+//     auto parallel_for = [&](int count, auto&& piece) {
+//         tbb::parallel_for(tbb::blocked_range<int>(0, count),
+//                           [&](const auto& range) { piece(range.begin(), range.end()); });
+//     };
+//     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
+//
+// parallel_for(count, piece) calls piece(first, last) so that the pieces cover 0 .. count once, in any order, on any
+// threads, and returns when all are done. Pieces are bands of rows; no way to cut them changes a bit.
+
+namespace umbrage {
+
+/// The default: everything in one piece, on the caller's thread.
+struct serial {
+    template <class Piece>
+    void operator()(int count, Piece&& piece) const {
+        if (count > 0) piece(0, count);
+    }
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/simd/memory.hpp
+// How large images get to memory: past the cache, and asked for before they are needed.
+//
+//     const bool large = umbrage::detail::past_cache(out);
+//     if (large) umbrage::detail::stream_block(to, from);
+//     if (large) umbrage::detail::finish_streaming();
+//
+
+namespace umbrage::detail {
+
+/// Whether an image is so large that writing it would only push out of the cache what is read meanwhile, and fetch what
+/// is overwritten anyway.
+template <class T>
+[[nodiscard]] inline bool past_cache(const image_view<T>& image) {
+    constexpr double large = 4.0 * (1 << 20);  // bytes
+    return static_cast<double>(sizeof(T)) * image.size.x * image.size.y >= large;
+}
+
+/// Whether stream() can store there.
+[[nodiscard]] UMBRAGE_INLINE inline bool streams_to(const void* to) {
+    return reinterpret_cast<std::uintptr_t>(to) % 16 == 0;
+}
+
+/// Stores past the cache. Wants multiples of 16 bytes, and finish_streaming() before anybody else looks.
+template <std::size_t Bytes>
+UMBRAGE_INLINE inline void stream(void* to, const void* from) {
+#if (defined(__GNUC__) && defined(__x86_64__)) || defined(__clang__)
+    typedef float four __attribute__((vector_size(16), may_alias));
+    static_assert(Bytes % sizeof(four) == 0);
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < Bytes; i += sizeof(four)) {
+        four part;
+        std::memcpy(&part, static_cast<const std::byte*>(from) + i, sizeof part);
+#if defined(__clang__)
+        __builtin_nontemporal_store(part, reinterpret_cast<four*>(static_cast<std::byte*>(to) + i));
+#else
+        __builtin_ia32_movntps(reinterpret_cast<float*>(static_cast<std::byte*>(to) + i), part);
+#endif
+    }
+#else
+    std::memcpy(to, from, Bytes);
+#endif
+}
+
+inline void finish_streaming() {
+#if defined(__GNUC__) && defined(__x86_64__)
+    __builtin_ia32_sfence();
+#endif
+}
+
+/// A block of texels past the cache, or through it where stream() cannot store.
+template <class T>
+UMBRAGE_INLINE inline void stream_block(T* to, const T* from) {
+    if (streams_to(to)) stream<block * sizeof(T)>(to, from);
+    else std::memcpy(static_cast<void*>(to), from, block * sizeof(T));
+}
+
+/// Starts to fetch what lies there, which may be behind the end of an array.
+UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead, int count) {
+    const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(from) + static_cast<std::uintptr_t>(ahead);
+#pragma GCC unroll 16
+    for (int line = 0; line < count; line += 64)
+        UMBRAGE_PREFETCH(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
+}
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/blur.hpp
+// Separable blur of images of one to four floats a texel, such as moments.
+//
+//     umbrage::blur(moments.view(), blurred.view(), umbrage::make_gaussian_kernel(7, 1.5f));
+//
+
+namespace umbrage {
+
+/// A symmetric row of weights. Taps are odd: 2 * weights.size() - 1.
+struct blur_kernel {
+    std::vector<float> weights;  ///< that of the centre, then those at distance 1, 2, ... on both sides
+};
+
+/// Row Taps - 1 of Pascal's triangle, divided by its sum: weights are exact.
+/// @formula       weights[i] = C(Taps - 1, (Taps - 1) / 2 + i) / 2^(Taps - 1)
+/// @exactness     A
+template <int Taps>
+[[nodiscard]] blur_kernel make_binomial_kernel() {
+    static_assert(Taps >= 1 && Taps <= 25 && Taps % 2 == 1, "an odd number up to 25: beyond, floats do not hold the weights");
+    blur_kernel kernel{std::vector<float>(Taps / 2 + 1)};
+    double weight = std::ldexp(1.0, 1 - Taps);  // that of the outermost tap
+    for (int i = 0; i <= Taps / 2; ++i) {
+        kernel.weights[static_cast<std::size_t>(Taps / 2 - i)] = static_cast<float>(weight);
+        weight = weight * (Taps - 1 - i) / (i + 1);
+    }
+    return kernel;
+}
+
+/// A Gaussian bell, sampled at the texels and divided by its sum.
+/// @param taps    odd, >= 1
+/// @param sigma   standard deviation in texels, > 0; infinity gives equal weights
+/// @throws std::invalid_argument  otherwise
+/// @formula       weights[i] = exp(-i^2 / (2 sigma^2)) / sum, in double
+/// @exactness     C: exp
+[[nodiscard]] inline blur_kernel make_gaussian_kernel(int taps, float sigma) {
+    if (taps < 1 || taps % 2 == 0 || !(sigma > 0.0f))
+        detail::fail("umbrage::make_gaussian_kernel: taps even or below 1, or sigma not above 0");
+    const auto bell = [s = static_cast<double>(sigma)](int i) { return std::exp(-0.5 * (i / s) * (i / s)); };
+    double sum = 1.0;
+    for (int i = 1; i <= taps / 2; ++i) sum += 2.0 * bell(i);
+    blur_kernel kernel;
+    for (int i = 0; i <= taps / 2; ++i) kernel.weights.push_back(static_cast<float>(bell(i) / sum));
+    return kernel;
+}
+
+namespace detail {
+
+template <class T>
+inline constexpr int float_channels = static_cast<int>(sizeof(T) / sizeof(float));
+
+/// 64 sums of taps; tap(i) is where those at distance i begin, i from -radius to radius.
+template <class Tap, std::size_t... I>
+UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, float* __restrict to, std::index_sequence<I...>) {
+    // Pointers and weights as locals: then one loop holds all taps, and nothing waits in memory.
+    const float* const centre = tap(0);
+    const std::array<const float*, sizeof...(I)> before{tap(-static_cast<int>(I) - 1)...}, after{tap(static_cast<int>(I) + 1)...};
+    const std::array<float, sizeof...(I)> w{weights[I + 1]...};
+    const float w0 = weights[0];
+    for (int x = 0; x < block; ++x) {
+        float sum = w0 * centre[x];
+        ((sum = sum + w[I] * (before[I][x] + after[I][x])), ...);
+        to[x] = sum;
+    }
+}
+
+/// The same for any number of sums.
+template <class Tap>
+UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap& tap, float* to, int count) {
+    const float* const centre = tap(0);
+    for (int x = 0; x < count; ++x) to[x] = weights[0] * centre[x];
+    for (int i = 1; i <= radius; ++i) {
+        const float *before = tap(-i), *after = tap(i), w = weights[i];
+        for (int x = 0; x < count; ++x) to[x] = to[x] + w * (before[x] + after[x]);
+    }
+}
+
+/// A row; tap(i) is where the row at distance i begins, and `next` a row that will be needed after it.
+template <class Tap>
+UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width,
+                                    const float* next = nullptr) {
+    if (width < block) return blur_some(weights, radius, tap, to, width);
+    const auto each = [&](auto&& blur_at) UMBRAGE_INLINE {
+        for (int x = 0; x + block <= width; x += block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
+        if (const int x = width - block; width % block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
+    };
+    const auto with_radius = [&](auto taps) UMBRAGE_INLINE {
+        each([&](const auto& at, float* result) UMBRAGE_INLINE {
+            if (next) prefetch_bytes(next + (result - to), 0, block * static_cast<int>(sizeof(float)));
+            blur_block(weights, at, result, taps);
+        });
+    };
+    switch (radius) {
+        case 1: return with_radius(std::make_index_sequence<1>{});
+        case 2: return with_radius(std::make_index_sequence<2>{});
+        case 3: return with_radius(std::make_index_sequence<3>{});
+        case 4: return with_radius(std::make_index_sequence<4>{});
+        case 5: return with_radius(std::make_index_sequence<5>{});
+    }
+    each([&](const auto& at, float* result) UMBRAGE_INLINE {
+        alignas(64) float sums[block];
+        blur_some(weights, radius, at, sums, block);
+        std::memcpy(result, sums, sizeof sums);
+    });
+}
+
+/// Rows first <= y < last: each along y into a line, and that along x.
+template <int Channels>
+void blur_rows(image_view<const float> from, image_view<float> to, const blur_kernel& kernel, int first, int last) {
+    const int radius = static_cast<int>(kernel.weights.size()) - 1, width = from.size.x, height = from.size.y;
+    const int border = radius * Channels;
+    std::vector<float> padded(static_cast<std::size_t>(width + 2 * border));
+    std::vector<const float*> rows(2 * kernel.weights.size() - 1);
+    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+        const float* const weights = kernel.weights.data();
+        const float** const around = rows.data() + radius;
+        float* const line = padded.data() + border;
+        const auto row = [&](int y) { return from.row(y < 0 ? 0 : (y < height ? y : height - 1)); };
+        for (int y = first; y < last; ++y) {
+            for (int i = -radius; i <= radius; ++i) around[i] = row(y + i);
+            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return around[i]; }, line, width, row(y + radius + 1));
+            for (int i = 0; i < border; ++i) {
+                line[i - border] = line[i % Channels];
+                line[width + i] = line[width - Channels + i % Channels];
+            }
+            const float* const centre = line;
+            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return centre + i * Channels; }, to.row(y), width);
+        }
+    });
+}
+
+}  // namespace detail
+
+/// Blurs along y, then along x. Outside the image, its border goes on.
+///
+/// @param from      texels of float, vec2, vec3 or vec4
+/// @param to        same size and type, other pixels
+/// @param kernel    1 weight at least
+/// @param parallel  cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ, same pixels, or no weights
+/// @formula         w0 c + w1 (before1 + after1) + w2 (before2 + after2) + ..., in this order, along y and then along x
+/// @exactness       B: every instruction set and any pieces give the bits of the written order, as long as the compiler is
+///                  not told that it may fuse a multiplication and an addition (-march with FMA without -ffp-contract=off)
+template <class From, class T, class ParallelFor = serial>
+void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, ParallelFor&& parallel = {}) {
+    constexpr int channels = detail::float_channels<T>;
+    static_assert(std::is_same_v<std::remove_const_t<From>, T>);
+    static_assert(std::is_same_v<T, float> || std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::vec3> ||
+                  std::is_same_v<T, glm::vec4>);
+    static_assert(sizeof(T) == channels * sizeof(float) && alignof(T) == alignof(float));
+    if (from.size != to.size) detail::fail("umbrage::blur: sizes differ");
+    if (kernel.weights.empty()) detail::fail("umbrage::blur: no weights");
+    if (from.empty()) return;
+    if (from.data == to.data) detail::fail("umbrage::blur: same pixels");
+    const glm::ivec2 size(from.size.x * channels, from.size.y);
+    const image_view<const float> floats_from(reinterpret_cast<const float*>(from.data), size, from.stride);
+    const image_view<float> floats_to(reinterpret_cast<float*>(to.data), size, to.stride);
+    parallel(size.y, [&](int first, int last) { detail::blur_rows<channels>(floats_from, floats_to, kernel, first, last); });
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/encode.hpp
+// Whole depth images into texels of an encoding, and back, about as fast as memory can be copied.
+//
+//     umbrage::image<glm::u8vec2> packed(depth.size());
+//     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{});
+//
+// Bit for bit what the encoding's own encode and decode give. The encodings of this library have loops of their own that
+// compilers can vectorise; any other type like them works as well.
+
+namespace umbrage {
+namespace detail {
+
+/// to_code() in a form that vectorises: what is 1 or more has the code of the last float below 1.
+template <int Bits>
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t to_code_bits(float depth) {
+    return static_cast<std::int32_t>(saturate_bits(depth, 0x1.fffffep-1f) * float(std::int32_t(1) << Bits));
+}
+
+/// A block of 64 depths to texels and back; this general one leaves the work to the encoding.
+template <class Encoding>
+struct block_codec {
+    using texel = typename Encoding::texel;
+    static UMBRAGE_INLINE void encode(const float* depth, texel* texels, const Encoding& encoding) {
+        for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    }
+    static UMBRAGE_INLINE void decode(const texel* texels, float* depth, const Encoding& encoding) {
+        for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
+    }
+};
+
+/// Texels as 16-bit words, so that twice as many fit a register.
+template <int Bits>
+struct block_codec<rg<Bits>> {
+    /// R | G << 8 to what this machine has in memory, and back.
+    static UMBRAGE_INLINE std::uint16_t in_memory(std::uint16_t word) {
+        if constexpr (std::endian::native == std::endian::little) return word;
+        else return static_cast<std::uint16_t>(word << 8 | word >> 8);
+    }
+    static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec2* texels, const rg<Bits>&) {
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const auto x = static_cast<std::uint16_t>(to_code_bits<Bits>(depth[i]));
+            const std::uint16_t word = in_memory(static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) << (16 - Bits)));
+            std::memcpy(static_cast<void*>(texels + i), &word, sizeof word);
+        }
+    }
+    static UMBRAGE_INLINE void decode(const glm::u8vec2* texels, float* depth, const rg<Bits>& encoding) {
+        const float edge = encoding.edge;  // a copy: as far as a compiler knows, depth may overwrite the other
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            std::uint16_t word;
+            std::memcpy(&word, texels + i, sizeof word);
+            word = in_memory(word);
+            const auto x = static_cast<std::uint16_t>((word & 0xFF) + (word >> (16 - Bits) & 0xFF << (Bits - 8)));
+            depth[i] = from_code<Bits>(float(x), edge);
+        }
+    }
+};
+
+template <>
+struct block_codec<rgb24> {
+    static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec3* texels, const rgb24&) {
+        alignas(64) std::int32_t x[block];
+        for (int i = 0; i < block; ++i) x[i] = to_code_bits<24>(depth[i]);
+        for (int i = 0; i < block; ++i)
+            texels[i] = {static_cast<std::uint8_t>(x[i] >> 16), static_cast<std::uint8_t>(x[i] >> 8 & 0xFF),
+                         static_cast<std::uint8_t>(x[i] & 0xFF)};
+    }
+    static UMBRAGE_INLINE void decode(const glm::u8vec3* texels, float* depth, const rgb24& encoding) {
+        const float edge = encoding.edge;
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t x = (texels[i].x << 16) + (texels[i].y << 8) + texels[i].z;
+            depth[i] = from_code<24>(float(x), edge);
+        }
+    }
+};
+
+template <>
+struct block_codec<float_bits> {
+    static_assert(sizeof(glm::u8vec4) == sizeof(float));
+    static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec4* texels, const float_bits& encoding) {
+        if constexpr (std::endian::native == std::endian::little)
+            std::memcpy(static_cast<void*>(texels), depth, block * sizeof(float));
+        else
+            for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    }
+    static UMBRAGE_INLINE void decode(const glm::u8vec4* texels, float* depth, const float_bits& encoding) {
+        if constexpr (std::endian::native == std::endian::little)
+            std::memcpy(depth, texels, block * sizeof(float));
+        else
+            for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
+    }
+};
+
+template <>
+struct block_codec<depth32f> {
+    static UMBRAGE_INLINE void encode(const float* depth, float* texels, const depth32f&) {
+        for (int i = 0; i < block; ++i) texels[i] = saturate_bits(depth[i]);
+    }
+    static UMBRAGE_INLINE void decode(const float* texels, float* depth, const depth32f&) {
+        std::memcpy(depth, texels, block * sizeof(float));
+    }
+};
+
+/// A row in blocks; the last one goes through copies as long as a block.
+template <class From, class To, class Convert>
+UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert) {
+    int x = 0;
+    for (; x + block <= count; x += block) convert(from + x, to + x);
+    if (x == count) return;
+    From padded[block]{};
+    To result[block];
+    for (int i = 0; i < count - x; ++i) padded[i] = from[x + i];
+    convert(padded, result);
+    for (int i = 0; i < count - x; ++i) to[x + i] = result[i];
+}
+
+}  // namespace detail
+
+/// @param depth      any values; what the encoding makes of them
+/// @param texels     same size, in memory of its own
+/// @param encoding   rg<Bits>, rgb24, float_bits, depth32f, or a type like them
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ
+template <class Encoding, class ParallelFor = serial>
+void encode(image_view<const float> depth, image_view<typename Encoding::texel> texels, Encoding encoding,
+            ParallelFor&& parallel = {}) {
+    if (depth.size != texels.size) detail::fail("umbrage::encode: sizes differ");
+    if (depth.empty()) return;
+    const bool large = detail::past_cache(texels);
+    parallel(depth.size.y, [&](int first, int last) {
+        detail::on_best_isa([&](auto) UMBRAGE_INLINE {
+            using texel = typename Encoding::texel;
+            const auto in_place = [&](const float* from, texel* to) UMBRAGE_INLINE {
+                detail::block_codec<Encoding>::encode(from, to, encoding);
+            };
+            const auto by_a_copy = [&](const float* from, texel* to) UMBRAGE_INLINE {
+                alignas(64) texel texels_of_block[detail::block];
+                in_place(from, texels_of_block);
+                detail::stream_block(to, texels_of_block);
+            };
+            for (int y = first; y < last; ++y)
+                if (large) detail::convert_row(depth.row(y), texels.row(y), depth.size.x, by_a_copy);
+                else detail::convert_row(depth.row(y), texels.row(y), depth.size.x, in_place);
+        });
+        if (large) detail::finish_streaming();
+    });
+}
+
+/// @param texels     any texels of the encoding
+/// @param depth      same size, in memory of its own
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ
+template <class Encoding, class ParallelFor = serial>
+void decode(image_view<const typename Encoding::texel> texels, image_view<float> depth, Encoding encoding,
+            ParallelFor&& parallel = {}) {
+    if (depth.size != texels.size) detail::fail("umbrage::decode: sizes differ");
+    if (depth.empty()) return;
+    parallel(depth.size.y, [&](int first, int last) {
+        detail::on_best_isa([&](auto) UMBRAGE_INLINE {
+            for (int y = first; y < last; ++y)
+                detail::convert_row(texels.row(y), depth.row(y), depth.size.x,
+                                    [&](const auto* from, auto* to) UMBRAGE_INLINE {
+                                        detail::block_codec<Encoding>::decode(from, to, encoding);
+                                    });
+        });
+    });
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/min_max.hpp
+// Least and greatest depth of every square of 2 x 2, 4 x 4, ... texels of a map.
+//
+//     const auto levels = umbrage::make_min_max_pyramid(map.view(), 3);
+//     float nearest = levels[1].least[texel / 4];  // of the 4 x 4 texels that `texel` is one of
+//
+
+namespace umbrage {
+
+/// One level: an element for each square, those at the far borders cut off by them.
+struct depth_bounds {
+    image<float> least;     ///< NaN where a texel is NaN
+    image<float> greatest;  ///< of the texels that are numbers; NaN where none is
+};
+
+namespace detail {
+
+/// Floats as integers in the same order, -0 below +0, NaN below everything; and back.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t order_key(float v) {
+    const auto bits = detail::bit_cast<std::int32_t>(v);
+    const std::int32_t number = -std::int32_t((bits & 0x7FFFFFFF) <= 0x7F800000);
+    return ((bits ^ (bits >> 31 & 0x7FFFFFFF)) & number) | (INT32_MIN & ~number);
+}
+[[nodiscard]] UMBRAGE_INLINE inline float from_order_key(std::int32_t key) {
+    return detail::bit_cast<float>(key ^ (key >> 31 & 0x7FFFFFFF));
+}
+struct least_of {
+    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a < b ? a : b; }
+};
+struct greatest_of {
+    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a > b ? a : b; }
+};
+
+/// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it. The two images may be one.
+template <class ParallelFor>
+void halve(image_view<const float> least, image_view<const float> greatest, depth_bounds& to, ParallelFor&& parallel) {
+    const glm::ivec2 size = to.least.size();
+    parallel(size.y, [&](int first, int last) {
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            const bool both = least.data != greatest.data;
+            alignas(64) std::int32_t keys[4][block];
+            alignas(64) float ends[2][2 * block];
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < size.x; x += block) {
+                    const int count = size.x - x < block ? size.x - x : block;
+                    const auto load = [&](const image_view<const float>& from) UMBRAGE_INLINE {
+                        const float *low = from.row(2 * y) + 2 * x;
+                        const float *high = from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y) + 2 * x;
+                        if (const int there = from.size.x - 2 * x; there < 2 * block) {
+                            for (int i = 0; i < 2 * block; ++i) {
+                                const int k = i < there ? i : there - 1;
+                                ends[0][i] = low[k];
+                                ends[1][i] = high[k];
+                            }
+                            low = ends[0];
+                            high = ends[1];
+                        }
+                        for (int i = 0; i < block; ++i) {
+                            keys[0][i] = order_key(low[2 * i]);
+                            keys[1][i] = order_key(low[2 * i + 1]);
+                            keys[2][i] = order_key(high[2 * i]);
+                            keys[3][i] = order_key(high[2 * i + 1]);
+                        }
+                    };
+                    const auto store = [&](auto pick, float* result) UMBRAGE_INLINE {
+                        alignas(64) float depths[block];
+                        for (int i = 0; i < block; ++i)
+                            depths[i] = from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
+                        copy_floats(result + x, depths, count);
+                    };
+                    load(least);
+                    store(least_of{}, to.least.view().row(y));
+                    if (both) load(greatest);
+                    store(greatest_of{}, to.greatest.view().row(y));
+                }
+        });
+    });
+}
+
+}  // namespace detail
+
+/// @param map       depths, any values
+/// @param levels    how many: the first has squares of 2 x 2 texels, each next one of twice the side
+/// @param parallel  cuts the rows into pieces, see parallel.hpp
+/// @return          as many levels; a level of a single element is followed by more of them
+/// @throws std::invalid_argument  empty map, or negative levels
+/// @exactness       A: selects, never computes
+template <class ParallelFor = serial>
+[[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels,
+                                                             ParallelFor&& parallel = {}) {
+    if (map.empty() || levels < 0) detail::fail("umbrage::make_min_max_pyramid: empty map or negative levels");
+    std::vector<depth_bounds> pyramid;
+    for (int level = 0; level < levels; ++level) {
+        const image_view<const float> least = level ? pyramid.back().least.view() : map;
+        const image_view<const float> greatest = level ? pyramid.back().greatest.view() : map;
+        const glm::ivec2 size((least.size.x + 1) / 2, (least.size.y + 1) / 2);
+        depth_bounds next{image<float>(size), image<float>(size)};
+        detail::halve(least, greatest, next, parallel);
+        pyramid.push_back(std::move(next));
+    }
+    return pyramid;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/overlay.hpp
+// A shadow map in the corner of the picture it shadowed, stretched in contrast so that people see something.
+//
+//     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
+//     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {
+//         return umbrage::false_colour(s(depth));
+//     });
+//
+
+namespace umbrage {
+
+/// Maps low..high to 0..1; values outside clamp, NaN becomes 1.
+struct contrast_stretch {
+    float low = 0.0f, high = 1.0f;
+
+    [[nodiscard]] float operator()(float v) const {
+        if (is_nan(v) || v >= high) return 1.0f;
+        return v > low ? static_cast<float>((double(v) - low) / (double(high) - low)) : 0.0f;
+    }
+};
+
+/// The range that a map's depths fill, without the texels that nothing was drawn to.
+///
+/// @param cleared   texels of this value are left out, as are NaN and the infinities
+/// @param outliers  share of the depths to give up at either end, 0 <= outliers < 1/2
+/// @return      0..1 when no texel is left
+/// @throws std::invalid_argument  outliers out of range
+[[nodiscard]] inline contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f,
+                                              double outliers = 0.01) {
+    if (!(outliers >= 0.0 && outliers < 0.5)) detail::fail("umbrage::stretch: outliers not in [0, 1/2)");
+    std::vector<float> depths;
+    for (int y = 0; y < map.size.y && !map.empty(); ++y)
+        for (int x = 0; x < map.size.x; ++x)
+            if (const float depth = map.row(y)[x]; is_finite(depth) && depth != cleared) depths.push_back(depth);
+    if (depths.empty()) return {};
+    const auto given_up = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(depths.size()));
+    const auto ranked = [&](std::ptrdiff_t rank) {
+        std::nth_element(depths.begin(), depths.begin() + rank, depths.end());
+        return depths[static_cast<std::size_t>(rank)];
+    };
+    return {ranked(given_up), ranked(std::ssize(depths) - 1 - given_up)};
+}
+
+/// Where an overlay goes: the top left corner, as people see it.
+struct overlay_placement {
+    glm::ivec2 size{0, 0};  ///< in texels of the picture; a zero takes the map's own side
+    texture_origin map_origin = texture_origin::bottom;   ///< where row 0 of the map is
+    texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
+};
+
+/// Draws a map into the top left corner of a picture, scaled to the nearest texel. What does not fit is cut off.
+///
+/// @param colour  float -> colour, given the map's texels as they are: a float is a grey, a vec3 red, green and blue,
+///                all in [0, 1]
+/// @throws std::invalid_argument  negative size
+template <class Colour>
+void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
+             Colour&& colour) {
+    if (place.size.x < 0 || place.size.y < 0) detail::fail("umbrage::overlay: negative size");
+    if (map.empty()) return;
+    const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
+    const auto nearest = [](int i, int count, int from) {
+        return static_cast<int>((2 * std::int64_t{i} + 1) * from / (2 * std::int64_t{count}));
+    };
+    const auto row_from_top = [](int y, int count, texture_origin origin) {
+        return origin == texture_origin::top ? y : count - 1 - y;
+    };
+    for (int y = 0; y < std::min(size.y, picture.size.y); ++y) {
+        const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
+        glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
+        for (int x = 0; x < std::min(size.x, picture.size.x); ++x)
+            out[x] = store_unorm8(glm::vec3(colour(depths[nearest(x, size.x, map.size.x)])));
+    }
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/simd/strict_math.hpp
+// Keeps -ffast-math out of code whose bits are promised:
+//
+//     UMBRAGE_STRICT_MATH
+//     namespace umbrage { ... }  // sums stay in their order, quotients stay quotients, -0 stays -0
+//     UMBRAGE_END_STRICT_MATH
+//
+// NaNs remain for tests of bits to find: GCC keeps the shorter comparisons that -ffinite-math-only brings. Denormals
+// may still be flushed, a state of the machine. Without the flag these macros are empty, as they are for clang where it
+// has no such pragma (version 14: all but x86).
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#if defined(__clang__) && (defined(__x86_64__) || __clang_major__ > 14)
+#define UMBRAGE_STRICT_MATH _Pragma("float_control(precise, on, push)")
+#define UMBRAGE_END_STRICT_MATH _Pragma("float_control(pop)")
+#elif defined(__GNUC__) && !defined(__clang__)
+#define UMBRAGE_STRICT_MATH _Pragma("GCC push_options") _Pragma("GCC optimize(\"no-fast-math\")")
+#define UMBRAGE_END_STRICT_MATH _Pragma("GCC pop_options")
+#endif
+#endif
+
+#ifndef UMBRAGE_STRICT_MATH
+#define UMBRAGE_STRICT_MATH
+#define UMBRAGE_END_STRICT_MATH
+#endif
+
+// ---- umbrage/simd/raster/clip.hpp
+// From world positions to vertices on the 1/256 texel grid: projection, clipping, snapping.
+//
+//     umbrage::projection project(world_to_clip, clip, {1024, 1024});
+//     umbrage::clipped_polygon polygon = umbrage::clip_triangle(project, a, b, c);
+//
+// Texels are counted from the bottom in here (NDC y = -1), whatever the clip space says: the texture origin only
+// mirrors rows when texels are written, so that both origins give the same picture.
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+
+/// Steps of the vertex grid in a texel.
+inline constexpr int subtexels = 256;
+
+/// Largest side of an image in texels, and how far from texel 0 a vertex may lie before it is clipped:
+/// differences of vertices then stay below 2^23 steps, edge functions below 2^47.
+inline constexpr int guard_band = 1 << 14;
+
+/// A vertex on the grid. The order makes results independent of the order in which a mesh lists vertices.
+struct snapped_vertex {
+    std::int32_t x, y;  ///< in 1/256 texel, within +-guard_band
+    double depth;       ///< z/w moved to [0, 1]; outside only beyond the far plane
+
+    friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
+};
+
+/// What stands for a vertex outside of planes: off the grid, with their bits.
+[[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
+    return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
+}
+/// A bit for each plane that a vertex is outside of.
+[[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
+    return v.x == std::numeric_limits<std::int32_t>::min() ? static_cast<unsigned>(v.y) : 0u;
+}
+
+/// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
+/// Products of two floats are exact in double, so contraction to FMA changes no bit here.
+class projection {
+public:
+    static constexpr int planes = 6;  ///< w > 0, the near plane, four sides of the guard band
+
+    /// @param world_to_clip  projection * view; its elements must be finite
+    /// @throws std::invalid_argument  a side of `size` is negative or above guard_band
+    projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size)
+        : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
+        if (size.x < 0 || size.y < 0) detail::fail("umbrage::projection: negative size");
+        if (size.x > guard_band || size.y > guard_band)
+            detail::fail("umbrage::projection: image side above 16384 texels");
+    }
+
+    [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {
+        const double x = row(0, p), y = row(1, p), z = row(2, p), w = row(3, p);
+        return {(x + w) * half_size_.x, (y + w) * half_size_.y,
+                clip_.range == depth_range::minus_one_to_one ? (z + w) * 0.5 : z, w};
+    }
+
+    /// How far inside a plane a point is; outside when negative.
+    [[nodiscard]] double distance(int plane, const glm::dvec4& h) const {
+        switch (plane) {
+            case 0: return h.w - smallest_w;
+            case 1: return clip_.direction == depth_direction::forward ? h.z : h.w - h.z;
+            case 2: return guard_band * h.w + h.x;
+            case 3: return guard_band * h.w - h.x;
+            case 4: return guard_band * h.w + h.y;
+            default: return guard_band * h.w - h.y;
+        }
+    }
+
+    /// One bit for each plane that the point is outside of.
+    [[nodiscard]] unsigned outside(const glm::dvec4& h) const {
+        unsigned bits = 0;
+        for (int plane = 0; plane < planes; ++plane) bits |= (distance(plane, h) < 0.0 ? 1u : 0u) << plane;
+        return bits;
+    }
+
+    /// Where the way from a point inside a plane to one outside meets it. The callers always go this way, so that
+    /// triangles on both sides of an edge cut it at the same point.
+    [[nodiscard]] glm::dvec4 cut(int plane, const glm::dvec4& in, const glm::dvec4& out) const {
+        const double d = distance(plane, in);
+        glm::dvec4 h = in + (out - in) * (d / (d - distance(plane, out)));
+        if (!(h.w > smallest_w)) h.w = smallest_w;  // rounding
+        switch (plane) {                            // what lies on the plane by definition does so to the bit
+            case 0: h.w = smallest_w; break;
+            case 1: h.z = clip_.direction == depth_direction::forward ? 0.0 : h.w; break;
+            case 2: h.x = -guard_band * h.w; break;
+            case 3: h.x = guard_band * h.w; break;
+            case 4: h.y = -guard_band * h.w; break;
+            default: h.y = guard_band * h.w; break;
+        }
+        return h;
+    }
+
+    /// To the grid, halves upwards. The point must be inside all planes; clamps only catch the rounding of cut().
+    [[nodiscard]] snapped_vertex snap(const glm::dvec4& h) const {
+        constexpr double limit = double(guard_band) * subtexels;
+        const auto grid = [&](double v) {
+            const double steps = v / h.w * subtexels + 0.5;
+            const double inside = steps > -limit ? (steps < limit ? steps : limit) : -limit;
+            const auto whole = static_cast<std::int32_t>(inside);
+            return whole - (inside < whole ? 1 : 0);
+        };
+        const double depth = h.z / h.w;
+        if (clip_.direction == depth_direction::forward) return {grid(h.x), grid(h.y), depth > 0.0 ? depth : 0.0};
+        return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
+    }
+
+    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes become `outside_vertex`.
+    /// @exactness  the bits of one by one
+    void snap(const glm::vec3 (&positions)[detail::block], snapped_vertex (&vertices)[detail::block]) const {
+        using bits = std::int64_t;
+        constexpr bits minus_zero = std::numeric_limits<bits>::min();
+        const bool forward = clip_.direction == depth_direction::forward;
+        const double z_share = clip_.range == depth_range::minus_one_to_one ? 0.5 : 1.0, w_share = 1.0 - z_share;
+        const double near_z = forward ? 1.0 : -1.0, near_w = forward ? 0.0 : 1.0;
+        const bits lowest = forward ? 0 : minus_zero;
+        const bits highest = forward ? std::numeric_limits<bits>::max() : detail::bit_cast<bits>(1.0);
+        detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+            alignas(64) float x[detail::block], y[detail::block], z[detail::block];
+            alignas(64) double column[detail::block], row[detail::block], depth[detail::block];
+            alignas(64) bits outside[detail::block];
+            for (int i = 0; i < detail::block; ++i)
+                x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
+            const glm::dmat4 m = matrix_;
+            const glm::dvec2 half_size = half_size_;
+            for (int i = 0; i < detail::block; ++i) {
+                const auto clip_row = [&](int r) UMBRAGE_INLINE {
+                    return m[0][r] * double(x[i]) + m[1][r] * double(y[i]) + m[2][r] * double(z[i]) + m[3][r];
+                };
+                const double w = clip_row(3), band = guard_band * w;
+                const double hx = (clip_row(0) + w) * half_size.x, hy = (clip_row(1) + w) * half_size.y;
+                const double hz = z_share * clip_row(2) + w_share * w;
+                const auto bit = [](double distance, int plane) UMBRAGE_INLINE {
+                    const bits d = detail::bit_cast<bits>(distance);
+                    return bits((d < 0) & (d != minus_zero)) << plane;
+                };
+                outside[i] = bit(w - smallest_w, 0) | bit(near_z * hz + near_w * w, 1) | bit(band + hx, 2) |
+                             bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5);
+                const bits inside = -bits(outside[i] == 0);
+                column[i] = detail::bit_cast<double>(detail::bit_cast<bits>(hx / w * subtexels + 0.5) & inside);
+                row[i] = detail::bit_cast<double>(detail::bit_cast<bits>(hy / w * subtexels + 0.5) & inside);
+                bits d = detail::bit_cast<bits>(hz / w);
+                d = d < lowest ? lowest : d;
+                d = d > highest ? highest : d;
+                depth[i] = detail::bit_cast<double>(d & inside);
+            }
+            alignas(64) std::int32_t columns[detail::block], rows[detail::block];
+            const auto floors = [](const double* from, std::int32_t* to) UMBRAGE_INLINE {
+                for (int i = 0; i < detail::block; ++i) {
+                    const auto whole = static_cast<std::int32_t>(from[i]);
+                    to[i] = whole - std::int32_t(from[i] < whole);
+                }
+            };
+            floors(column, columns);
+            floors(row, rows);
+            for (int i = 0; i < detail::block; ++i) vertices[i] = {columns[i], rows[i], depth[i]};
+            for (int i = 0; i < detail::block; ++i)
+                if (outside[i]) vertices[i] = outside_vertex(static_cast<unsigned>(outside[i]));
+        });
+    }
+
+private:
+    static constexpr double smallest_w = 0x1p-126;
+
+    [[nodiscard]] double row(int r, glm::vec3 p) const {
+        return matrix_[0][r] * double(p.x) + matrix_[1][r] * double(p.y) + matrix_[2][r] * double(p.z) + matrix_[3][r];
+    }
+
+    glm::dmat4 matrix_;
+    clip_space clip_;
+    glm::dvec2 half_size_;
+};
+
+/// True when no element is NaN or infinite.
+[[nodiscard]] inline bool is_finite(glm::vec3 p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
+[[nodiscard]] inline bool is_finite(const glm::mat4& m) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!is_finite(m[column][row])) return false;
+    return true;
+}
+
+/// A convex polygon on the grid, its smallest vertex first: a fan around that vertex is the same whichever vertex
+/// of the triangle came first, and whichever way round they went.
+struct clipped_polygon {
+    std::array<snapped_vertex, 3 + projection::planes> vertices;
+    int count = 0;  ///< 0 or 3..9
+};
+
+/// The part of a triangle inside all planes.
+/// @param a,b,c   homogeneous texels
+/// @param planes  a bit for each plane to clip against; those that all three points are inside of may be left out
+[[nodiscard]] inline clipped_polygon clip_triangle(const projection& project, const glm::dvec4& a, const glm::dvec4& b,
+                                                   const glm::dvec4& c, unsigned planes = ~0u) {
+    std::array<glm::dvec4, 3 + projection::planes> points{a, b, c};
+    int count = 3;
+    for (int plane = 0; plane < projection::planes; ++plane) {
+        if (!(planes >> plane & 1u)) continue;
+        const auto before = points;
+        const int count_before = count;
+        count = 0;
+        for (int i = 0; i < count_before; ++i) {
+            const auto& p = before[std::size_t(i)];
+            const auto& q = before[std::size_t(i + 1 < count_before ? i + 1 : 0)];
+            const bool p_inside = !(project.distance(plane, p) < 0.0), q_inside = !(project.distance(plane, q) < 0.0);
+            if (p_inside) points[std::size_t(count++)] = p;
+            if (p_inside != q_inside && count < int(points.size()))
+                points[std::size_t(count++)] = p_inside ? project.cut(plane, p, q) : project.cut(plane, q, p);
+        }
+    }
+    clipped_polygon polygon;
+    if (count < 3) return polygon;
+    polygon.count = count;
+    for (int i = 0; i < count; ++i) polygon.vertices[std::size_t(i)] = project.snap(points[std::size_t(i)]);
+    const auto last = polygon.vertices.begin() + count;
+    std::rotate(polygon.vertices.begin(), std::min_element(polygon.vertices.begin(), last), last);
+    return polygon;
+}
+
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/simd/raster/triangle_batch.hpp
+// Triangles on the vertex grid, 64 at a time: edges and depth planes set up in loops that vectorise, then spans row by
+// row without a division.
+//
+//     umbrage::triangle_batch batch;
+//     batch.add(p, q, r, id, {{0, 0}, size}, umbrage::cull_mode::none);  // and more, until it is full()
+//     batch.set_up();
+//     for (int i = 0; i < batch.count; ++i)
+//         batch.for_each_row(i, [&](int y, int first, int last) { ... });
+//
+// A sample is inside an edge from a to b where E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0, or > 0 where the
+// edge is neither a top nor a left one. In a row the last such sample is a quotient of integers; from row to row the
+// quotient and its remainder grow by constants, so that it stays exact.
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+
+/// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up.
+enum class cull_mode { none, front, back };
+
+/// Depth over a triangle, exact on its grid: z + dx * x + dy * y for texels x, y counted from `first`.
+struct depth_plane {
+    glm::ivec2 first;        ///< a texel within the triangle's bounds
+    double z, dx, dy;        ///< multiples of one power of two, so that no sum of theirs within the bounds is rounded
+    double lowest, highest;  ///< of the vertices; samples never leave it
+
+    [[nodiscard]] UMBRAGE_INLINE double unclamped(int x, int y) const {
+        return z + dx * (x - first.x) + dy * (y - first.y);
+    }
+    [[nodiscard]] UMBRAGE_INLINE double operator()(int x, int y) const {
+        const double depth = unclamped(x, y);
+        return depth > lowest ? (depth < highest ? depth : highest) : lowest;
+    }
+};
+
+/// Texels first <= t < last; y counts from the bottom.
+struct texel_bounds {
+    glm::ivec2 first, last;
+};
+
+namespace detail {
+
+/// A whole number to an integer, anything else to one of its neighbours; |v| < 2^51. AVX2 has no conversion.
+[[nodiscard]] UMBRAGE_INLINE inline std::int64_t to_integer(double v) {
+    constexpr double magic = 0x1.8p52;
+    return detail::bit_cast<std::int64_t>(v + magic) - detail::bit_cast<std::int64_t>(magic);
+}
+
+/// Towards zero; |v| < 2^63.
+template <isa Set>
+[[nodiscard]] UMBRAGE_INLINE inline double truncate(double v) {
+#if UMBRAGE_HAS_DISPATCH
+    if constexpr (Set == isa::avx2) return __builtin_trunc(v);
+#endif
+    return static_cast<double>(static_cast<std::int64_t>(v));
+}
+
+}  // namespace detail
+
+/// Up to 64 triangles, each coordinate an array of its own.
+class triangle_batch {
+public:
+    int count = 0;
+    alignas(64) unsigned id[detail::block];
+
+    triangle_batch() {  // every lane is set up, used or not
+        for (int i = 0; i < detail::block; ++i) {
+            id[i] = 0;
+            first_[0][i] = first_[1][i] = last_[0][i] = last_[1][i] = 0;
+            for (auto& depth : z_) depth[i] = 0.0;
+            for (int k = 0; k < 3; ++k) x_[k][i] = k == 1, y_[k][i] = k == 2;
+        }
+    }
+
+    /// Rows first <= y < second whose centres are above the lowest corner, the highest included: a bottom edge and
+    /// a corner cover no centre that they meet.
+    [[nodiscard]] static UMBRAGE_INLINE std::pair<int, int> rows(std::int32_t lowest, std::int32_t highest) {
+        return {(lowest + subtexels - centre) >> 8, ((highest - centre) >> 8) + 1};
+    }
+
+    [[nodiscard]] bool full() const { return count == detail::block; }
+
+    /// Takes a triangle unless it faces away, has no area or no sample in its bounds can be within `bounds`.
+    /// There must be room.
+    UMBRAGE_INLINE void add(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c,
+                            unsigned triangle, const texel_bounds& bounds, cull_mode cull) {
+        const auto [lowest, highest] = rows(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}));
+        const int first_y = std::max(lowest, bounds.first.y), last_y = std::min(highest, bounds.last.y) - 1;
+        const int left = std::min({a.x, b.x, c.x}) + subtexels - 1 - centre, right = std::max({a.x, b.x, c.x}) - centre;
+        const int first_x = std::max(left >> 8, bounds.first.x), last_x = std::min(right >> 8, bounds.last.x - 1);
+        if (first_x > last_x || first_y > last_y) return;
+
+        const std::int64_t area =
+            std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
+        if (area == 0 || cull == (area > 0 ? cull_mode::front : cull_mode::back)) return;
+
+        // Counter-clockwise, the smallest vertex first, whatever the order in the mesh was.
+        const snapped_vertex* const around[] = {&a, area > 0 ? &b : &c, area > 0 ? &c : &b, &a, area > 0 ? &b : &c};
+        const auto key = [](const snapped_vertex& v) { return std::int64_t(v.x) * (std::int64_t(1) << 32) + v.y; };
+        const std::int64_t keys[] = {key(*around[0]), key(*around[1]), key(*around[2])};
+        const int second_or_third = keys[1] < keys[2] ? 1 : 2;
+        const int smallest = keys[0] < keys[second_or_third] ? 0 : second_or_third;
+        for (int k = 0; k < 3; ++k) {
+            const snapped_vertex& v = *around[smallest + k];
+            x_[k][count] = v.x, y_[k][count] = v.y, z_[k][count] = v.depth;
+        }
+        first_[0][count] = first_x, first_[1][count] = first_y;
+        last_[0][count] = last_x, last_[1][count] = last_y;
+        id[count++] = triangle;
+    }
+
+    /// Edges and planes of all triangles.
+    ///
+    /// @exactness  edges A: integers. Planes B: the same bits with and without FMA. With n the bounds' larger side in
+    ///             1/256 texel and m the sum of the depth's and the two slopes' magnitudes over the bounds, a sample is
+    ///             within 2^-48 n m of the plane through the snapped vertices
+    void set_up() {
+        detail::on_best_isa([this](auto set) UMBRAGE_INLINE {
+            for (int k = 0; k < 3; ++k) set_up_edges(k);
+            set_up_planes<decltype(set)::value>();
+        });
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE depth_plane plane(int i) const {
+        const double a = z_[0][i], b = z_[1][i], c = z_[2][i];
+        const auto smaller = [](double p, double q) { return p < q ? p : q; };
+        const auto larger = [](double p, double q) { return p < q ? q : p; };
+        return {{first_[0][i], first_[1][i]}, depth_[i], dx_[i], dy_[i], smaller(smaller(a, b), c),
+                larger(larger(a, b), c)};
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE texel_bounds bounds(int i) const {
+        return {{first_[0][i], first_[1][i]}, {last_[0][i] + 1, last_[1][i] + 1}};
+    }
+
+    /// @param row   (int y, int first, int last): texels first <= x < last of row y are covered; there is at least one
+    template <class Row>
+    UMBRAGE_INLINE void for_each_row(int i, const Row& row) const {
+        // One edge bounds the rows on its side alone, the others on theirs.
+        const bool left[] = {is_left(0, i), is_left(1, i), is_left(2, i)};
+        const bool lone_is_left = left[0] + left[1] + left[2] == 1;
+        const int lone = left[0] == lone_is_left ? 0 : left[1] == lone_is_left ? 1 : 2;
+        auto p = edge_at(lone, i), q = edge_at(lone == 2 ? 0 : lone + 1, i), r = edge_at(lone == 0 ? 2 : lone - 1, i);
+        const int x = first_[0][i], last_y = last_[1][i];
+        const std::int64_t width = last_[0][i] - x;
+        for (int y = first_[1][i]; y <= last_y; ++y) {
+            const std::int64_t single = p.quotient, pair = q.quotient < r.quotient ? q.quotient : r.quotient;
+            const std::int64_t before = lone_is_left ? single : pair, behind = lone_is_left ? pair : single;
+            const std::int64_t low = before < 0 ? -before : 0, high = behind < width ? behind : width;
+            if (low <= high) row(y, x + int(low), x + int(high) + 1);
+            p.step(), q.step(), r.step();
+        }
+    }
+
+private:
+    static constexpr int centre = subtexels / 2;
+
+    /// E divided by the magnitude of its step from texel to texel: how many texels further E still is not negative.
+    struct edge {
+        std::int64_t quotient, remainder, quotient_step, remainder_step, divisor;
+
+        UMBRAGE_INLINE void step() {
+            quotient += quotient_step;
+            remainder += remainder_step;
+            const bool carry = remainder >= divisor;
+            quotient += carry;
+            remainder -= carry ? divisor : 0;
+        }
+    };
+    struct edges {
+        alignas(64) std::int64_t quotient[detail::block], remainder[detail::block], quotient_step[detail::block],
+            remainder_step[detail::block], divisor[detail::block];
+    };
+
+    [[nodiscard]] UMBRAGE_INLINE edge edge_at(int k, int i) const {
+        const edges& e = edges_[k];
+        return {e.quotient[i], e.remainder[i], e.quotient_step[i], e.remainder_step[i], e.divisor[i]};
+    }
+    [[nodiscard]] UMBRAGE_INLINE bool is_left(int k, int i) const { return y_[k == 2 ? 0 : k + 1][i] < y_[k][i]; }
+
+    UMBRAGE_INLINE void set_up_edges(int k) {
+        edges& e = edges_[k];
+        const auto &ax = x_[k], &ay = y_[k], &bx = x_[k == 2 ? 0 : k + 1], &by = y_[k == 2 ? 0 : k + 1];
+        for (int i = 0; i < detail::block; ++i) {
+            const std::int32_t up = by[i] - ay[i], level = up == 0, right = (bx[i] - ax[i]) & (level - 1);
+            const std::int32_t from_a_x = first_[0][i] * subtexels + centre - ax[i];
+            const std::int32_t from_a_y = first_[1][i] * subtexels + centre - ay[i];
+            const double value = double(right) * from_a_y + double(-up) * from_a_x - double(up > 0);
+            const double divisor = double((up < 0 ? -up : up) + level) * subtexels, step = double(right) * subtexels;
+            const std::int64_t d = detail::to_integer(divisor);
+            const auto divide = [&](double dividend, std::int64_t& quotient, std::int64_t& remainder) UMBRAGE_INLINE {
+                const std::int64_t q = detail::to_integer(dividend / divisor);  // or one off
+                const std::int64_t rest = detail::to_integer(dividend) - q * d;
+                const std::int64_t below = -std::int64_t(rest < 0), above = -std::int64_t(rest >= d);
+                quotient = q + below - above;
+                remainder = rest + (d & below) - (d & above);
+            };
+            std::int64_t quotient;
+            divide(value, quotient, e.remainder[i]);
+            divide(step, e.quotient_step[i], e.remainder_step[i]);
+            e.quotient[i] = quotient | std::int64_t(level) << 40;  // a level edge bounds no row from the side
+            e.divisor[i] = d;
+        }
+    }
+
+    template <isa Set>
+    UMBRAGE_INLINE void set_up_planes() {
+        using bits = std::int64_t;
+        constexpr bits exponent = 0x7FF0000000000000, magnitude = 0x7FFFFFFFFFFFFFFF, short_digits = ~bits(0x3FFFFFF);
+        constexpr bits tiny = detail::bit_cast<bits>(0x1p-200);
+        const auto masked = [](double v, bits mask) UMBRAGE_INLINE {
+            return detail::bit_cast<double>(detail::bit_cast<bits>(v) & mask);
+        };
+        const auto power_of_two = [](double a, double b, double c) UMBRAGE_INLINE {  // the largest's, rounded down
+            const bits p = detail::bit_cast<bits>(a) & exponent, q = detail::bit_cast<bits>(b) & exponent;
+            const bits r = detail::bit_cast<bits>(c) & exponent;
+            const bits largest = p < q ? q : p, other = r < tiny ? tiny : r;
+            return detail::bit_cast<double>(largest < other ? other : largest);
+        };
+        for (int i = 0; i < detail::block; ++i) {
+            const double x1 = x_[1][i] - x_[0][i], y1 = y_[1][i] - y_[0][i];
+            const double x2 = x_[2][i] - x_[0][i], y2 = y_[2][i] - y_[0][i];
+            const std::int32_t left = std::min(std::min(x_[0][i], x_[1][i]), x_[2][i]);
+            const std::int32_t right = std::max(std::max(x_[0][i], x_[1][i]), x_[2][i]);
+            const std::int32_t bottom = std::min(std::min(y_[0][i], y_[1][i]), y_[2][i]);
+            const std::int32_t top = std::max(std::max(y_[0][i], y_[1][i]), y_[2][i]);
+            const double width = right - left, height = top - bottom;
+            const double per_area = 1.0 / (x1 * y2 + x2 * -y1);
+
+            // Depths with so few digits that the products with x1 .. y2 and their differences need no rounding.
+            const double side = std::max(right - left, top - bottom);
+            double unit = power_of_two(z_[0][i], z_[1][i], z_[2][i]) * masked(side, exponent) * 0x1p-49;
+            double units = 1.0 / unit;
+            const double z0 = detail::truncate<Set>(z_[0][i] * units) * unit;
+            const double z1 = detail::truncate<Set>(z_[1][i] * units) * unit;
+            const double z2 = detail::truncate<Set>(z_[2][i] * units) * unit;
+            const double slope_x = ((z1 - z0) * y2 + (z2 - z0) * -y1) * per_area;
+            const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) * per_area;
+
+            // Slopes with so few digits that the same holds for every sample; here for the products.
+            const double reach = masked(z0, magnitude) + masked(slope_x, magnitude & short_digits) * width +
+                                 masked(slope_y, magnitude & short_digits) * height;
+            unit = power_of_two(reach, 0.0, 0.0) * 0x1p-51;
+            units = 1.0 / unit;
+            const double dx = detail::truncate<Set>(slope_x * units) * unit;
+            const double dy = detail::truncate<Set>(slope_y * units) * unit;
+            depth_[i] = detail::truncate<Set>(z0 * units) * unit +
+                        dx * (first_[0][i] * subtexels + centre - x_[0][i]) +
+                        dy * (first_[1][i] * subtexels + centre - y_[0][i]);
+            dx_[i] = dx * subtexels;
+            dy_[i] = dy * subtexels;
+            z_[0][i] = z0, z_[1][i] = z1, z_[2][i] = z2;
+        }
+    }
+
+    alignas(64) std::int32_t x_[3][detail::block], y_[3][detail::block];  // counter-clockwise from the smallest
+    alignas(64) double z_[3][detail::block];
+    alignas(64) std::int32_t first_[2][detail::block], last_[2][detail::block];  // texels whose centres are within the bounds
+    edges edges_[3];
+    alignas(64) double depth_[detail::block], dx_[detail::block], dy_[detail::block];
+};
+
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/simd/raster/projected_mesh.hpp
+// A mesh on the grid of an image: its vertices projected and snapped in blocks, its triangles handed out in batches.
+// The rasterizer's middle, between clip.hpp and the spans of triangle_batch.hpp.
+//
+//     umbrage::mesh_view mesh{positions, triangles};
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+
+/// Triangles that somebody else owns: three indices into the positions each.
+struct mesh_view {
+    std::span<const glm::vec3> positions;
+    std::span<const glm::uvec3> triangles;
+};
+
+namespace detail {
+
+/// Room for vertices, each written before it is read: a vector would write them twice. (<memory>, which has a class
+/// for this, brings the streams along.)
+class unwritten_vertices {
+public:
+    unwritten_vertices() = default;
+    unwritten_vertices(const unwritten_vertices&) = delete;
+    unwritten_vertices& operator=(const unwritten_vertices&) = delete;
+    ~unwritten_vertices() { delete[] data_; }
+
+    void make(std::size_t count) { data_ = new snapped_vertex[count]; }
+    [[nodiscard]] snapped_vertex& operator[](std::size_t i) { return data_[i]; }
+    [[nodiscard]] const snapped_vertex& operator[](std::size_t i) const { return data_[i]; }
+
+private:
+    snapped_vertex* data_ = nullptr;
+};
+
+/// The vertices of a mesh on the grid of an image, and its triangles batch by batch.
+class projected_mesh {
+public:
+    /// @throws std::invalid_argument  an index is out of range; a side of the image is above guard_band
+    template <class ParallelFor>
+    projected_mesh(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+                   ParallelFor&& parallel)
+        : mesh_(mesh), project_(world_to_clip, clip, size) {
+        for (const auto& t : mesh.triangles)
+            if (t.x >= mesh.positions.size() || t.y >= mesh.positions.size() || t.z >= mesh.positions.size())
+                detail::fail("umbrage::rasterize: a triangle's index is out of range");
+        if (size.x == 0 || size.y == 0 || !is_finite(world_to_clip)) mesh_.triangles = {};
+        if (mesh_.triangles.empty()) return;
+        const std::size_t count = mesh.positions.size();
+        vertices_.make((count + block - 1) / block * block);
+        constexpr std::size_t piece = 64 * block;
+        parallel(static_cast<int>((count + piece - 1) / piece), [&](int first, int last) {
+            for (std::size_t i = std::size_t(first) * piece; i < std::min(std::size_t(last) * piece, count); i += block)
+                project_block(i);
+        });
+    }
+
+    /// Starts to fetch what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh. Inlined:
+    /// for GCC a function that only fetches has no effect, and a call of it is left out.
+    UMBRAGE_INLINE void expect(std::span<const unsigned> list, std::size_t k) const {
+        constexpr std::size_t soon = 16, later = 32;
+        if (k + later < list.size()) UMBRAGE_PREFETCH(&mesh_.triangles[list[k + later]]);
+        if (k + soon < list.size())
+            for (int corner = 0; corner < 3; ++corner)
+                UMBRAGE_PREFETCH(&vertices_[mesh_.triangles[list[k + soon]][corner]]);
+    }
+
+    [[nodiscard]] unsigned triangle_count() const { return static_cast<unsigned>(mesh_.triangles.size()); }
+
+    /// Rows that a triangle may cover, from the bottom: first <= y < last, of which there may be none.
+    [[nodiscard]] std::pair<int, int> rows(unsigned triangle, int height) const {
+        const auto& t = mesh_.triangles[triangle];
+        const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
+        auto [lowest, highest] = std::minmax({a.y, b.y, c.y});
+        if (const unsigned crossed = planes_crossed(a, b, c)) {
+            const auto polygon = clipped(t, a, b, c, crossed);
+            if (polygon.count == 0) return {0, 0};
+            lowest = highest = polygon.vertices[0].y;
+            for (std::size_t i = 1; int(i) < polygon.count; ++i) {
+                lowest = std::min(lowest, polygon.vertices[i].y);
+                highest = std::max(highest, polygon.vertices[i].y);
+            }
+        }
+        const auto rows = triangle_batch::rows(lowest, highest);
+        return {std::max(rows.first, 0), std::min(rows.second, height)};
+    }
+
+    /// @param triangles  (f): calls f(unsigned triangle) for each
+    /// @param draw       (const triangle_batch&), with the triangles in that order
+    template <class Triangles, class Draw>
+    void for_each_batch(const Triangles& triangles, const texel_bounds& bounds, cull_mode cull,
+                        const Draw& draw) const {
+        triangle_batch batch;
+        const auto flush = [&] {
+            batch.set_up();
+            draw(batch);
+            batch.count = 0;
+        };
+        triangles([&](unsigned i) {
+            const auto& t = mesh_.triangles[i];
+            const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
+            const unsigned crossed = planes_crossed(a, b, c);
+            if (crossed == 0) {
+                batch.add(a, b, c, i, bounds, cull);
+                if (batch.full()) flush();
+                return;
+            }
+            const auto polygon = clipped(t, a, b, c, crossed);
+            for (std::size_t k = 1; int(k) + 1 < polygon.count; ++k) {
+                batch.add(polygon.vertices[0], polygon.vertices[k], polygon.vertices[k + 1], i, bounds, cull);
+                if (batch.full()) flush();
+            }
+        });
+        if (batch.count) flush();
+    }
+
+private:
+    static constexpr unsigned nowhere = 1u << projection::planes;
+
+    [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c) {
+        return planes_outside(a) | planes_outside(b) | planes_outside(c);
+    }
+
+    /// Of a triangle that crosses planes; empty where it is outside of one, or not finite.
+    [[nodiscard]] clipped_polygon clipped(const glm::uvec3& t, const snapped_vertex& a, const snapped_vertex& b,
+                                          const snapped_vertex& c, unsigned crossed) const {
+        if ((planes_outside(a) & planes_outside(b) & planes_outside(c)) || (crossed & nowhere)) return {};
+        const auto h = [&](unsigned index) { return project_.homogeneous(mesh_.positions[index]); };
+        return clip_triangle(project_, h(t.x), h(t.y), h(t.z), crossed);
+    }
+
+    void project_block(std::size_t first) {
+        alignas(64) glm::vec3 positions[block];
+        for (std::size_t i = 0; i < block; ++i)
+            positions[i] = mesh_.positions[std::min(first + i, mesh_.positions.size() - 1)];
+        bool finite[block];
+        for (std::size_t i = 0; i < block; ++i) {
+            finite[i] = is_finite(positions[i]);
+            if (!finite[i]) positions[i] = glm::vec3(0.0f);
+        }
+        alignas(64) snapped_vertex vertices[block];
+        project_.snap(positions, vertices);
+        for (std::size_t i = 0; i < block; ++i) vertices_[first + i] = finite[i] ? vertices[i] : outside_vertex(nowhere);
+    }
+
+    mesh_view mesh_;
+    projection project_;
+    unwritten_vertices vertices_;
+};
+
+}  // namespace detail
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/images/rasterize.hpp
+// The depth pass on the CPU: triangles into a depth image, each sample on a shared edge covered exactly once.
+//
+//     umbrage::image<float> map({1024, 1024}, umbrage::cleared_depth(clip));
+//     umbrage::rasterize_depth(map, {positions, triangles}, world_to_clip, clip);
+//
+// A camera pass keeps the nearest triangle of each texel and interpolates afterwards:
+//
+//     umbrage::rasterize(size, mesh, world_to_clip, clip, [&](glm::ivec2 texel, float z, unsigned triangle) {
+//         if (z <= depth[texel]) depth[texel] = z, visible[texel] = triangle;
+//     });
+//     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, visible[texel]);
+//
+// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left
+// rule (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a
+// grid on which every sample is then computed exactly. So no order of triangles or vertices, no threads, no instruction
+// set and no contraction to FMA changes a bit; of clipped triangles the last may move a cut by 1/256 texel.
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+namespace detail {
+
+/// Which triangles may touch which band of rows, so that a band stays in the cache while it is drawn.
+class banded_triangles {
+public:
+    template <class ParallelFor>
+    banded_triangles(const projected_mesh& mesh, glm::ivec2 size, ParallelFor&& parallel)
+        : mesh_(mesh), rows_(std::clamp(band_texels / std::max(size.x, 1), 1, band_rows)), bands_((size.y + rows_ - 1) / rows_) {
+        const unsigned triangles = mesh.triangle_count(), pieces = (triangles + piece - 1) / piece;
+        lists_.resize(std::size_t(pieces) * std::size_t(bands_));
+        parallel(static_cast<int>(pieces), [&](int first, int last) {
+            for (unsigned i = unsigned(first) * piece; i < std::min(unsigned(last) * piece, triangles); ++i) {
+                const auto [low, high] = mesh.rows(i, size.y);
+                for (int band = low / rows_; band * rows_ < high; ++band)
+                    lists_[std::size_t(i / piece) * std::size_t(bands_) + std::size_t(band)].push_back(i);
+            }
+        });
+    }
+
+    [[nodiscard]] int bands() const { return bands_; }
+    [[nodiscard]] int rows() const { return rows_; }
+
+    /// In the mesh's order.
+    template <class Use>
+    void for_each(int band, const Use& use) const {
+        for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands_))
+            for (std::size_t k = 0; k < lists_[i].size(); ++k) {
+                mesh_.expect(lists_[i], k);
+                use(lists_[i][k]);
+            }
+    }
+
+private:
+    static constexpr int band_texels = 1 << 16, band_rows = 64;
+    static constexpr unsigned piece = 1 << 16;  // triangles that one thread sorts at a time
+
+    const projected_mesh& mesh_;
+    int rows_, bands_;
+    std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band
+};
+
+/// A triangle's depths into an image, that many texels of a row at a time.
+template <bool Forward, int Lanes>
+class span_writer {
+public:
+    UMBRAGE_INLINE span_writer(image_view<float> depth, bool flipped)
+        : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
+          up_(flipped ? -depth.stride : depth.stride),
+          last_block_(depth.size.x - Lanes) {}
+
+    /// Starts to fetch the texels of a triangle, which for a small one takes as long as to draw another.
+    UMBRAGE_INLINE void expect(const triangle_batch& batch, int i) const {
+        const auto bounds = batch.bounds(i);
+        for (int y = bounds.first.y; y < std::min(bounds.last.y, bounds.first.y + 16); ++y)
+            UMBRAGE_PREFETCH(row(y) + bounds.first.x);
+    }
+
+    UMBRAGE_INLINE void draw(const triangle_batch& batch, int i) const {
+        const auto plane = batch.plane(i);
+        // Depths of one sign, and none that is flushed: their bits are in their order.
+        if (plane.lowest >= 0x1p-126 && plane.highest <= 1.0) {
+            const block_writer write(plane);
+            const double step = plane.dx * Lanes;
+            batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
+                float* const texels = row(y);
+                double z = plane.unclamped(first, y);
+                for (; first < last; first += Lanes, z += step) {
+                    if (first > last_block_) return write.at_border(texels + first, z, last - first);
+                    write(texels + first, z, last - first);
+                }
+            });
+        } else {
+            batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
+                float* const texels = row(y);
+                for (int x = first; x < last; ++x) {
+                    const double z = plane(x, y);
+                    if (!(z >= 0.0 && z <= 1.0)) continue;
+                    const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
+                    if (!is_nan(texels[x]) && (Forward ? stored <= texels[x] : stored >= texels[x])) texels[x] = stored;
+                }
+            });
+        }
+    }
+
+private:
+    struct block_writer {
+        double ramp[Lanes];
+        std::int32_t lowest, highest;
+
+        UMBRAGE_INLINE explicit block_writer(const depth_plane& plane)
+            : lowest(detail::bit_cast<std::int32_t>(static_cast<float>(plane.lowest))),
+              highest(detail::bit_cast<std::int32_t>(static_cast<float>(plane.highest))) {
+            for (int i = 0; i < Lanes; ++i) ramp[i] = plane.dx * i;
+        }
+
+        /// The first `count` of a block's texels; what is there can be anything.
+        UMBRAGE_INLINE void operator()(float* texels, double z, int count) const {
+            constexpr std::int32_t infinity = 0x7F800000, sign = std::numeric_limits<std::int32_t>::min();
+            std::int32_t there[Lanes], here[Lanes];
+            float rounded[Lanes];
+            for (int i = 0; i < Lanes; ++i) rounded[i] = static_cast<float>(z + ramp[i]);
+            std::memcpy(here, rounded, sizeof here);
+            std::memcpy(there, texels, sizeof there);
+            for (int i = 0; i < Lanes; ++i) {
+                const std::int32_t above = here[i] < lowest ? lowest : here[i];
+                const std::int32_t depth = above > highest ? highest : above;
+                const bool nearer = Forward ? depth <= there[i] : depth >= there[i];
+                const bool number = (Forward ? there[i] : there[i] ^ sign) <= infinity;  // or a NaN of the other sign
+                const std::int32_t mask = -std::int32_t(nearer & number & (i < count));
+                there[i] = (depth & mask) | (there[i] & ~mask);
+            }
+            std::memcpy(texels, there, sizeof there);
+        }
+
+        /// The same where the row ends before the block.
+        void at_border(float* texels, double z, int count) const {
+            float copy[Lanes]{};
+            for (int i = 0; i < count; ++i) copy[i] = texels[i];
+            (*this)(copy, z, count);
+            for (int i = 0; i < count; ++i) texels[i] = copy[i];
+        }
+    };
+
+    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const { return reinterpret_cast<float*>(bottom_ + y * up_); }
+
+    std::byte* bottom_;
+    std::ptrdiff_t up_;
+    int last_block_;
+};
+
+template <bool Forward>
+void draw_batch(image_view<float> depth, bool flipped, const triangle_batch& batch) {
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        const span_writer<Forward, decltype(set)::value == isa::avx512 ? 8 : 4> writer(depth, flipped);
+        for (int i = 0; i < batch.count; ++i) {
+            if (i + 1 < batch.count) writer.expect(batch, i + 1);
+            writer.draw(batch, i);
+        }
+    });
+}
+
+}  // namespace detail
+
+/// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
+///
+/// @param depth          greatest side 16384; row 0 is where clip.origin says; empty: nothing happens
+/// @param mesh           triangles with a NaN or infinite position are left out, as all are if the matrix has one;
+///                       those of no area on the 1/256 texel grid cover nothing
+/// @param world_to_clip  projection * view
+/// @param clip           reversed: greater depths win
+/// @param cull           which faces to leave out
+/// @param parallel       cuts the work into pieces, see parallel.hpp: vertices, triangles, bands of rows
+/// @throws std::invalid_argument  an index is out of range; a side of the image is above 16384
+/// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
+///              the far plane; never -0
+/// @exactness   coverage A from the snapped vertices on; depth B, see triangle_batch::set_up
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {}) {
+    const detail::projected_mesh projected(depth.size, mesh, world_to_clip, clip, parallel);
+    const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
+    const detail::banded_triangles banded(projected, depth.size, parallel);
+    parallel(banded.bands(), [&](int first, int last) {
+        for (int band = first; band < last; ++band) {
+            const texel_bounds bounds{{0, band * banded.rows()},
+                                      {depth.size.x, std::min((band + 1) * banded.rows(), depth.size.y)}};
+            const auto triangles = [&](const auto& use) { banded.for_each(band, use); };
+            projected.for_each_batch(triangles, bounds, cull, [&](const triangle_batch& batch) {
+                if (forward) detail::draw_batch<true>(depth, flipped, batch);
+                else detail::draw_batch<false>(depth, flipped, batch);
+            });
+        }
+    });
+}
+
+/// The general form: one call for each covered sample between the near and the far plane, triangle by triangle.
+///
+/// @param size    of the image in texels, each at most 16384
+/// @param sample  (glm::ivec2 texel, float depth, unsigned triangle); does the depth test. Where depths tie, a callee
+///                that wants results free of the triangles' order compares the triangles too
+/// The rest as for rasterize_depth.
+template <class Sample>
+void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
+               cull_mode cull = cull_mode::none) {
+    const bool flipped = clip.origin == texture_origin::top;
+    const detail::projected_mesh projected(size, mesh, world_to_clip, clip, serial{});
+    const auto triangles = [&](const auto& use) {
+        for (unsigned i = 0; i < projected.triangle_count(); ++i) use(i);
+    };
+    projected.for_each_batch(triangles, {{0, 0}, size}, cull, [&](const triangle_batch& batch) {
+        for (int i = 0; i < batch.count; ++i) {
+            const auto plane = batch.plane(i);
+            batch.for_each_row(i, [&](int y, int first, int last) {
+                for (int x = first; x < last; ++x)
+                    if (const double z = plane(x, y); z >= 0.0 && z <= 1.0)
+                        sample(glm::ivec2(x, flipped ? size.y - 1 - y : y), z > 0.0 ? static_cast<float>(z) : 0.0f,
+                               batch.id[i]);
+            });
+        }
+    });
+}
+
+/// Perspective-correct weights of a triangle's vertices at the centre of a texel.
+///
+/// @param triangle  index into mesh.triangles; its vertices may be behind the camera
+/// @return      weights that are not negative and sum to 1: a texel that snapping moved out of the triangle gets the
+///              weights of the nearest edge; (1, 0, 0) for a triangle seen edge-on or not finite
+/// @formula     b_i ~ (x_j - X w_j)(y_k - Y w_k) - (y_j - Y w_j)(x_k - X w_k), homogeneous texels; no division by w
+/// @cite        Olano, Greer: Triangle Scan Conversion using 2D Homogeneous Coordinates, Graphics Hardware 1997
+[[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
+                                            clip_space clip, glm::ivec2 texel, unsigned triangle) {
+    assert(triangle < mesh.triangles.size());
+    const projection project(world_to_clip, clip, size);
+    const double centre_x = texel.x + 0.5;
+    const double centre_y = clip.origin == texture_origin::top ? size.y - texel.y - 0.5 : texel.y + 0.5;
+    std::array<glm::dvec2, 3> from;  // the centre to each vertex, times w
+    for (int i = 0; i < 3; ++i) {
+        const auto h = project.homogeneous(mesh.positions[mesh.triangles[triangle][i]]);
+        from[std::size_t(i)] = {h.x - centre_x * h.w, h.y - centre_y * h.w};
+    }
+    const auto cross = [](glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; };
+    std::array<double, 3> weights{cross(from[1], from[2]), cross(from[2], from[0]), cross(from[0], from[1])};
+    const double signed_sum = weights[0] + weights[1] + weights[2];
+    double sum = 0.0;
+    for (auto& w : weights) {
+        if (signed_sum < 0.0) w = -w;
+        sum += w = w > 0.0 ? w : 0.0;
+    }
+    if (!is_finite(signed_sum) || sum == 0.0) return {1.0f, 0.0f, 0.0f};
+    return {weights[0] / sum, weights[1] / sum, weights[2] / sum};
+}
+
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/images/summed_area.hpp
+// Summed-area tables: the sum over any rectangle of an image from four texels.
+//
+//     umbrage::image<std::uint32_t> sums(values.size());
+//     umbrage::summed_area(values.view(), sums.view());
+//     std::uint32_t sum = umbrage::box_sum(sums.view(), {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
+//
+// Prefer integers: quantise depths or moments first. Their tables are exact, whatever the order; a table of floats
+// loses bits as it grows, and its differences lose more.
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+namespace detail {
+
+#if defined(__GNUC__) && __GNUC__ >= 12  // clang 14 is slower with eight lanes than with four
+#define UMBRAGE_HAS_EIGHT_LANES 1
+#else
+#define UMBRAGE_HAS_EIGHT_LANES 0
+#endif
+#if defined(__clang__) || UMBRAGE_HAS_EIGHT_LANES
+#define UMBRAGE_HAS_SHUFFLES 1
+#else
+#define UMBRAGE_HAS_SHUFFLES 0
+#endif
+
+/// Neighbours in a row, and the steps of a running sum over them.
+template <class T, int Lanes>
+struct group {
+#if defined(__GNUC__) || defined(__clang__)
+    typedef T lanes __attribute__((vector_size(Lanes * sizeof(T))));
+#else
+    struct lanes {
+        T at[Lanes];
+        T& operator[](int i) { return at[i]; }
+        friend lanes operator+(lanes a, const lanes& b) {
+            for (int i = 0; i < Lanes; ++i) a[i] += b.at[i];
+            return a;
+        }
+    };
+#endif
+    static UMBRAGE_INLINE void load(const T* from, lanes& v) { std::memcpy(&v, from, sizeof v); }
+    static UMBRAGE_INLINE void store(const lanes& v, T* to) { std::memcpy(to, &v, sizeof v); }
+
+    /// Each plus those before it.
+    static UMBRAGE_INLINE void running_sum(lanes& v) {
+#if UMBRAGE_HAS_SHUFFLES
+        if constexpr (Lanes == 8) {
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 8, 9, 10, 11, 12, 13, 14);
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 8, 9, 10, 11, 12, 13);
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 2, 3, 8, 9, 10, 11);
+        } else {
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 4, 5, 6);
+            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 4, 5);
+        }
+#else
+        v = v + lanes{T(0), v[0], v[1], v[2]};
+        v = v + lanes{T(0), T(0), v[0], v[1]};
+#endif
+    }
+    static UMBRAGE_INLINE void all_last(lanes& v) {
+#if UMBRAGE_HAS_SHUFFLES
+        if constexpr (Lanes == 8) v = __builtin_shufflevector(v, v, 7, 7, 7, 7, 7, 7, 7, 7);
+        else v = __builtin_shufflevector(v, v, 3, 3, 3, 3);
+#else
+        v = lanes{v[3], v[3], v[3], v[3]};
+#endif
+    }
+};
+
+/// Floats are always added in fours, in the order that summed_area states; integers in any.
+template <class T, isa Set>
+inline constexpr int group_lanes = std::is_integral_v<T> && UMBRAGE_HAS_EIGHT_LANES && Set != isa::base ? 8 : 4;
+
+/// The running sums of a band, and what lies under it. Machines compare the last twelve bits of addresses first, and let a
+/// load wait for a store that looks like it: so these lie where rows of the image and of the table do not. The worst
+/// place, measured, is five times as slow.
+template <class Sum>
+class band_sums {
+public:
+    band_sums(std::size_t length, const void* from, const void* to) : memory_(2 * length + 2 * page / sizeof(Sum)) {
+        const std::size_t a = last_bits(from), b = last_bits(to), ahead = (b - a) % page, behind = page - ahead;
+        base = place(memory_.data(), ahead > behind ? a + ahead / 3 : b + behind / 3);
+        line = place(base + length, ahead > behind ? a + 2 * ahead / 3 : b + 2 * behind / 3);
+    }
+    band_sums(const band_sums&) = delete;
+    band_sums& operator=(const band_sums&) = delete;
+
+private:
+    static constexpr std::size_t page = 4096;
+    static std::size_t last_bits(const void* p) { return reinterpret_cast<std::uintptr_t>(p) % page; }
+    static Sum* place(Sum* from, std::size_t wanted) { return from + (wanted / 64 * 64 - last_bits(from)) % page / sizeof(Sum); }
+
+    std::vector<Sum> memory_;
+
+public:
+    Sum *base, *line;
+};
+
+enum class table_store { none, plain, streaming };
+
+/// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`.
+template <table_store Store, int Lanes, class From, class Sum>
+UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line, Sum* to, int count) {
+    using few = group<Sum, Lanes>;
+    typename few::lanes carry{};
+    const auto sum_few = [&](const Sum* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
+        typename few::lanes sums, there, together;
+        few::load(values, together);
+        few::load(lines, there);
+        few::running_sum(together);
+        sums = (carry + together) + there;
+        few::all_last(together);
+        carry = carry + together;
+        few::store(sums, lines);
+        if constexpr (Store == table_store::none) return;
+        few::load(under, there);
+        sums = sums + there;
+        if constexpr (Store == table_store::plain) few::store(sums, result);
+        if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
+    };
+    int x = 0;
+    // Of this block and the next: a load would wait for the stores to a like address in another page.
+    alignas(64) Sum values[2][block];
+    const auto load = [&](int first) UMBRAGE_INLINE {
+        Sum* const into = values[first / block % 2];
+        // Measured: what the machine does itself is too late.
+        prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));
+        for (int i = 0; i < block; ++i) into[i] = from[first + i];
+    };
+    if (block <= count) load(0);
+    for (; x + block <= count; x += block) {
+        if (x + 2 * block <= count) load(x + block);
+        const Sum* const now = values[x / block % 2];
+        for (int i = 0; i < block; i += Lanes) sum_few(now + i, base + x + i, line + x + i, to + x + i);
+    }
+    for (; x < count; x += Lanes) {  // base and line are long enough
+        const int there = count - x < Lanes ? count - x : Lanes;
+        Sum rest[Lanes]{};
+        alignas(Lanes * sizeof(Sum)) Sum result[Lanes];
+        for (int i = 0; i < there; ++i) rest[i] = from[x + i];
+        sum_few(rest, base + x, line + x, result);
+        if constexpr (Store != table_store::none)
+            for (int i = 0; i < there; ++i) to[x + i] = result[i];
+    }
+}
+
+inline constexpr int band_rows = 64;  ///< rows of a table that are summed from zero, then put on top of what is before them
+
+/// Rows first <= y < last of one band into the table; `line` becomes the sums of the band down to there.
+template <class From, class Sum>
+void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, int last, const Sum* base, Sum* line) {
+    const int width = sums.size.x;
+    const bool is_large = past_cache(sums);
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        constexpr int lanes = group_lanes<Sum, decltype(set)::value>;
+        for (int y = first; y < last; ++y) {
+            const From* from = values.row(y);
+            Sum* to = sums.row(y);
+            if (is_large && streams_to(to))
+                sum_row<table_store::streaming, lanes>(from, base, line, to, width);
+            else
+                sum_row<table_store::plain, lanes>(from, base, line, to, width);
+        }
+    });
+    if (is_large) finish_streaming();
+}
+
+/// What those rows put under all that follow; `line` starts as zeros.
+template <class From, class Sum>
+void total_of_rows(image_view<const From> values, int first, int last, Sum* line) {
+    const int width = values.size.x;
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        if constexpr (std::is_integral_v<Sum>) {  // in any order: down the columns, then along one row
+            for (int y = first; y < last; ++y) {
+                const From* from = values.row(y);
+                int x = 0;
+                for (; x + block <= width; x += block) {
+                    UMBRAGE_NO_OVERLAP
+                    for (int i = 0; i < block; ++i) line[x + i] += from[x + i];
+                }
+                for (; x < width; ++x) line[x] += from[x];
+            }
+            for (int x = 1; x < width; ++x) line[x] += line[x - 1];
+        } else {
+            for (int y = first; y < last; ++y)
+                sum_row<table_store::none, group_lanes<Sum, decltype(set)::value>>(values.row(y), line, line, line, width);
+        }
+    });
+}
+
+}  // namespace detail
+
+/// Each texel: the sum of all in its row and the rows before, up to and including its column.
+///
+/// @param values    uint8_t, uint16_t or uint32_t for a table of uint32_t; float for one of floats
+/// @param sums      same size, other pixels
+/// @param parallel  cuts bands of 64 rows into pieces, see parallel.hpp; the image is then read twice
+/// @throws std::invalid_argument  sizes differ
+/// @exactness   uint32_t A: modulo 2^32. float B. In a row, groups g of four from its start, each summed as g0, g0+g1,
+///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right; to
+///              that the texel above, in bands of 64 rows; to that the last row of the bands before, added up downwards
+template <class From, class Sum, class ParallelFor = serial>
+void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& parallel = {}) {
+    using value = std::remove_const_t<From>;
+    static_assert(std::is_same_v<Sum, float> ? std::is_same_v<value, float>
+                                             : std::is_same_v<Sum, std::uint32_t> && std::is_unsigned_v<value> &&
+                                                   sizeof(value) <= sizeof(Sum));
+    if (values.size != sums.size) detail::fail("umbrage::summed_area: sizes differ");
+    if (values.empty()) return;
+    const int height = sums.size.y, bands = (height + detail::band_rows - 1) / detail::band_rows;
+    const auto length = (static_cast<std::size_t>(sums.size.x) + 7) / 8 * 8;
+    const auto end_of = [=](int b) { return b + 1 < bands ? (b + 1) * detail::band_rows : height; };
+    const auto add = [=](const Sum* from, Sum* to) {
+        for (std::size_t i = 0; i < length; ++i) to[i] = from[i] + to[i];
+    };
+    if constexpr (std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>) {
+        detail::band_sums<Sum> band(length, values.data, sums.data);
+        for (int b = 0; b < bands; ++b) {
+            detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), band.base, band.line);
+            add(band.line, band.base);
+            std::fill(band.line, band.line + length, Sum(0));
+        }
+    } else {
+        // What each band puts under the next one, by itself and then with all before it; then the bands, in any order.
+        std::vector<Sum> bases(length * static_cast<std::size_t>(bands));
+        const auto base = [&](int b) { return bases.data() + length * static_cast<std::size_t>(b); };
+        if (bands > 1)
+            parallel(bands - 1, [&](int first, int last) {
+                for (int b = first; b < last; ++b)
+                    detail::total_of_rows<value, Sum>(values, b * detail::band_rows, end_of(b), base(b + 1));
+            });
+        for (int b = 1; b < bands; ++b) add(base(b - 1), base(b));
+        parallel(bands, [&](int first, int last) {
+            for (int b = first; b < last; ++b) {
+                detail::band_sums<Sum> band(length, values.data, sums.data);
+                std::copy(base(b), base(b) + length, band.base);
+                detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), band.base, band.line);
+            }
+        });
+    }
+}
+
+/// Sum over a rectangle of the image that a table was made of.
+///
+/// @param sums     a table from summed_area
+/// @param first    lowest column and row
+/// @param last     highest column and row, they count too
+/// @return         what lies outside the image counts as 0, as does a rectangle with last < first
+/// @formula        S(last) - S(first.x - 1, last.y) - S(last.x, first.y - 1) + S(first - 1)
+/// @exactness      uint32_t A: exact while the rectangle's area times the greatest value < 2^32, even where sums of the
+///                 table have wrapped around. float B
+template <class T>
+[[nodiscard]] std::remove_const_t<T> box_sum(image_view<T> sums, glm::ivec2 first, glm::ivec2 last) {
+    const int left = first.x > 0 ? first.x : 0, right = last.x < sums.size.x ? last.x : sums.size.x - 1;
+    const int low = first.y > 0 ? first.y : 0, high = last.y < sums.size.y ? last.y : sums.size.y - 1;
+    if (left > right || low > high) return 0;
+    const auto at = [&](int x, int y) { return x < 0 || y < 0 ? std::remove_const_t<T>(0) : sums.row(y)[x]; };
+    return ((at(right, high) - at(left - 1, high)) - at(right, low - 1)) + at(left - 1, low - 1);
+}
+
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/simd/blocks/texels.hpp
+// The filters over blocks of 64 receivers: what visibility() is made of. Each works in two steps, some blocks apart, so
+// that texels have come from memory when they are needed: place() says where to look and starts to fetch what is there;
+// the second step loads it (two neighbours at a time), compares and weighs. All but the loads vectorises.
+//
+//     umbrage::detail::block_filter<umbrage::filters::pcf_2x2, umbrage::rg<11>> filter{map, {}, {}};
+//     filter.place(receiver_texels{receivers}, placed);
+//     filter(placed, count, visibility, isa);
+//
+
+namespace umbrage::detail {
+
+/// A block of receivers in an image, read where they are. Element by element: GCC does not vectorise whole vec3s.
+struct receiver_texels {
+    const glm::vec3* first;
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first[i].x; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first[i].y; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first[i].z; }
+};
+
+/// The same in three planes.
+struct receiver_rows {
+    const float *first_x, *first_y, *first_z;
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first_x[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first_y[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
+};
+
+/// The same in memory of its own; what lies behind the last receiver of a row is not read into any result.
+struct receiver_block {
+    alignas(64) float xs[block]{}, ys[block]{}, zs[block]{};
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return xs[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return ys[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return zs[i]; }
+    UMBRAGE_INLINE void set(int i, float x_at, float y_at, float depth) {
+        xs[i] = x_at;
+        ys[i] = y_at;
+        zs[i] = depth;
+    }
+    template <class Receivers>
+    UMBRAGE_INLINE void copy(const Receivers& from) {
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) set(i, from.x(i), from.y(i), from.z(i));
+    }
+};
+
+/// less_equal as a number. -ffast-math makes compilers forget what NaN does to <=; then the bits say it.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+    const auto number = [](float v) UMBRAGE_INLINE {
+        return std::int32_t((detail::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000);
+    };
+    return std::int32_t(receiver <= stored) & number(receiver) & number(stored);
+#else
+    return std::int32_t(receiver <= stored);
+#endif
+}
+
+/// inside_texel_space as a mask: all bits, or none.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t texel_space_mask(float x, float y) {
+    constexpr auto limit = detail::bit_cast<std::int32_t>(32768.0f);
+    return -(std::int32_t((detail::bit_cast<std::int32_t>(x) & 0x7FFFFFFF) < limit) &
+             std::int32_t((detail::bit_cast<std::int32_t>(y) & 0x7FFFFFFF) < limit));
+}
+[[nodiscard]] UMBRAGE_INLINE inline float masked(float v, std::int32_t mask) {
+    return detail::bit_cast<float>(detail::bit_cast<std::int32_t>(v) & mask);
+}
+[[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
+    return detail::bit_cast<float>((detail::bit_cast<std::int32_t>(a) & mask) | (detail::bit_cast<std::int32_t>(b) & ~mask));
+}
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_int(float v) {  // |v| < 2^31
+    const auto toward_zero = static_cast<std::int32_t>(v);
+    return toward_zero - std::int32_t(static_cast<float>(toward_zero) > v);
+}
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t clamp_int(std::int32_t v, std::int32_t highest) {
+    v = v > 0 ? v : 0;
+    return v < highest ? v : highest;
+}
+
+/// floor of v clamped to 0 .. highest <= 2^24; NaN gives one of the ends. In bits: a float that is not negative truncates
+/// to its floor, and is ordered as its bits are.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_within(float v, float highest) {
+    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
+    const std::int32_t positive = bits > 0 ? bits : 0;
+    return static_cast<std::int32_t>(detail::bit_cast<float>(positive < top ? positive : top));
+}
+
+/// Where a block of words comes from, at(i), and where it goes.
+template <class At>
+struct gathered {
+    void* to;
+    At at;
+};
+template <class At>
+gathered(void*, At) -> gathered<At>;
+
+/// Blocks of words, in turns. As many as fill a small register make one store: left alone, compilers want more at once than
+/// they can hold.
+template <class Word, class... At>
+UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
+    const auto word = [](const void* from) UMBRAGE_INLINE {
+        Word w;
+        std::memcpy(&w, from, sizeof w);
+        return w;
+    };
+#if defined(__GNUC__) || defined(__clang__)
+    typedef Word words __attribute__((vector_size(16)));
+#else
+    struct words {
+        Word w;
+    };
+#endif
+    constexpr std::size_t some = sizeof(words) / sizeof(Word);
+    const auto load = [&]<std::size_t... I>(int i, const auto& from, std::index_sequence<I...>) UMBRAGE_INLINE {
+        const words together{word(from.at(i + static_cast<int>(I)))...};
+        std::memcpy(static_cast<std::byte*>(from.to) + static_cast<std::size_t>(i) * sizeof(Word), &together, sizeof together);
+    };
+    for (int i = 0; i < block; i += static_cast<int>(some)) (load(i, blocks, std::make_index_sequence<some>{}), ...);
+}
+
+/// What is loaded for a block of receivers, from where at(i) points to: a texel each, or two neighbours of two rows. The
+/// depths in them and the receiver's are asked for in loops that vectorise; this general form decodes while it loads.
+template <class Encoding>
+struct loaded_texels {
+    const Encoding& encoding;
+    alignas(64) float depths[2 * block];
+    explicit loaded_texels(const Encoding& e) : encoding(e) {}
+    template <class At>
+    UMBRAGE_INLINE void load_one(const At& at) {
+        for (int i = 0; i < block; ++i) depths[i] = encoding.decode(*at(i));
+    }
+    template <class At, class Below>
+    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
+        for (int i = 0; i < block; ++i)
+            for (int k = 0; k < 2; ++k) {
+                low.depths[2 * i + k] = low.encoding.decode(at(i)[k]);
+                high.depths[2 * i + k] = high.encoding.decode(below(i)[k]);
+            }
+    }
+    static UMBRAGE_INLINE float receiver(float depth) { return depth; }
+    UMBRAGE_INLINE float one(int i) const { return depths[i]; }
+    UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
+    UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
+};
+
+/// Floats need no decoding, and two of them are one word.
+template <>
+struct loaded_texels<depth32f> {
+    alignas(64) float depths[2 * block];
+    explicit loaded_texels(const depth32f&) {}
+    template <class At>
+    UMBRAGE_INLINE void load_one(const At& at) {
+        gather<std::uint32_t>(gathered{depths, at});
+    }
+    template <class At, class Below>
+    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
+        gather<std::uint64_t>(gathered{low.depths, at}, gathered{high.depths, below});
+    }
+    static UMBRAGE_INLINE float receiver(float depth) { return depth; }
+    UMBRAGE_INLINE float one(int i) const { return depths[i]; }
+    UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
+    UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
+};
+
+/// Byte pairs, two of them to a word. Both sides of the comparison stay 2^Bits times the depth, which changes no result.
+template <int Bits>
+struct loaded_texels<rg<Bits>> {
+    static constexpr bool little = std::endian::native == std::endian::little;
+    float edge;
+    alignas(64) std::uint32_t words[block];
+    explicit loaded_texels(const rg<Bits>& encoding) : edge(encoding.edge) {}
+    template <class At>
+    UMBRAGE_INLINE void load_one(const At& at) {
+        for (int i = 0; i < block; ++i) {
+            std::uint16_t word;
+            std::memcpy(&word, at(i), sizeof word);
+            words[i] = word;
+        }
+    }
+    template <class At, class Below>
+    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
+        gather<std::uint32_t>(gathered{low.words, at}, gathered{high.words, below});
+    }
+    static UMBRAGE_INLINE float receiver(float depth) { return depth * float(1 << Bits); }
+    UMBRAGE_INLINE float one(int i) const { return number(codes(i) & 0xFFFF); }
+    UMBRAGE_INLINE float first(int i) const { return number(little ? codes(i) & 0xFFFF : codes(i) >> 16); }
+    UMBRAGE_INLINE float second(int i) const { return number(little ? codes(i) >> 16 : codes(i) & 0xFFFF); }
+    /// R + 2^(Bits - 8) G of both texels at once, in the two halves of a word.
+    UMBRAGE_INLINE std::uint32_t codes(int i) const {
+        constexpr std::uint32_t low = 0x00FF00FF, high = low << (Bits - 8);
+        const std::uint32_t w = words[i];
+        return little ? (w & low) + (w >> (16 - Bits) & high) : (w >> 8 & low) + ((w & low) << (Bits - 8));
+    }
+    UMBRAGE_INLINE float number(std::uint32_t code) const { return static_cast<float>(static_cast<std::int32_t>(code)) + edge; }
+};
+
+/// Texels of a map by their distance from the first in bytes, which fits 32 bits so that it vectorises.
+template <class T>
+struct texel_bytes {
+    const std::byte* data;
+    std::int32_t stride;
+
+    explicit texel_bytes(const image_view<T>& map)
+        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
+    static bool fits(const image_view<T>& map) {
+        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
+        return map.size.x <= highest / std::ptrdiff_t(sizeof(T)) && map.size.y <= highest / 2 &&
+               (map.stride < 0 ? -map.stride : map.stride) <= highest / (map.size.y + 1);
+    }
+    UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
+        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
+    }
+    UMBRAGE_INLINE T* at(std::int32_t offset) const { return reinterpret_cast<T*>(data + offset); }
+    UMBRAGE_INLINE T* below(std::int32_t offset) const { return reinterpret_cast<T*>(data + stride + offset); }
+};
+
+/// Texel inside the map, without the assertion of image_view.
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE inline T* texel_at(const image_view<T>& map, std::int32_t x, std::int32_t y) {
+    return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
+}
+
+/// The last texel of so many that a receiver can ask for: none in texel space is farther.
+[[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size) {
+    constexpr int space = 1 << 15;
+    return (size < space ? size : space) - 1;
+}
+
+/// Starts to fetch the texels of a block, of which neighbours mostly share a line of the cache. Where a block starts on
+/// another row of the map than the one before, the machine cannot guess them; and the rows above and below are where
+/// receivers come to that lie askew to the map.
+template <class T>
+UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
+    for (int row = -1; row <= rows; ++row)
+#pragma GCC unroll 4
+        for (int i = 0; i < block; i += 16) prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
+}
+
+/// Any filter, one receiver after the other.
+template <class Filter, class Encoding>
+struct one_by_one {
+    using placed = receiver_block;
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const Filter& filter;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.copy(receivers);
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
+        const auto fetch = decoded(map, encoding);
+        for (int i = 0; i < count; ++i) visibility[i] = filter(fetch, glm::vec2(at.x(i), at.y(i)), at.z(i));
+    }
+};
+
+/// Taps that are receivers' own texels, clamped to the map.
+struct placed_tap {
+    alignas(64) std::int32_t offsets[block], inside[block];
+
+    template <class T>
+    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset) {
+        const texel_bytes memory(map);
+        const auto last_x = static_cast<float>(last_in_space(map.size.x)), last_y = static_cast<float>(last_in_space(map.size.y));
+        for (int i = 0; i < block; ++i) {
+            const float x = receivers.x(i) + offset.x, y = receivers.y(i) + offset.y;
+            inside[i] = texel_space_mask(x, y);
+            offsets[i] = memory.offset(floor_within(x, last_x), floor_within(y, last_y));
+        }
+        prefetch(memory, offsets, 1);
+    }
+
+    /// Adds 1 for each receiver that is lit.
+    template <class Encoding>
+    UMBRAGE_INLINE void count(image_view<const typename Encoding::texel> map, const Encoding& encoding, const float* z,
+                              std::int32_t* lit) const {
+        const texel_bytes memory(map);
+        loaded_texels<Encoding> texels(encoding);
+        texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+        for (int i = 0; i < block; ++i)
+            lit[i] += (is_lit(texels.receiver(z[i]), texels.one(i)) & inside[i]) | (1 & ~inside[i]);
+    }
+};
+
+/// The filters that have a form for blocks; `least` is the side of the smallest map that it can take.
+template <class Filter, class Encoding>
+struct block_filter {
+    static constexpr int least = 0;  ///< none
+};
+
+template <class Encoding>
+struct block_filter<filters::hard, Encoding> {
+    static constexpr int least = 1;
+    struct placed {
+        receiver_block r;
+        placed_tap tap;
+    };
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const filters::hard& filter;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.r.copy(receivers);
+        at.tap.place(map, at.r, glm::vec2(0.0f));
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
+        alignas(64) std::int32_t lit[block]{};
+        at.tap.count(map, encoding, at.r.zs, lit);
+        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
+    }
+};
+
+template <class Encoding>
+struct block_filter<filters::four_tap, Encoding> {
+    static constexpr int least = 1;
+    struct placed {
+        receiver_block r;
+        placed_tap taps[4];
+    };
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const filters::four_tap& filter;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.r.copy(receivers);
+        for (int tap = 0; tap < 4; ++tap) at.taps[tap].place(map, at.r, filter.offsets[static_cast<std::size_t>(tap)]);
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
+        alignas(64) std::int32_t lit[block]{};
+        for (const placed_tap& tap : at.taps) tap.count(map, encoding, at.r.zs, lit);
+        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]) * 0.25f;
+    }
+};
+
+/// A position clamped to the middles of the map's border texels has the same neighbours and weights that add up to the
+/// same, so that both neighbours are in the map and one load gets them.
+template <class Encoding>
+struct block_filter<filters::pcf_2x2, Encoding> {
+    static constexpr int least = 2;
+    struct placed {
+        alignas(64) std::int32_t offsets[block], inside[block];
+        alignas(64) float hi_x[block], hi_y[block], z[block];
+    };
+    image_view<const typename Encoding::texel> map;
+    const Encoding& encoding;
+    const filters::pcf_2x2& filter;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const texel_bytes memory(map);
+        const int last_x = last_in_space(map.size.x), last_y = last_in_space(map.size.y);
+        const auto axis = [](float coord, int last, float& hi) UMBRAGE_INLINE {
+            const std::int32_t position = floor_within(coord * 256.0f - 128.0f, static_cast<float>(last * 256));
+            const std::int32_t here = position >> 8, last_pair = last - 1;
+            const std::int32_t texel = here < last_pair ? here : last_pair;
+            hi = static_cast<float>(position - texel * 256);
+            return texel;
+        };
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const float x = receivers.x(i), y = receivers.y(i);
+            at.inside[i] = texel_space_mask(x, y);
+            at.offsets[i] = memory.offset(axis(x, last_x, at.hi_x[i]), axis(y, last_y, at.hi_y[i]));
+            at.z[i] = receivers.z(i);
+        }
+        prefetch(memory, at.offsets, 2);
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
+        const texel_bytes memory(map);
+        loaded_texels<Encoding> low(encoding), high(encoding);
+        loaded_texels<Encoding>::load_two(low, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); },
+                                          high, [&](int i) UMBRAGE_INLINE { return memory.below(at.offsets[i]); });
+        for (int i = 0; i < block; ++i) {
+            const float z = low.receiver(at.z[i]), lo_x = 256.0f - at.hi_x[i], lo_y = 256.0f - at.hi_y[i];
+            const auto weigh = [&](const auto& row) UMBRAGE_INLINE {
+                return masked(lo_x, -is_lit(z, row.first(i))) + masked(at.hi_x[i], -is_lit(z, row.second(i)));
+            };
+            const float sum = lo_y * weigh(low) + at.hi_y[i] * weigh(high);
+            visibility[i] = select(at.inside[i], sum * (1.0f / 65536.0f), 1.0f);
+        }
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/simd/blocks/box.hpp
+// The box filter over maps of floats: whole rows of the box are loaded at once, never one texel after the other.
+//
+//     std::int32_t lit = umbrage::detail::box_rows<8, 0>(map.stride, 5).count(row, 0, receiver);
+//
+
+namespace umbrage::detail {
+
+#if defined(__GNUC__) || defined(__clang__)
+#define UMBRAGE_HAS_VECTORS 1
+
+/// Floats and numbers as wide as a register. The compiler's own vectors: they need no header and know no machine.
+template <int Lanes>
+struct vectors;
+template <>
+struct vectors<4> {
+    typedef float floats __attribute__((vector_size(16)));
+    typedef float unaligned __attribute__((vector_size(16), aligned(4), may_alias));
+    typedef std::int32_t ints __attribute__((vector_size(16)));
+};
+template <>
+struct vectors<8> {
+    typedef float floats __attribute__((vector_size(32)));
+    typedef float unaligned __attribute__((vector_size(32), aligned(4), may_alias));
+    typedef std::int32_t ints __attribute__((vector_size(32)));
+};
+
+/// less_equal for texels that lie side by side: all bits of a lane, or none.
+template <int Lanes>
+UMBRAGE_INLINE inline void compare_lanes(const float* texels, float receiver, typename vectors<Lanes>::ints& lit) {
+    const typename vectors<Lanes>::floats stored = *reinterpret_cast<const typename vectors<Lanes>::unaligned*>(texels);
+    lit = receiver <= stored;
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+    lit &= ((typename vectors<Lanes>::ints)stored & 0x7FFFFFFF) <= 0x7F800000;
+#endif
+}
+
+/// The sum of each of two vectors of numbers between 0 and 127.
+template <int Lanes>
+UMBRAGE_INLINE inline void sum_two(const typename vectors<Lanes>::ints& first, const typename vectors<Lanes>::ints& second,
+                                   std::int32_t* sums) {
+    const auto four = [](const auto& numbers) UMBRAGE_INLINE {
+        vectors<4>::ints parts[Lanes / 4], sum{};
+        std::memcpy(parts, &numbers, sizeof parts);
+        for (const vectors<4>::ints& part : parts) sum += part;
+        return sum;
+    };
+    const vectors<4>::ints a = four(first), b = four(second);
+#if UMBRAGE_HAS_DISPATCH
+    typedef char chars __attribute__((vector_size(16)));
+    const auto halves = (chars)__builtin_ia32_packssdw128(a, b);
+    const auto wide = (vectors<4>::ints)__builtin_ia32_psadbw128(halves, chars{});  // adds bytes, eight at a time
+    const auto both = __builtin_ia32_packssdw128(wide, wide);
+    std::memcpy(sums, &both, 2 * sizeof *sums);
+#else
+    sums[0] = a[0] + a[1] + a[2] + a[3];
+    sums[1] = b[0] + b[1] + b[2] + b[3];
+#endif
+}
+
+/// Lit texels of boxes that lie inside a map at least as wide as a register.
+/// @tparam Lanes   of a register;   Whole  registers that a row of the box fills;   Width  of the box, 0 if not known here
+template <int Lanes, int Whole, int Width = 0>
+struct box_rows {
+    using ints = typename vectors<Lanes>::ints;
+    static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
+    std::ptrdiff_t stride;
+    int width;
+    std::int32_t window[3 * Lanes]{};  ///< lanes that the rest of a row has in a register, slid to where they are
+
+    UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(Width ? Width : box_width) {
+        for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
+    }
+
+    /// @param row     first texel of the box
+    /// @param moved   by how much the last register of a row is moved back, so that it ends inside the map
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
+        ints lit;
+        std::int32_t sums[2];
+        count_lanes(row, moved, receiver, lit);
+        sum_two<Lanes>(lit, lit, sums);
+        return sums[0];
+    }
+
+    /// Of two boxes, which costs less than of each alone.
+    UMBRAGE_INLINE void count_two(const std::byte* const rows[2], const float* receivers, std::int32_t* counts) const {
+        ints first, second;
+        count_lanes(rows[0], 0, receivers[0], first);
+        count_lanes(rows[1], 0, receivers[1], second);
+        sum_two<Lanes>(first, second, counts);
+    }
+
+private:
+    UMBRAGE_INLINE void count_lanes(const std::byte* row, std::ptrdiff_t moved, float receiver, ints& lit) const {
+        lit = ints{};
+        ints rest{};
+        const auto add_row = [&]() UMBRAGE_INLINE {
+            const float* texels = reinterpret_cast<const float*>(row);
+            ints lanes;
+            for (int i = 0; i < Whole; ++i) {
+                compare_lanes<Lanes>(texels + i * Lanes, receiver, lanes);
+                lit -= lanes;
+            }
+            compare_lanes<Lanes>(texels + Whole * Lanes - moved, receiver, lanes);
+            rest -= lanes;
+            row += stride;
+        };
+        if constexpr (Width > 0) {
+#pragma GCC unroll 8
+            for (int j = 0; j < Width; ++j) add_row();
+        } else
+            for (int j = 0; j < width; ++j) add_row();
+        ints wanted;
+        std::memcpy(&wanted, window + Lanes - moved, sizeof wanted);
+        lit += rest & wanted;
+    }
+};
+#else
+#define UMBRAGE_HAS_VECTORS 0
+
+/// The same texel by texel.
+struct box_texels {
+    static constexpr int reach = 1;
+    std::ptrdiff_t stride;
+    int width;
+
+    [[nodiscard]] std::int32_t count(const std::byte* row, std::ptrdiff_t, float receiver) const {
+        std::int32_t lit = 0;
+        for (int j = 0; j < width; ++j, row += stride)
+            for (int i = 0; i < width; ++i) lit += is_lit(receiver, reinterpret_cast<const float*>(row)[i]);
+        return lit;
+    }
+    void count_two(const std::byte* const rows[2], const float* receivers, std::int32_t* counts) const {
+        for (int k = 0; k < 2; ++k) counts[k] = count(rows[k], 0, receivers[k]);
+    }
+};
+#endif
+
+/// The part of a map that a block's boxes lie in. Rows of a map that lie a multiple of 2048 bytes apart share their places
+/// in a first-level cache, which has few for each: high boxes push their own rows out of it. Here they do not.
+struct map_tile {
+    static constexpr int columns = 100, rows = 96;
+    float texels[rows][columns];
+
+    [[nodiscard]] static bool helps(std::ptrdiff_t stride, int width) { return width > 8 && stride % 2048 == 0; }
+
+    /// @param last   texel of the map, within columns and rows of the first; at least eight columns
+    UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
+        const int count = last.x - first.x + 1;
+        const auto eight = [](const float* from, float* to) UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
+        for (int y = first.y; y <= last.y; ++y) {
+            const float* from = texel_at(map, first.x, y);
+            float* to = texels[y - first.y];
+            for (int i = 0; i + 8 < count; i += 8) eight(from + i, to + i);
+            eight(from + count - 8, to + count - 8);
+        }
+    }
+};
+
+/// Only maps of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
+template <>
+struct block_filter<filters::box, depth32f> {
+    static constexpr int least = 1;
+    struct placed {
+        alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
+        alignas(64) std::int32_t inside[block], in_space[block];
+        alignas(64) float z[block];
+        std::int32_t all_plain;  ///< all bits if all boxes and what is loaded beside them are inside, and no depth is NaN
+    };
+    image_view<const float> map;
+    const depth32f& encoding;
+    const filters::box& filter;
+
+    [[nodiscard]] UMBRAGE_INLINE int radius() const { return clamp_int(filter.radius, max_box_radius); }
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const texel_bytes memory(map);
+        const int before = radius(), width = 2 * before + 1, last_x = map.size.x - width, last_y = map.size.y - width;
+        const int last_load = last_x - 7;  // where registers of eight lanes still end inside
+        std::int32_t plain = -1;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            at.in_space[i] = texel_space_mask(receivers.x(i), receivers.y(i));
+            const std::int32_t x = floor_int(masked(receivers.x(i), at.in_space[i])) - before;
+            const std::int32_t y = floor_int(masked(receivers.y(i), at.in_space[i])) - before;
+            at.inside[i] = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
+            at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
+            at.x[i] = x;
+            at.y[i] = y;
+            at.z[i] = receivers.z(i);
+            const std::int32_t magnitude = detail::bit_cast<std::int32_t>(receivers.z(i)) & 0x7FFFFFFF;
+            const auto loads_inside = std::int32_t(x <= last_load), number = std::int32_t(magnitude <= 0x7F800000);
+            plain &= at.inside[i] & at.in_space[i] & -(loads_inside & number);
+        }
+        at.all_plain = plain;
+        prefetch(memory, at.offsets, last_y < 0 ? 1 : width);
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
+        const int width = 2 * radius() + 1;
+#if UMBRAGE_HAS_VECTORS
+        constexpr int lanes = Isa::value == isa::base ? 4 : 8;
+        if constexpr (lanes == 8) {
+            if (width == 3) return count_with<box_rows<8, 0, 3>>(at, count, visibility);
+            if (width == 5) return count_with<box_rows<8, 0, 5>>(at, count, visibility);
+            if (width == 7) return count_with<box_rows<8, 0, 7>>(at, count, visibility);
+        }
+        if (width / lanes == 0) return count_with<box_rows<lanes, 0>>(at, count, visibility);
+        if (width / lanes == 1) return count_with<box_rows<lanes, 1>>(at, count, visibility);
+        if (width / lanes == 2) return count_with<box_rows<lanes, 2>>(at, count, visibility);
+        if constexpr (lanes == 4) {
+            if (width / lanes == 3) return count_with<box_rows<4, 3>>(at, count, visibility);
+            count_with<box_rows<4, 4>>(at, count, visibility);
+        }
+#else
+        count_with<box_texels>(at, count, visibility);
+#endif
+    }
+
+private:
+    template <class Boxes>
+    UMBRAGE_INLINE void count_with(const placed& at, int count, float* visibility) const {
+        const int width = 2 * radius() + 1, last_load = map.size.x - Boxes::reach;
+        const Boxes boxes(map.stride, width);
+        const texel_bytes memory(map);
+        alignas(64) std::int32_t lit[block]{};
+        if (at.all_plain)  // as nearly always
+            count_inside(boxes, at, count, lit);
+        else
+            for (int i = 0; i < count; ++i) {
+                if (is_nan(at.z[i]) || !at.in_space[i]) continue;
+                const int moved = at.x[i] > last_load ? at.x[i] - last_load : 0;
+                lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved, at.z[i])
+                                                        : count_at_border<Boxes>({at.x[i], at.y[i]}, width, at.z[i]);
+            }
+        const float scale = box_scale<float>(radius());
+        for (int i = 0; i < block; ++i)
+            visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~at.in_space[i], 1.0f,
+                                   static_cast<float>(lit[i]) * scale);
+    }
+
+    /// All 64 boxes lie inside the map, with what is loaded beside them.
+    template <class Boxes>
+    UMBRAGE_INLINE void count_inside(const Boxes& boxes, const placed& at, int count, std::int32_t* lit) const {
+        const auto count_all = [&](const Boxes& of, const auto& row) UMBRAGE_INLINE {
+            for (int i = 0; i < count; i += 2) {  // a block is even
+                const std::byte* const rows[]{row(i), row(i + 1)};
+                of.count_two(rows, at.z + i, lit + i);
+            }
+        };
+        if (map_tile::helps(map.stride, 2 * radius() + 1)) {
+            glm::ivec2 first(at.x[0], at.y[0]), last = first;
+            for (int i = 0; i < block; ++i) {
+                first.x = at.x[i] < first.x ? at.x[i] : first.x;
+                first.y = at.y[i] < first.y ? at.y[i] : first.y;
+                last.x = at.x[i] > last.x ? at.x[i] : last.x;
+                last.y = at.y[i] > last.y ? at.y[i] : last.y;
+            }
+            last += glm::ivec2(Boxes::reach - 1, 2 * radius());
+            if (last.x - first.x < map_tile::columns && last.y - first.y < map_tile::rows) {
+                map_tile tile;
+                tile.copy(map, first, last);
+                return count_all(Boxes(sizeof tile.texels[0], 2 * radius() + 1), [&](int i) UMBRAGE_INLINE {
+                    return reinterpret_cast<const std::byte*>(&tile.texels[at.y[i] - first.y][at.x[i] - first.x]);
+                });
+            }
+        }
+        const texel_bytes memory(map);
+        count_all(boxes, [&](int i) UMBRAGE_INLINE { return memory.data + at.offsets[i]; });
+    }
+
+    /// The same from a copy of the box, the map's border texels repeated.
+    template <class Boxes>
+    std::int32_t count_at_border(glm::ivec2 first, int width, float receiver) const {
+        constexpr int widest = 2 * max_box_radius + 1;
+        float texels[widest][Boxes::reach > widest ? Boxes::reach : widest]{};
+        for (int j = 0; j < width; ++j) {
+            const float* row = texel_at(map, 0, clamp_int(first.y + j, map.size.y - 1));
+            for (int i = 0; i < width; ++i) texels[j][i] = row[clamp_int(first.x + i, map.size.x - 1)];
+        }
+        return Boxes(sizeof texels[0], width).count(reinterpret_cast<const std::byte*>(texels), 0, receiver);
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/simd/blocks/hierarchical_box.hpp
+// The box filter for receivers most of which are wholly lit or wholly in shadow: those ask one number for the whole box.
+// visibility() does it for filters::hierarchical_box; bit for bit what filters::box gives.
+//
+//     umbrage::visibility(map.view(), umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out.view());
+//
+
+namespace umbrage::detail {
+
+/// For every place where a box may start, the bounds of the squares of texels that the box touches. A box of 2r + 1 texels
+/// touches at most `cells` squares of 2^level texels in a row.
+struct box_bounds {
+    int level, cells;
+    glm::ivec2 last;          ///< of the starts, which begin cells - 1 squares in front of the map
+    image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
+
+    template <class ParallelFor>
+    box_bounds(image_view<const float> map, int radius, ParallelFor&& parallel)
+        : level(radius < 4 ? 1 : 2), cells(((1 << level) - 1 + 2 * radius) / (1 << level) + 1) {
+        const glm::ivec2 squares = (map.size + ((1 << level) - 1)) >> level;
+        last = squares + (cells - 2);
+        bounds = image<glm::vec2>({(last.x + block) / block * block, last.y + 1});
+        image<std::int32_t> least({bounds.size().x, squares.y}), greatest(least.size());
+        parallel(squares.y, [&](int from, int to) {
+            const int blocks = (squares.x + block - 1) / block;
+            const auto columns = static_cast<std::size_t>(blocks * block) << level;
+            std::vector<std::int32_t> low(columns), high(columns), padded(static_cast<std::size_t>(bounds.size().x + cells));
+            on_best_isa([&](auto) UMBRAGE_INLINE {
+                for (int y = from; y < to; ++y) {
+                    bounds_of_columns(map, y << level, low, high);
+                    along_row(low, squares.x, padded, least_of{}, least.view().row(y));
+                    along_row(high, squares.x, padded, greatest_of{}, greatest.view().row(y));
+                }
+            });
+        });
+        parallel(bounds.size().y, [&](int from, int to) {
+            const auto row = [&](const image<std::int32_t>& of, int y) {
+                return of.view().row(clamp_int(y - (cells - 1), squares.y - 1));
+            };
+            on_best_isa([&](auto) UMBRAGE_INLINE {
+                for (int y = from; y < to; ++y)
+                    for (int x = 0; x < bounds.size().x; x += block) {
+                        alignas(64) std::int32_t lows[block], highs[block];
+                        widen(least_of{}, lows, [&](int k) UMBRAGE_INLINE { return row(least, y + k) + x; });
+                        widen(greatest_of{}, highs, [&](int k) UMBRAGE_INLINE { return row(greatest, y + k) + x; });
+                        glm::vec2* out = bounds.view().row(y) + x;
+                        for (int i = 0; i < block; ++i) out[i] = {from_order_key(lows[i]), from_order_key(highs[i])};
+                    }
+            });
+        });
+    }
+
+private:
+    /// Over 2^level rows; the last row and column are repeated.
+    UMBRAGE_INLINE void bounds_of_columns(const image_view<const float>& map, int y, std::vector<std::int32_t>& low,
+                                          std::vector<std::int32_t>& high) const {
+        for (int x = 0; x < static_cast<int>(low.size()); x += block) {
+            alignas(64) std::int32_t lows[block], highs[block], keys[block];
+            for (int k = 0; k < 1 << level; ++k) {
+                const float* depths = map.row(clamp_int(y + k, map.size.y - 1)) + x;
+                alignas(64) float repeated[block];
+                if (x + block > map.size.x) {
+                    for (int i = 0; i < block; ++i) repeated[i] = depths[clamp_int(x + i, map.size.x - 1) - x];
+                    depths = repeated;
+                }
+                for (int i = 0; i < block; ++i) {
+                    keys[i] = order_key(depths[i]);
+                    lows[i] = k ? least_of{}(lows[i], keys[i]) : keys[i];
+                    highs[i] = k ? greatest_of{}(highs[i], keys[i]) : keys[i];
+                }
+            }
+            std::memcpy(&low[std::size_t(x)], lows, sizeof lows);
+            std::memcpy(&high[std::size_t(x)], highs, sizeof highs);
+        }
+    }
+
+    /// to[x] = pick over the `cells` squares from x - (cells - 1) on, those at the border repeated.
+    template <class Pick>
+    UMBRAGE_INLINE void along_row(std::vector<std::int32_t>& columns, int squares, std::vector<std::int32_t>& padded,
+                                  Pick pick, std::int32_t* to) const {
+        auto count = static_cast<int>(columns.size());
+        for (int halving = 0; halving < level; ++halving) {
+            count /= 2;
+            for (int x = 0; x < count; x += block) {
+                alignas(64) std::int32_t halves[block];
+                const std::int32_t* pairs = &columns[std::size_t(2 * x)];
+                for (int i = 0; i < block; ++i) halves[i] = pick(pairs[2 * i], pairs[2 * i + 1]);
+                std::memcpy(&columns[std::size_t(x)], halves, sizeof halves);
+            }
+        }
+        const auto before = padded.begin() + (cells - 1);
+        std::fill(padded.begin(), before, columns.front());
+        std::copy_n(columns.begin(), squares, before);
+        std::fill(before + squares, padded.end(), columns[std::size_t(squares - 1)]);
+        for (int x = 0; x < bounds.size().x; x += block)
+            widen(pick, to + x, [&](int k) UMBRAGE_INLINE { return padded.data() + k + x; });
+    }
+
+    /// to[i] = pick of from(k)[i] over k < cells, for a block.
+    template <class Pick, class From>
+    UMBRAGE_INLINE void widen(Pick pick, std::int32_t* to, const From& from) const {
+        alignas(64) std::int32_t best[block];
+        std::memcpy(best, from(0), sizeof best);
+        for (int k = 1; k < cells; ++k) {
+            const std::int32_t* other = from(k);
+            for (int i = 0; i < block; ++i) best[i] = pick(best[i], other[i]);
+        }
+        std::memcpy(to, best, sizeof best);
+    }
+};
+
+struct hierarchical_blocks {
+    struct placed {
+        receiver_block r;
+        alignas(64) std::int32_t offsets[block], in_space[block];
+    };
+    const box_bounds& tree;
+    block_filter<filters::box, depth32f> brute_force;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const int radius = brute_force.radius();
+        const texel_bytes memory(tree.bounds.view());
+        const int before = tree.cells - 1, level = tree.level;
+        const glm::ivec2 last = tree.last;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t in_space = texel_space_mask(receivers.x(i), receivers.y(i));
+            const std::int32_t x = floor_int(masked(receivers.x(i), in_space)) - radius;
+            const std::int32_t y = floor_int(masked(receivers.y(i), in_space)) - radius;
+            at.r.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
+            at.offsets[i] = memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
+            at.in_space[i] = in_space;
+        }
+        prefetch(memory, at.offsets, 1);
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+        const texel_bytes memory(tree.bounds.view());
+        const receiver_block& r = at.r;
+        alignas(64) std::int32_t open[block];
+        alignas(64) glm::vec2 bounds[block];
+        std::int32_t any = 0;
+        gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }});
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t lit = is_lit(r.z(i), bounds[i].x), dark = std::int32_t(r.z(i) > bounds[i].y);
+            visibility[i] = select(-lit | ~at.in_space[i], 1.0f, 0.0f);
+            open[i] = at.in_space[i] & ~-(lit | dark);
+            any |= open[i];
+        }
+        if (!any) return;
+
+        receiver_block rest;  // those that need the box
+        alignas(64) float shares[block];
+        int indices[block], found = 0;
+        for (int i = 0; i < count; ++i) {
+            indices[found] = i;
+            rest.set(found, r.x(i), r.y(i), r.z(i));
+            found -= open[i];
+        }
+        // Copies behind them: if all 64 boxes are in the map, none needs care.
+        for (int i = found; i < block; ++i) rest.set(i, rest.xs[0], rest.ys[0], rest.zs[0]);
+        block_filter<filters::box, depth32f>::placed boxes;
+        brute_force.place(rest, boxes);
+        brute_force(boxes, found, shares, set);
+        for (int i = 0; i < found; ++i) visibility[indices[i]] = shares[i];
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/visibility.hpp
+// A whole image of receivers against a shadow map, with any filter and any encoding.
+//
+//     umbrage::visibility(map.view(), umbrage::rg<11>{}, receivers.view(), umbrage::filters::pcf_2x2{}, out.view());
+//
+// Straight from what a camera saw, with no image of receivers in between:
+//
+//     umbrage::depth_receivers seen{depth.view(), umbrage::receiver_matrix(inverse, to_texels, size, clip), bias};
+//     umbrage::visibility(map.view(), umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out.view());
+//
+// Bit for bit what the filter gives for each receiver alone.
+
+namespace umbrage {
+
+/// Receivers as three images of the same size: x and y in texels of the map, depth, biased.
+struct receiver_planes {
+    image_view<const float> x, y, depth;
+};
+
+/// Receivers as a camera's depth image.
+struct depth_receivers {
+    image_view<const float> depth;  ///< as the depth pass leaves it, in [0, 1]
+    glm::mat4 matrix;               ///< receiver_matrix
+    float bias = 0.0f;              ///< in the map's depth, taken off each receiver's
+};
+
+/// The way from a camera's depth image to the shadow map.
+///
+/// @param clip_to_world    inverse of the camera's projection * view
+/// @param texture_matrix   world to texels of the map
+/// @param size             of the depth image in texels, each >= 1
+/// @param clip             the camera's convention
+/// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
+///                         the camera; the product is taken in double
+/// @throws std::invalid_argument  size below 1
+[[nodiscard]] inline glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
+                                               glm::ivec2 size, clip_space clip) {
+    if (size.x < 1 || size.y < 1) detail::fail("umbrage::receiver_matrix: size below 1");
+    const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
+    glm::dmat4 to_clip(1.0);
+    to_clip[0][0] = 2.0 / size.x;
+    to_clip[1][1] = up * 2.0 / size.y;
+    to_clip[3] = {-1.0, -up, 0.0, 1.0};
+    if (clip.range == depth_range::minus_one_to_one) {
+        to_clip[2][2] = 2.0;
+        to_clip[3][2] = -1.0;
+    }
+    return glm::mat4(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
+}
+
+/// One receiver of a camera's depth image.
+/// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), bias taken off its depth
+/// @exactness     C, as project_coordinate
+[[nodiscard]] inline glm::vec3 receiver_at(const depth_receivers& seen, glm::ivec2 texel) {
+    const glm::vec3 at(static_cast<float>(texel.x) + 0.5f, static_cast<float>(texel.y) + 0.5f, seen.depth[texel]);
+    const glm::vec3 p = project_coordinate(shadow_coordinate(seen.matrix, at));
+    return {p.x, p.y, p.z - seen.bias};
+}
+
+namespace detail {
+
+/// A walk over the blocks of some rows.
+struct block_walk {
+    int x, y, width;
+
+    [[nodiscard]] UMBRAGE_INLINE int count() const { return width - x < block ? width - x : block; }
+    UMBRAGE_INLINE void step() {
+        x += block;
+        if (x < width) return;
+        x = 0;
+        ++y;
+    }
+};
+
+/// Hands a block of receivers on: whole ones where they are, others as a copy.
+template <class Receivers, class Use>
+UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, const Use& use) {
+    if (count == block) return use(receivers);
+    receiver_block copy;
+    for (int i = 0; i < count; ++i) copy.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
+    use(copy);
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa, const Use& use) {
+    const receiver_texels receivers{from.row(at.y) + at.x};
+    if (Isa::value != isa::base || at.count() != block) return use_block(receivers, at.count(), use);
+    receiver_block copy;  // GCC takes vec3s apart for SSE only in a loop that does nothing else
+    copy.copy(receivers);
+    use(copy);
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, Isa, const Use& use) {
+    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(), use);
+}
+
+/// receiver_at for a block.
+inline void load(const depth_receivers& seen, const block_walk& at, receiver_block& r) {
+    copy_floats(r.zs, seen.depth.row(at.y) + at.x, at.count());
+    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+        const glm::mat4 m = seen.matrix;
+        const float bias = seen.bias;
+        const float y = static_cast<float>(at.y) + 0.5f;
+        for (int i = 0; i < block; ++i) {
+            const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
+            const auto sum = [&](int k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
+            const float w = sum(3);
+            const auto bits = detail::bit_cast<std::int32_t>(w);
+            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
+            r.xs[i] = select(in_front, sum(0) / w, 65536.0f);
+            r.ys[i] = select(in_front, sum(1) / w, 65536.0f);
+            r.zs[i] = masked(sum(2) / w, in_front) - bias;
+        }
+    });
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const block_walk& at, Isa, const Use& use) {
+    receiver_block r;
+    load(seen, at, r);
+    use(r);
+}
+
+/// Starts to fetch the receivers some blocks ahead. A machine that guesses them stops at the end of a page, which is soon.
+template <class T>
+UMBRAGE_INLINE inline void prefetch(const image_view<const T>& from, const block_walk& at) {
+    constexpr int bytes = block * static_cast<int>(sizeof(T)), blocks = 4;
+    prefetch_bytes(from.row(at.y) + at.x, blocks * bytes, bytes);
+}
+UMBRAGE_INLINE inline void prefetch(const receiver_planes& from, const block_walk& at) {
+    for (const auto* plane : {&from.x, &from.y, &from.depth}) prefetch(*plane, at);
+}
+UMBRAGE_INLINE inline void prefetch(const depth_receivers& from, const block_walk& at) { prefetch(from.depth, at); }
+
+[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
+    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
+        detail::fail("umbrage::visibility: sizes differ");
+    return receivers.depth.size;
+}
+
+/// Every receiver through a filter in either form.
+template <class Receivers, class Filter, class ParallelFor>
+void filter_rows(const Receivers& receivers, const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+    parallel(out.size.y, [&](int first, int last) {
+        const bool large = past_cache(out);
+        on_best_isa([&](auto set) UMBRAGE_INLINE {
+            constexpr unsigned ring = 4;  // blocks on their way
+            typename Filter::placed placed[ring];
+            alignas(64) float visibility[block];
+            block_walk ahead{0, first, out.size.x}, at = ahead;
+            for (unsigned n = 0; at.y < last; ++n) {
+                if (ahead.y < last) {
+                    prefetch(receivers, ahead);
+                    use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE {
+                        filter.place(of_block, placed[n % ring]);
+                    });
+                    ahead.step();
+                }
+                if (n + 1 < ring) continue;
+                filter(placed[(n + 1) % ring], at.count(), visibility, set);
+                float* const to = out.row(at.y) + at.x;
+                if (large && at.count() == block) stream_block(to, visibility);
+                else copy_floats(to, visibility, at.count());
+                at.step();
+            }
+        });
+        if (large) finish_streaming();
+    });
+}
+
+template <class Encoding, class Receivers, class Filter, class ParallelFor>
+void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
+                  const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+    if (size_of(receivers) != out.size) detail::fail("umbrage::visibility: sizes differ");
+    if (map.empty()) detail::fail("umbrage::visibility: empty map");
+    if (out.empty()) return;
+    constexpr bool hierarchical = std::is_same_v<Filter, filters::hierarchical_box>;
+    if constexpr ((hierarchical || std::is_same_v<Filter, filters::box>) && !std::is_same_v<Encoding, depth32f>) {
+        // As floats, unless that is more work than the boxes.
+        const auto texels = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
+        if (texels(map.size) < 16.0 * texels(out.size)) {
+            image<float> depth(map.size);
+            decode(map, depth.view(), encoding, parallel);
+            return filter_image(image_view<const float>(depth), depth32f{}, receivers, filter, out, parallel);
+        }
+    }
+    if constexpr (hierarchical && std::is_same_v<Encoding, depth32f>)
+        if (texel_bytes<const float>::fits(map)) {
+            const filters::box box{filter.radius};
+            const box_bounds tree(map, clamp_int(box.radius, max_box_radius), parallel);
+            return filter_rows(receivers, hierarchical_blocks{tree, {map, encoding, box}}, out, parallel);
+        }
+    using blocks = block_filter<Filter, Encoding>;
+    if constexpr (blocks::least > 0)
+        if (map.size.x >= blocks::least && map.size.y >= blocks::least &&
+            texel_bytes<const typename Encoding::texel>::fits(map))
+            return filter_rows(receivers, blocks{map, encoding, filter}, out, parallel);
+    filter_rows(receivers, one_by_one<Filter, Encoding>{map, encoding, filter}, out, parallel);
+}
+
+}  // namespace detail
+
+/// @param map         shadow map, texels of the encoding; outside, the nearest texel inside counts
+/// @param encoding    how the map's texels hold depth; its edge decides ties
+/// @param receivers   (x, y) in texels of the map, z depth, biased
+/// @param filter      one of filters::, or any callable (fetch, coord, receiver) -> visibility
+/// @param out         visibility, 1 lit; same size as receivers
+/// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
+/// @throws std::invalid_argument  sizes differ, or the map is empty
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, Encoding encoding,
+                image_view<const glm::vec3> receivers, Filter filter, image_view<float> out,
+                ParallelFor&& parallel = {}) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+}
+
+/// Receivers as a structure of arrays.
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, Encoding encoding, const receiver_planes& receivers,
+                Filter filter, image_view<float> out, ParallelFor&& parallel = {}) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+}
+
+/// Receivers from a camera's depth image: visibility of receiver_at for each of its texels.
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, Encoding encoding, const depth_receivers& receivers,
+                Filter filter, image_view<float> out, ParallelFor&& parallel = {}) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/shader/registry.hpp
+// Every snippet there is, in the order of the data's way: what tests, tables and tools walk through.
+//
+//     for (const umbrage::glsl::snippet* s : umbrage::glsl::registry) std::puts(umbrage::glsl::text({*s}).c_str());
+//
+
+namespace umbrage::glsl {
+
+inline constexpr std::array registry{
+    // vertex side
+    &shadow_coordinate, &tap_coordinate, &project_coordinate,
+    // kinds of depth
+    &linear_depth, &project_depth, &distance_depth, &reverse_depth, &depth_from_ndc, &view_z_from_depth,
+    &depth_from_view_z,
+    // encodings
+    &saturate, &to_unorm, &from_unorm,
+    &encode_rg<9>, &encode_rg<10>, &encode_rg<11>, &encode_rg<12>, &encode_rg<13>, &encode_rg<14>, &encode_rg<15>,
+    &encode_rg<16>,
+    &encode_rg_table<9>, &encode_rg_table<10>, &encode_rg_table<11>, &encode_rg_table<12>, &encode_rg_table<13>,
+    &encode_rg_table<14>, &encode_rg_table<15>, &encode_rg_table<16>,
+    &decode_rg<9>, &decode_rg<10>, &decode_rg<11>, &decode_rg<12>, &decode_rg<13>, &decode_rg<14>, &decode_rg<15>,
+    &decode_rg<16>,
+    &level_rg<9>, &level_rg<10>, &level_rg<11>, &level_rg<12>, &level_rg<13>, &level_rg<14>, &level_rg<15>,
+    &level_rg<16>,
+    &receiver_rg<9>, &receiver_rg<10>, &receiver_rg<11>, &receiver_rg<12>, &receiver_rg<13>, &receiver_rg<14>,
+    &receiver_rg<15>, &receiver_rg<16>,
+    &decode_ps14, &receiver_ps14,
+    &encode_rgb24, &decode_rgb24,
+    &encode_float_bits, &decode_float_bits,
+    &write_threejs_rgba, &decode_threejs_rgba, &write_threejs_rgb, &decode_threejs_rgb, &write_threejs_rg, &decode_threejs_rg,
+    &write_threejs_legacy, &encode_threejs_legacy_repaired, &decode_threejs_legacy,
+    &write_base255, &encode_base255_repaired, &decode_base255,
+    // fetch, compare, filter
+    &fetch_clamped, &fetch_bordered, &fetch_depth, &inside_texel_space, &compare, &compare_dx_sdk, &compare_exercise,
+    &hard, &four_tap, &pcf_2x2, &pcf_2x2_dx_sdk, &box_count, &box_scale, &box,
+    // shade, view
+    &spot_cone, &diffuse_ambient, &false_colour};
+
+}  // namespace umbrage::glsl
+
 // ---- umbrage/umbrage.hpp
-// All primitives of umbrage. Includes only; each header also stands alone. Functions over whole images, the depth pass
-// among them, and the registry of snippets are in <umbrage/images.hpp>: who needs none of them does not compile them.
+// All of umbrage: the primitives, functions over whole images, the registry of snippets. Includes only.
 

@@ -7,7 +7,7 @@
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/image_ops/blur.hpp>
+#include <umbrage/images/blur.hpp>
 
 #include "bench.hpp"
 #include "data.hpp"

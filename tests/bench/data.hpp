@@ -12,7 +12,7 @@
 
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/image.hpp>
-#include <umbrage/image_ops/encode.hpp>
+#include <umbrage/images/encode.hpp>
 
 namespace bench {
 

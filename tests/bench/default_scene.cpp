@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include <umbrage/image_ops/rasterize.hpp>
+#include <umbrage/images/rasterize.hpp>
 
 #include <view.hpp>
 

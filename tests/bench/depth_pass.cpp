@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <umbrage/image_ops/rasterize.hpp>
-#include <umbrage/image_ops/visibility.hpp>
+#include <umbrage/images/rasterize.hpp>
+#include <umbrage/images/visibility.hpp>
 
 #include "bench.hpp"
 #include "data.hpp"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include <umbrage/image_ops/encode.hpp>
+#include <umbrage/images/encode.hpp>
 
 #include "bench.hpp"
 #include "data.hpp"

@@ -21,10 +21,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include <umbrage/image_ops/encode.hpp>
-#include <umbrage/image_ops/rasterize.hpp>
-#include <umbrage/image_ops/summed_area.hpp>
-#include <umbrage/image_ops/visibility.hpp>
+#include <umbrage/images/encode.hpp>
+#include <umbrage/images/rasterize.hpp>
+#include <umbrage/images/summed_area.hpp>
+#include <umbrage/images/visibility.hpp>
 
 #include "data.hpp"
 #include "peers/depth_pass.hpp"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <random>
 
-#include <umbrage/image_ops/summed_area.hpp>
+#include <umbrage/images/summed_area.hpp>
 
 #include "bench.hpp"
 #include "data.hpp"

@@ -15,10 +15,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include <umbrage/image_ops/encode.hpp>
-#include <umbrage/image_ops/rasterize.hpp>
-#include <umbrage/image_ops/summed_area.hpp>
-#include <umbrage/image_ops/visibility.hpp>
+#include <umbrage/images/encode.hpp>
+#include <umbrage/images/rasterize.hpp>
+#include <umbrage/images/summed_area.hpp>
+#include <umbrage/images/visibility.hpp>
 
 #include "bench.hpp"
 #include "data.hpp"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include <umbrage/image_ops/visibility.hpp>
+#include <umbrage/images/visibility.hpp>
 
 #include "bench.hpp"
 #include "data.hpp"

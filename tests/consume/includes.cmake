@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Fails when images.hpp, and so umbrage.hpp, reaches a header that costs its users too much or ties them to a machine.
-file(WRITE includes.cpp "#include <umbrage/images.hpp>\n")
+# Fails when umbrage.hpp reaches a header that costs its users too much or ties them to a machine.
+file(WRITE includes.cpp "#include <umbrage/umbrage.hpp>\n")
 execute_process(COMMAND ${CXX} -M includes.cpp OUTPUT_VARIABLE files COMMAND_ERROR_IS_FATAL ANY)
 string(JOIN | heavy
     iostream istream ostream fstream sstream iomanip locale regex functional execution thread future filesystem random
@@ -9,5 +9,5 @@ string(JOIN | heavy
 string(REGEX MATCHALL "[^ ]*/(${heavy})[ \n]" found "${files}")
 if(found)
     string(REGEX REPLACE "[ \n;]+" "\n  " found ";${found}")
-    message(FATAL_ERROR "images.hpp reaches${found}")
+    message(FATAL_ERROR "umbrage.hpp reaches${found}")
 endif()

@@ -23,7 +23,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <umbrage/registry.hpp>
+#include <umbrage/shader/registry.hpp>
 
 #include "compare.hpp"
 #include "mutants.hpp"

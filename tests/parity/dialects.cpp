@@ -12,7 +12,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include <umbrage/registry.hpp>
+#include <umbrage/shader/registry.hpp>
 
 #include "shader.hpp"
 

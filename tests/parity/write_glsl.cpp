@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iostream>
 
-#include <umbrage/registry.hpp>
+#include <umbrage/shader/registry.hpp>
 
 int main(int argc, char** argv) try {
     if (argc != 2) return 2;

@@ -13,11 +13,11 @@
 #include <cstdlib>
 #include <tuple>
 
-#include <umbrage/depth/aras.hpp>
+#include <umbrage/depth/foreign/base255.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/depth/rgb24.hpp>
-#include <umbrage/depth/three.hpp>
+#include <umbrage/depth/foreign/threejs.hpp>
 #include <umbrage/unorm.hpp>
 
 namespace proof {
@@ -153,51 +153,51 @@ struct facts {
     float one;  ///< what 1 decodes to
 };
 
-struct three_rgba {
-    static constexpr const glsl::snippet& encoder = glsl::encode_three_rgba;
+struct threejs_rgba {
+    static constexpr const glsl::snippet& encoder = glsl::write_threejs_rgba;
     static constexpr facts known{{0x1p-32, 0x1p-32 * 256 / 255}, {0, 0}, {0, 0}, 1.0f};
-    static auto write(float depth) { return umbrage::encode_three_rgba(depth); }
-    static float read(glm::vec4 c) { return umbrage::decode_three_rgba(c); }
+    static auto write(float depth) { return umbrage::write_threejs_rgba(depth); }
+    static float read(glm::vec4 c) { return umbrage::decode_threejs_rgba(c); }
 };
-struct three_rgb {
-    static constexpr const glsl::snippet& encoder = glsl::encode_three_rgb;
+struct threejs_rgb {
+    static constexpr const glsl::snippet& encoder = glsl::write_threejs_rgb;
     static constexpr facts known{{0x1p-24, 0x1p-24 * 256 / 255}, {0, 0}, {0, 0}, 1.0f};
-    static auto write(float depth) { return umbrage::encode_three_rgb(depth); }
-    static float read(glm::vec3 c) { return umbrage::decode_three_rgb(c); }
+    static auto write(float depth) { return umbrage::write_threejs_rgb(depth); }
+    static float read(glm::vec3 c) { return umbrage::decode_threejs_rgb(c); }
 };
-struct three_rg {
-    static constexpr const glsl::snippet& encoder = glsl::encode_three_rg;
+struct threejs_rg {
+    static constexpr const glsl::snippet& encoder = glsl::write_threejs_rg;
     static constexpr facts known{{0x1.02p-17, 0x1p-16 * 256 / 255}, {0, 0}, {0, 0}, 1.0f};
-    static auto write(float depth) { return umbrage::encode_three_rg(depth); }
-    static float read(glm::vec2 c) { return umbrage::decode_three_rg(c); }
+    static auto write(float depth) { return umbrage::write_threejs_rg(depth); }
+    static float read(glm::vec2 c) { return umbrage::decode_threejs_rg(c); }
 };
-struct three_legacy {
-    static constexpr const glsl::snippet& encoder = glsl::encode_three_legacy;
+struct threejs_legacy {
+    static constexpr const glsl::snippet& encoder = glsl::write_threejs_legacy;
     static constexpr facts known{{0x1p-32, 0x1p-32}, {0, 0}, {0, 0}, 255.0f / 256.0f};
-    static auto write(float depth) { return umbrage::encode_three_legacy(depth); }
-    static float read(glm::vec4 c) { return umbrage::decode_three_legacy(c); }
+    static auto write(float depth) { return umbrage::write_threejs_legacy(depth); }
+    static float read(glm::vec4 c) { return umbrage::decode_threejs_legacy(c); }
 };
-struct three_legacy_repaired {
-    static constexpr const glsl::snippet& encoder = glsl::encode_three_legacy_repaired;
+struct threejs_legacy_repaired {
+    static constexpr const glsl::snippet& encoder = glsl::encode_threejs_legacy_repaired;
     static constexpr facts known{{0x1p-24, 0x1p-24}, {0, 0}, {0, 0}, 1.0f};
-    static auto write(float depth) { return umbrage::encode_three_legacy_repaired(depth); }
-    static float read(glm::vec4 c) { return umbrage::decode_three_legacy(c); }
+    static auto write(float depth) { return umbrage::encode_threejs_legacy_repaired(depth); }
+    static float read(glm::vec4 c) { return umbrage::decode_threejs_legacy(c); }
 };
-struct aras {
-    static constexpr const glsl::snippet& encoder = glsl::encode_aras;
+struct base255 {
+    static constexpr const glsl::snippet& encoder = glsl::write_base255;
     static constexpr facts known{{0x1p-23, 0x1.021p-8}, {574, 2136572}, {0, 442398}, 0.0f};
-    static auto write(float depth) { return umbrage::encode_aras(depth); }
-    static float read(glm::vec4 c) { return umbrage::decode_aras(c); }
+    static auto write(float depth) { return umbrage::write_base255(depth); }
+    static float read(glm::vec4 c) { return umbrage::decode_base255(c); }
 };
-struct aras_repaired {
-    static constexpr const glsl::snippet& encoder = glsl::encode_aras_repaired;
+struct base255_repaired {
+    static constexpr const glsl::snippet& encoder = glsl::encode_base255_repaired;
     static constexpr facts known{{0x1p-23, 0x1p-23}, {2, 2}, {0, 0}, 1.0f};
-    static auto write(float depth) { return umbrage::encode_aras_repaired(depth); }
-    static float read(glm::vec4 c) { return umbrage::decode_aras(c); }
+    static auto write(float depth) { return umbrage::encode_base255_repaired(depth); }
+    static float read(glm::vec4 c) { return umbrage::decode_base255(c); }
 };
 
 using foreign =
-    std::tuple<three_rgba, three_rgb, three_rg, three_legacy, three_legacy_repaired, aras, aras_repaired>;
+    std::tuple<threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255, base255_repaired>;
 
 /// What was seen of the inputs n = first .. last - 1.
 struct seen {

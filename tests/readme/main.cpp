@@ -20,7 +20,7 @@
 #include <string_view>
 #include <vector>
 
-#include <umbrage/registry.hpp>
+#include <umbrage/shader/registry.hpp>
 
 namespace {
 

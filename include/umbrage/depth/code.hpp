@@ -2,8 +2,8 @@
 //
 // A depth as a whole number of 2^Bits steps, and back: what every encoding of ours is made of.
 //
-//     std::uint32_t x = umbrage::depth_code<11>(0.5f);                         // 1024
-//     float d = umbrage::code_depth<11>(float(x), umbrage::upper_edge<float>);  // 1025 / 2048
+//     std::uint32_t x = umbrage::to_code<11>(0.5f);                         // 1024
+//     float d = umbrage::from_code<11>(float(x), umbrage::upper_edge<float>);  // 1025 / 2048
 //
 #pragma once
 
@@ -27,7 +27,7 @@ inline constexpr T upper_edge = T(1);
 /// @formula       min(floor(depth 2^Bits), 2^Bits - 1)
 /// @exactness     A: scaling by a power of two, floor, min
 template <int Bits, real T>
-[[nodiscard]] constexpr std::uint32_t depth_code(T depth) {
+[[nodiscard]] constexpr std::uint32_t to_code(T depth) {
     static_assert(Bits >= 1 && Bits <= 24, "a binary32 significand has 24 bits");
     constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
     const auto x = static_cast<std::uint32_t>(saturate(depth) * T(codes));
@@ -39,7 +39,7 @@ template <int Bits, real T>
 /// @return        (code + edge) 2^-Bits
 /// @exactness     A, but for the centre of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
 template <int Bits, real T>
-[[nodiscard]] constexpr T code_depth(T code, T edge) {
+[[nodiscard]] constexpr T from_code(T code, T edge) {
     return (code + edge) * (T(1) / T(std::uint32_t(1) << Bits));
 }
 

@@ -24,14 +24,14 @@ namespace umbrage {
 /// @return        integer channels 0..255, R least significant
 /// @exactness     A: no arithmetic. Hardware that flushes denormals may deliver them as zero before we see them.
 [[nodiscard]] constexpr glm::u8vec4 encode_float_bits(float v) {
-    const auto bits = std::bit_cast<std::uint32_t>(v);
+    const auto bits = detail::bit_cast<std::uint32_t>(v);
     return {static_cast<std::uint8_t>(bits & 0xFF), static_cast<std::uint8_t>(bits >> 8 & 0xFF),
             static_cast<std::uint8_t>(bits >> 16 & 0xFF), static_cast<std::uint8_t>(bits >> 24)};
 }
 
 /// Bytes to float.
 [[nodiscard]] constexpr float decode_float_bits(glm::u8vec4 texel) {
-    return std::bit_cast<float>(std::uint32_t(texel.x) | std::uint32_t(texel.y) << 8 | std::uint32_t(texel.z) << 16 |
+    return detail::bit_cast<float>(std::uint32_t(texel.x) | std::uint32_t(texel.y) << 8 | std::uint32_t(texel.z) << 16 |
                                 std::uint32_t(texel.w) << 24);
 }
 

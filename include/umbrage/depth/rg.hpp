@@ -32,7 +32,7 @@ namespace umbrage {
 template <int Bits, real T>
 [[nodiscard]] constexpr glm::u8vec2 encode_rg(T depth) {
     static_assert(Bits >= 9 && Bits <= 16);
-    const std::uint32_t x = depth_code<Bits>(depth);
+    const std::uint32_t x = to_code<Bits>(depth);
     return {static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>((x >> 8) << (16 - Bits))};
 }
 
@@ -47,14 +47,14 @@ template <int Bits, real T>
 [[nodiscard]] T decode_rg(glm::vec<2, T> c, T edge) {
     static_assert(Bits >= 9 && Bits <= 16);
     const glm::vec<2, T> k = from_unorm(c);
-    return code_depth<Bits>(k.x + k.y * T(1 << (Bits - 8)), edge);
+    return from_code<Bits>(k.x + k.y * T(1 << (Bits - 8)), edge);
 }
 
 /// Bytes to depth.
 template <int Bits, real T>
 [[nodiscard]] constexpr T decode_rg(glm::u8vec2 texel, T edge) {
     static_assert(Bits >= 9 && Bits <= 16);
-    return code_depth<Bits>(T(texel.x + (texel.y << (Bits - 8))), edge);
+    return from_code<Bits>(T(texel.x + (texel.y << (Bits - 8))), edge);
 }
 
 /// The encoding as a value, for functions over images.

@@ -42,7 +42,7 @@ inline constexpr glm::ivec2 rg_table_size = Bits <= 11 ? glm::ivec2(1 << Bits, 1
 /// @exactness     A
 template <int Bits, real T, class Fetch>
 [[nodiscard]] constexpr glm::u8vec2 encode_rg_table(Fetch&& fetch, T depth) {
-    const auto texel = fetch(static_cast<int>(depth_code<Bits>(depth)));
+    const auto texel = fetch(static_cast<int>(to_code<Bits>(depth)));
     return {texel[0], texel[1]};
 }
 

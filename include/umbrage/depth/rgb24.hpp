@@ -23,7 +23,7 @@ namespace umbrage {
 /// @exactness     A
 template <real T>
 [[nodiscard]] constexpr glm::u8vec3 encode_rgb24(T depth) {
-    const std::uint32_t x = depth_code<24>(depth);
+    const std::uint32_t x = to_code<24>(depth);
     return {static_cast<std::uint8_t>(x >> 16), static_cast<std::uint8_t>(x >> 8 & 0xFF),
             static_cast<std::uint8_t>(x & 0xFF)};
 }
@@ -37,13 +37,13 @@ template <real T>
 template <real T>
 [[nodiscard]] T decode_rgb24(glm::vec<3, T> c, T edge) {
     const glm::vec<3, T> k = from_unorm(c);
-    return code_depth<24>((k.x * T(256) + k.y) * T(256) + k.z, edge);
+    return from_code<24>((k.x * T(256) + k.y) * T(256) + k.z, edge);
 }
 
 /// Bytes to depth.
 template <real T>
 [[nodiscard]] constexpr T decode_rgb24(glm::u8vec3 texel, T edge) {
-    return code_depth<24>(T((texel.x << 16) + (texel.y << 8) + texel.z), edge);
+    return from_code<24>(T((texel.x << 16) + (texel.y << 8) + texel.z), edge);
 }
 
 /// The encoding as a value, for functions over images.

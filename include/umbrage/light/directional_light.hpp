@@ -34,12 +34,12 @@ struct directional_light {
 template <real T = float>
 [[nodiscard]] light_space<T> make_directional_light(const directional_light<T>& light) {
     if (light.map_size < 1 || !is_finite(light.divisor) || !(light.divisor > T(0)))
-        throw std::invalid_argument("umbrage::make_directional_light: map_size and divisor must be above 0");
+        detail::fail("umbrage::make_directional_light: map_size and divisor must be above 0");
     // along the normalised direction, moved by the offset: the view's last row holds the light's distance
     light_space<T> space{look_along(light.target, light.direction, light.up, light.clip.hand), {}, light.clip};
     space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
     if (!is_finite(space.view[3][2]))
-        throw std::invalid_argument("umbrage::make_directional_light: offset must be finite");
+        detail::fail("umbrage::make_directional_light: offset must be finite");
     const T half = T(light.map_size) / light.divisor / T(2);
     space.projection = orthographic(glm::vec<2, T>(-half), glm::vec<2, T>(half), light.z_near, light.z_far, light.clip);
     return space;
@@ -60,9 +60,9 @@ template <real T = float>
 [[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
     const T diagonal = glm::length(fit.high - fit.low);
     if (!is_finite(diagonal) || !(diagonal > T(0)) || glm::any(glm::greaterThan(fit.low, fit.high)))
-        throw std::invalid_argument("umbrage::fit_directional_light: bounds must be finite, in order, of some extent");
+        detail::fail("umbrage::fit_directional_light: bounds must be finite, in order, of some extent");
     if (!is_finite(fit.margin) || !(fit.margin > T(0)))
-        throw std::invalid_argument("umbrage::fit_directional_light: margin must be above 0");
+        detail::fail("umbrage::fit_directional_light: margin must be above 0");
     light_space<T> space{look_along((fit.low + fit.high) * T(0.5), fit.direction, fit.up, fit.clip.hand), {}, fit.clip};
     // the box is centred on the bounds' centre, so it is enough to know how far it reaches
     const glm::vec<3, T> half = (fit.high - fit.low) * T(0.5);

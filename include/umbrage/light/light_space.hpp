@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cmath>
-#include <stdexcept>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
@@ -50,9 +49,9 @@ template <real T>
                                            handedness hand) {
     for (int i = 0; i < 3; ++i)
         if (!is_finite(position[i]) || !is_finite(direction[i]) || !is_finite(up[i]))
-            throw std::invalid_argument("umbrage: a light's position, direction and up must be finite");
+            detail::fail("umbrage: a light's position, direction and up must be finite");
     const glm::vec<3, T> forward = detail::unit(direction);
-    if (forward == glm::vec<3, T>(0)) throw std::invalid_argument("umbrage: a light's direction must not be zero");
+    if (forward == glm::vec<3, T>(0)) detail::fail("umbrage: a light's direction must not be zero");
 
     glm::vec<3, T> side = glm::cross(forward, detail::unit(up));
     if (!(glm::length(side) > T(1e-3))) {
@@ -94,7 +93,7 @@ template <real T>
 template <real T>
 void check_planes(T z_near, T z_far) {
     if (!is_finite(z_near) || !is_finite(z_far) || !(z_near < z_far))
-        throw std::invalid_argument("umbrage: a light needs finite z_near < z_far");
+        detail::fail("umbrage: a light needs finite z_near < z_far");
 }
 
 }  // namespace detail
@@ -108,9 +107,9 @@ void check_planes(T z_near, T z_far) {
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip) {
     detail::check_planes(z_near, z_far);
-    if (!(z_near > T(0))) throw std::invalid_argument("umbrage: a perspective light needs z_near > 0");
+    if (!(z_near > T(0))) detail::fail("umbrage: a perspective light needs z_near > 0");
     if (!is_finite(tan_half_x) || !is_finite(tan_half_y) || !(tan_half_x > T(0)) || !(tan_half_y > T(0)))
-        throw std::invalid_argument(
+        detail::fail(
             "umbrage: a perspective light needs an opening angle above 0 and below 180 degrees");
     const auto [at_near, at_far] = detail::ends<T>(clip);
     const T forward = clip.hand == handedness::right ? T(-1) : T(1);
@@ -134,7 +133,7 @@ template <real T>
     detail::check_planes(z_near, z_far);
     for (int i = 0; i < 2; ++i)
         if (!is_finite(low[i]) || !is_finite(high[i]) || !(low[i] < high[i]))
-            throw std::invalid_argument("umbrage: an orthographic light needs a box with some width and height");
+            detail::fail("umbrage: an orthographic light needs a box with some width and height");
     const auto [at_near, at_far] = detail::ends<T>(clip);
     const T forward = clip.hand == handedness::right ? T(-1) : T(1);
     glm::mat<4, 4, T> m(T(1));

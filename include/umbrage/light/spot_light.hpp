@@ -30,7 +30,7 @@ template <real T = float>
 [[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
     if (!is_finite(light.outer_angle_radians) || !(light.outer_angle_radians > T(0)) ||
         !(light.outer_angle_radians < std::numbers::pi_v<T> / 2))
-        throw std::invalid_argument("umbrage::make_spot_light: outer_angle_radians must lie between 0 and pi / 2");
+        detail::fail("umbrage::make_spot_light: outer_angle_radians must lie between 0 and pi / 2");
     const T extent = std::tan(light.outer_angle_radians);
     return {look_along(light.position, light.direction, light.up, light.clip.hand),
             perspective(extent, extent, light.z_near, light.z_far, light.clip), light.clip};

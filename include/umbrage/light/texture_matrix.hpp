@@ -8,14 +8,13 @@
 #pragma once
 
 #include <array>
-#include <stdexcept>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/glsl.hpp>
+#include <umbrage/shader/glsl.hpp>
 #include <umbrage/light/light_space.hpp>
 
 namespace umbrage {
@@ -29,7 +28,7 @@ namespace umbrage {
 /// @throws std::invalid_argument  map_size below 1
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
-    if (map_size.x < 1 || map_size.y < 1) throw std::invalid_argument("umbrage::texture_matrix: map_size below 1");
+    if (map_size.x < 1 || map_size.y < 1) detail::fail("umbrage::texture_matrix: map_size below 1");
     const glm::vec<2, T> half = glm::vec<2, T>(map_size) * T(0.5);
     glm::mat<4, 4, T> scale_bias(T(1));
     scale_bias[0][0] = half.x;

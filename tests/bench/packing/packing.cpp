@@ -29,7 +29,7 @@
 #include <utility>
 #include <vector>
 
-#include <umbrage/registry.hpp>
+#include <umbrage/shader/registry.hpp>
 
 namespace {
 
@@ -76,15 +76,15 @@ std::vector<codec> codecs(const std::string& folder) {
          "vec4(umbrage_to_unorm(umbrage_encode_rgb24(depth)), 1.0)", "umbrage_decode_rgb24(c.xyz, 1.0)"},
         {"float bits", us, us, ours({glsl::to_unorm, glsl::encode_float_bits, glsl::decode_float_bits}),
          "umbrage_to_unorm(umbrage_encode_float_bits(depth))", "umbrage_decode_float_bits(c)"},
-        {"RGBA", us, three, ours({glsl::encode_three_rgba}) + peer("three"), "umbrage_encode_three_rgba(depth)",
+        {"RGBA", us, three, ours({glsl::write_threejs_rgba}) + peer("three"), "umbrage_write_threejs_rgba(depth)",
          "unpackRGBAToDepth(c)"},
         {"RGBA before r167, repaired", us, us,
-         ours({glsl::to_unorm, glsl::encode_three_legacy_repaired, glsl::decode_three_legacy}),
-         "umbrage_to_unorm(umbrage_encode_three_legacy_repaired(depth))", "umbrage_decode_three_legacy(c)"},
-        {"base 255, repaired", us, babylon, ours({glsl::to_unorm, glsl::encode_aras_repaired}) + peer("babylon"),
-         "umbrage_to_unorm(umbrage_encode_aras_repaired(depth)).wzyx", "unpack(c)"},
-        {"base 255, repaired", us, us, ours({glsl::to_unorm, glsl::encode_aras_repaired, glsl::decode_aras}),
-         "umbrage_to_unorm(umbrage_encode_aras_repaired(depth))", "umbrage_decode_aras(c)"},
+         ours({glsl::to_unorm, glsl::encode_threejs_legacy_repaired, glsl::decode_threejs_legacy}),
+         "umbrage_to_unorm(umbrage_encode_threejs_legacy_repaired(depth))", "umbrage_decode_threejs_legacy(c)"},
+        {"base 255, repaired", us, babylon, ours({glsl::to_unorm, glsl::encode_base255_repaired}) + peer("babylon"),
+         "umbrage_to_unorm(umbrage_encode_base255_repaired(depth)).wzyx", "unpack(c)"},
+        {"base 255, repaired", us, us, ours({glsl::to_unorm, glsl::encode_base255_repaired, glsl::decode_base255}),
+         "umbrage_to_unorm(umbrage_encode_base255_repaired(depth))", "umbrage_decode_base255(c)"},
         {"float bits", us, playcanvas, ours({glsl::to_unorm, glsl::encode_float_bits}) + peer("playcanvas"),
          "umbrage_to_unorm(umbrage_encode_float_bits(depth)).wzyx", "uint2float(c)"},
     };

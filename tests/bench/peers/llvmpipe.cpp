@@ -12,7 +12,7 @@
 #include <string>
 
 #include <umbrage/depth/rg.hpp>
-#include <umbrage/filter/pcf_2x2.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
 
 namespace peers::llvmpipe {
 namespace {

@@ -18,7 +18,7 @@
 #include <string>
 
 #include <entry.hpp>
-#include <umbrage/registry.hpp>
+#include <umbrage/shader/registry.hpp>
 
 #include "vulkan.hpp"
 
@@ -120,8 +120,8 @@ std::vector<job> jobs(const std::string& folder) {
         return std::vector<snippet>{glsl::level_rg<11>, glsl::receiver_rg<11>, filter};
     };
     const std::string ps14 = fetch("umbrage_decode_ps14(" + texel + ".xy)");
-    const std::string three_rg = text("three") + fetch("unpackRGToDepth(" + texel + ".xy)");
-    const std::string three_rgba = text("three") + fetch("unpackRGBAToDepth(" + texel + ")");
+    const std::string threejs_rg = text("three") + fetch("unpackRGToDepth(" + texel + ".xy)");
+    const std::string threejs_rgba = text("three") + fetch("unpackRGBAToDepth(" + texel + ")");
     const std::string babylon_rgba = text("babylon") + fetch("unpack(" + texel + ")");
     const std::string playcanvas_rgba = text("playcanvas") + fetch("uint2float(" + texel + ")");
     const std::string pcf = "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, x1.z))";
@@ -144,9 +144,9 @@ std::vector<job> jobs(const std::string& folder) {
            "vec4(umbrage_to_unorm(umbrage_encode_rgb24(x0.x)), 1.0)"},
           {three, "packDepthToRGB", text("three"), {}, "vec4(packDepthToRGB(x0.x), 1.0)"}}},
         {"pack, 4 channels",
-         {{us, "three RGBA", "", {glsl::encode_three_rgba}, "umbrage_encode_three_rgba(x0.x)"},
-          {us, "base 255, repaired", "", {glsl::encode_aras_repaired, glsl::to_unorm},
-           "umbrage_to_unorm(umbrage_encode_aras_repaired(x0.x))"},
+         {{us, "three RGBA", "", {glsl::write_threejs_rgba}, "umbrage_write_threejs_rgba(x0.x)"},
+          {us, "base 255, repaired", "", {glsl::encode_base255_repaired, glsl::to_unorm},
+           "umbrage_to_unorm(umbrage_encode_base255_repaired(x0.x))"},
           {three, "packDepthToRGBA", text("three"), {}, "packDepthToRGBA(x0.x)"},
           {babylon, "pack", text("babylon"), {}, "pack(x0.x)"}}},
         {"pack, bits of a float",
@@ -162,8 +162,8 @@ std::vector<job> jobs(const std::string& folder) {
          {{us, "rgb24", "", {glsl::decode_rgb24}, "vec4(umbrage_decode_rgb24(x0.xyz, 1.0))"},
           {three, "unpackRGBToDepth", text("three"), {}, "vec4(unpackRGBToDepth(x0.xyz))"}}},
         {"unpack, 4 channels",
-         {{us, "three RGBA", "", {glsl::decode_three_rgba}, "vec4(umbrage_decode_three_rgba(x0))"},
-          {us, "base 255", "", {glsl::decode_aras}, "vec4(umbrage_decode_aras(x0))"},
+         {{us, "three RGBA", "", {glsl::decode_threejs_rgba}, "vec4(umbrage_decode_threejs_rgba(x0))"},
+          {us, "base 255", "", {glsl::decode_base255}, "vec4(umbrage_decode_base255(x0))"},
           {three, "unpackRGBAToDepth", text("three"), {}, "vec4(unpackRGBAToDepth(x0))"},
           {babylon, "unpack", text("babylon"), {}, "vec4(unpack(x0))"}}},
         {"unpack, bits of a float",
@@ -190,8 +190,8 @@ std::vector<job> jobs(const std::string& folder) {
           {us, "rg11", rg11, {glsl::decode_rg<11>, glsl::pcf_2x2}, pcf},
           {us, "ps14", ps14, {glsl::decode_ps14, glsl::receiver_ps14, glsl::pcf_2x2},
            "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, umbrage_receiver_ps14(x1.z)))"},
-          {three, "unpackRGToDepth in the same filter", three_rg, {glsl::pcf_2x2}, pcf},
-          {three, "unpackRGBAToDepth in the same filter", three_rgba, {glsl::pcf_2x2}, pcf},
+          {three, "unpackRGToDepth in the same filter", threejs_rg, {glsl::pcf_2x2}, pcf},
+          {three, "unpackRGBAToDepth in the same filter", threejs_rgba, {glsl::pcf_2x2}, pcf},
           {babylon, "unpack in the same filter", babylon_rgba, {glsl::pcf_2x2}, pcf},
           {playcanvas, "uint2float in the same filter", playcanvas_rgba, {glsl::pcf_2x2}, pcf}}},
         {"2x2 PCF, depth map",  // the peers leave the filter to the sampler, whose work no instruction shows

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <umbrage/depth/linear.hpp>
+#include <umbrage/depth/kinds.hpp>
 
 #include "entries.hpp"
 

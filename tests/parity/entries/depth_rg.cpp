@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <utility>
 
-#include <umbrage/depth/ps14.hpp>
+#include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/rg_level.hpp>
 #include <umbrage/depth/rg_table.hpp>
 

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include <umbrage/depth/rg.hpp>
-#include <umbrage/filter/box.hpp>
-#include <umbrage/filter/four_tap.hpp>
-#include <umbrage/filter/pcf_2x2.hpp>
+#include <umbrage/filter/pcf/box.hpp>
+#include <umbrage/filter/pcf/four_tap.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
 
 #include "entries.hpp"
 

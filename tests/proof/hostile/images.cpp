@@ -20,13 +20,13 @@
 #include <vector>
 
 #include <umbrage/depth/rgb24.hpp>
-#include <umbrage/depth/three.hpp>
-#include <umbrage/image_ops/blur.hpp>
-#include <umbrage/image_ops/encode.hpp>
-#include <umbrage/image_ops/pyramid.hpp>
-#include <umbrage/image_ops/rasterize.hpp>
-#include <umbrage/image_ops/summed_area.hpp>
-#include <umbrage/image_ops/visibility.hpp>
+#include <umbrage/depth/foreign/threejs.hpp>
+#include <umbrage/images/blur.hpp>
+#include <umbrage/images/encode.hpp>
+#include <umbrage/images/min_max.hpp>
+#include <umbrage/images/rasterize.hpp>
+#include <umbrage/images/summed_area.hpp>
+#include <umbrage/images/visibility.hpp>
 
 #include "hostile.hpp"
 

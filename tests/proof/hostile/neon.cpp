@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // One whole-image function, for neon.cmake to look at what it is compiled to.
-#include <umbrage/image_ops/encode.hpp>
-#include <umbrage/image_ops/visibility.hpp>
+#include <umbrage/images/encode.hpp>
+#include <umbrage/images/visibility.hpp>
 
 using namespace umbrage;
 

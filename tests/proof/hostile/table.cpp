@@ -18,7 +18,7 @@
 #include <string>
 #include <tuple>
 
-#include <umbrage/registry.hpp>
+#include <umbrage/shader/registry.hpp>
 
 namespace {
 

@@ -12,10 +12,10 @@
 #include <umbrage/depth/float_bits.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/depth/rgb24.hpp>
-#include <umbrage/depth/three.hpp>
-#include <umbrage/filter/box.hpp>
-#include <umbrage/filter/four_tap.hpp>
-#include <umbrage/filter/pcf_2x2.hpp>
+#include <umbrage/depth/foreign/threejs.hpp>
+#include <umbrage/filter/pcf/box.hpp>
+#include <umbrage/filter/pcf/four_tap.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
 
 #include "hostile.hpp"
 
@@ -98,7 +98,7 @@ void suite::all() const {
     run("encode_float_bits", inputs, any, encode_float_bits);
     run("decode_float_bits", inputs, [](source& s) { return s.reads<4>(); },
         [](glm::vec4 c) { return decode_float_bits(c); });
-    run("encode_three_legacy_repaired", inputs, depth, encode_three_legacy_repaired<float>);
+    run("encode_threejs_legacy_repaired", inputs, depth, encode_threejs_legacy_repaired<float>);
 
     image<float> map({8, 8});
     source levels{what, flush, 1};

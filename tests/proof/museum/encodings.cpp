@@ -8,13 +8,13 @@
 #include <cstdint>
 
 #include <glm/exponential.hpp>
-#include <umbrage/depth/aras.hpp>
-#include <umbrage/depth/linear.hpp>
+#include <umbrage/depth/foreign/base255.hpp>
+#include <umbrage/depth/kinds.hpp>
 #include <umbrage/depth/rg.hpp>
-#include <umbrage/depth/ps14.hpp>
+#include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/depth/rgb24.hpp>
-#include <umbrage/depth/three.hpp>
+#include <umbrage/depth/foreign/threejs.hpp>
 
 #include "mediump.hpp"
 
@@ -67,10 +67,10 @@ score at_one(RoundTrip f) {
 }
 
 float base_256(float d) { return decode_base_256(stored(encode_base_256(d))); }
-float aras(float d) { return decode_aras(stored(encode_aras(d))); }
-float aras_repaired(float d) { return decode_aras(stored(encode_aras_repaired(d))); }
-float legacy(float d) { return decode_three_legacy(stored(encode_three_legacy(d))); }
-float legacy_repaired(float d) { return decode_three_legacy(stored(encode_three_legacy_repaired(d))); }
+float base255(float d) { return decode_base255(stored(write_base255(d))); }
+float base255_repaired(float d) { return decode_base255(stored(encode_base255_repaired(d))); }
+float legacy(float d) { return decode_threejs_legacy(stored(write_threejs_legacy(d))); }
+float legacy_repaired(float d) { return decode_threejs_legacy(stored(encode_threejs_legacy_repaired(d))); }
 float three_bytes(float d) { return decode_rgb24(stored(encode_rgb24(d)), upper_edge<float>); }
 template <int Bits>
 float two_bytes(float d) {
@@ -95,7 +95,7 @@ score small_depths(RoundTrip f) {
     }
     return s;
 }
-vec4 encode_aras_typo(float v) {
+vec4 encode_base255_typo(float v) {
     const float x = fraction(v), y = fraction(v * 255.0f), z = fraction(v * 65025.0f), w = fraction(v * 160581375.0f);
     return {x - y / 255.0f, y - z / 255.0f, z - w / 255.0f, w};
 }
@@ -111,7 +111,7 @@ score half_depths(RoundTrip f) {
     }
     return s;
 }
-half aras_in_half(half v) {
+half base255_in_half(half v) {
     const auto fract = [](half x) { return x - floor(x); };
     const half step = 1.0 / 255.0, x = fract(v), y = fract(v * 255.0), z = fract(v * 65025.0), w = fract(v * 16581375.0);
     return (x - y * step) + (y - z * step) * step + (z - w * step) * half(1.0 / 65025.0) + w * half(1.0 / 16581375.0);
@@ -216,7 +216,7 @@ vec4 opaque(vec4 c) { return {c.x, c.y, c.z, 1.0f}; }
 vec4 premultiplied(vec4 c) { return stored(vec4(c.x * c.w, c.y * c.w, c.z * c.w, c.w)); }
 template <vec4 (*Target)(vec4)>
 float legacy_through(float d) {
-    return decode_three_legacy(Target(stored(encode_three_legacy(d))));
+    return decode_threejs_legacy(Target(stored(write_threejs_legacy(d))));
 }
 template <vec4 (*Target)(vec4)>
 float three_bytes_through(float d) {
@@ -255,12 +255,12 @@ const exhibit all[] = {
     {"1.0 decodes to 0: base 255", "Aras Pranckevicius' formula of 2009 as used by Cesium, Babylon.js, bgfx",
      "The same, for the packer that is most copied.", "e_i = fract(255^i v), each less e_(i+1) / 255",
      "depth 1, back more than 2^-20 off", "depth",
-     "`encode_aras_repaired` writes digits instead of fractions, for the same reader", [] { return at_one(aras); },
-     [] { return at_one(aras_repaired); }},
+     "`encode_base255_repaired` writes digits instead of fractions, for the same reader", [] { return at_one(base255); },
+     [] { return at_one(base255_repaired); }},
     {"Nothing above 255/256", "three.js r73 to r166, lygia",
      "The top channel would need 256/255 and is clamped: the far plane comes back nearer than depths in front of it.",
      "fract packing scaled by 256/255, read with 255/256", "depth 1, back more than 2^-20 off", "depth",
-     "`encode_three_legacy_repaired` writes all ones for 1, for the same reader", [] { return at_one(legacy); },
+     "`encode_threejs_legacy_repaired` writes all ones for 1, for the same reader", [] { return at_one(legacy); },
      [] { return at_one(legacy_repaired); }},
     {"Depths in the wrong order", "old bgfx, Godot and Mapbox GL packers",
      "The channels are no multiples of 1/255, the store rounds them, and a farther depth comes back nearer.",
@@ -275,8 +275,8 @@ const exhibit all[] = {
      "Base 255 counts on the render target rounding to nearest; one that truncates loses a step of the top channel.",
      "e_i = fract(255^i v), each less e_(i+1) / 255, into a truncating target", "depths k / 2^20, back more than 2^-22 off",
      "depth", "`to_unorm` aims a quarter of a step above the channel, so that rounding and truncating agree",
-     [] { return errors([](float d) { return decode_aras(stored(encode_aras(d), truncates)); }, 0x1p-22); },
-     [] { return errors([](float d) { return decode_aras(stored(encode_aras_repaired(d), truncates)); }, 0x1p-22); }},
+     [] { return errors([](float d) { return decode_base255(stored(write_base255(d), truncates)); }, 0x1p-22); },
+     [] { return errors([](float d) { return decode_base255(stored(encode_base255_repaired(d), truncates)); }, 0x1p-22); }},
     {"Two moments, truncated", "bgfx's VSM sample and three.js' pack2Half",
      "The same for 16 bits in two channels: half of them are gone.", "(v - g / 255, g), g = fract(255 v)",
      "depths k / 2^20, back more than 2^-16 off", "depth", "`encode_rg<16>` and `to_unorm`",
@@ -300,21 +300,21 @@ const exhibit all[] = {
     {"160581375", "older Cesium builds, gists, dataset pages: a digit too many in 255^3 = 16581375",
      "The fourth channel holds noise, and small depths lose its eight bits.", "w = fract(160581375 v)",
      "depths below 1/256 in steps of 2^-28, back more than 2^-30 off", "depth",
-     "constants are tested on every code; `encode_aras_repaired` multiplies by 255 four times",
-     [] { return small_depths([](float d) { return decode_aras(stored(encode_aras_typo(d))); }); },
-     [] { return small_depths(aras_repaired); }},
+     "constants are tested on every code; `encode_base255_repaired` multiplies by 255 four times",
+     [] { return small_depths([](float d) { return decode_base255(stored(encode_base255_typo(d))); }); },
+     [] { return small_depths(base255_repaired); }},
     {"mediump overflow", "mrdoob/three.js#9092 on an iPad Air 2, mapbox #10979",
      "65536 and 16581375 exceed 65504, the greatest half: the factors are infinite and the channels NaN.",
      "fract(v * vec4(1, 255, 65025, 16581375)) in mediump", "every half in [0, 1], back NaN or more than 2^-11 off", "depth",
      "snippets put highp on every value; `encode_rg11` holds in mediump too: its own GLSL text was run here",
-     [] { return half_depths(aras_in_half); }, [] { return half_depths(rg11_in_half); }},
+     [] { return half_depths(base255_in_half); }, [] { return half_depths(rg11_in_half); }},
     {"The two wrong bytes", "three.js' first RG variant, mrdoob/three.js#28692, put right in #28789",
      "Sixteen bits made from the two least significant channels of four.", "(R, G) of a texel whose top channel is A",
      "depths k / 2^20, back more than 2^-15 off", "depth", "`encode_rg<16>` splits a 16-bit code",
      [] {
          return errors(
              [](float d) {
-                 const vec4 c = encode_three_legacy(d);
+                 const vec4 c = write_threejs_legacy(d);
                  const vec2 kept = stored(vec2(c.y, c.x));
                  return (kept.x + kept.y / 256.0f) * (255.0f / 256.0f);
              },
@@ -323,9 +323,9 @@ const exhibit all[] = {
      [] { return errors(two_bytes<16>, 0x1p-15); }},
     {"Most significant first, or last", "three.js r167 turned the order round; readers written for r166 and before kept theirs",
      "A map written R first and read A first is noise.", "written by the format of r167, read by that of r166",
-     "depths k / 2^20, back more than 2^-20 off", "depth", "formats have names of their own: `encode_three_rgba` with `decode_three_rgba`",
-     [] { return errors([](float d) { return decode_three_legacy(stored(encode_three_rgba(d))); }, 0x1p-20); },
-     [] { return errors([](float d) { return decode_three_rgba(stored(encode_three_rgba(d))); }, 0x1p-20); }},
+     "depths k / 2^20, back more than 2^-20 off", "depth", "formats have names of their own: `write_threejs_rgba` with `decode_threejs_rgba`",
+     [] { return errors([](float d) { return decode_threejs_legacy(stored(write_threejs_rgba(d))); }, 0x1p-20); },
+     [] { return errors([](float d) { return decode_threejs_rgba(stored(write_threejs_rgba(d))); }, 0x1p-20); }},
     {"A look-up table with linear filter", "look-up encodings in the manner of the Radeon 8500 sample",
      "Where the low byte falls from 255 to 0 the high one rises by 32; both are interpolated, rounded to bytes, and half a step of "
      "the high one is 4 codes.",
@@ -352,14 +352,14 @@ const exhibit all[] = {
     {"Two drivers, two depths", "every decoder that multiplies sampled channels; here three.js' RG format",
      "k / 255 and k (1/255) differ by an ulp for 126 of 256 bytes, and so do the depths.",
      "255/256 R + G/256 on channels as sampled", "2^16 texels, read by a division and by a product", "depth",
-     "`decode_rg<16>` makes whole bytes of the channels first", [] { return two_drivers(decode_three_rg<float>); },
+     "`decode_rg<16>` makes whole bytes of the channels first", [] { return two_drivers(decode_threejs_rg<float>); },
      [] { return two_drivers([](vec2 c) { return decode_rg<16>(c, upper_edge<float>); }); }},
     {"A fused multiply-add changes the code", "24-bit packers that scale by 2^24 - 1",
      "v (2^24 - 1) + 1/2 is not representable: with contraction, on by default in GCC, the code is another.",
      "floor(v * 16777215.0 + 0.5)", "depths from 2^-8 to 1, the code with fma unlike that without", "codes",
-     "`depth_code<24>` scales by 2^24: nothing to round",
+     "`to_code<24>` scales by 2^24: nothing to round",
      [] { return fused_or_not([](float v, bool fused) { return std::floor(product_plus(v, 16777215.0f, 0.5f, fused)); }); },
-     [] { return fused_or_not([](float v, bool fused) { return depth_code<24>(product_plus(v, 1.0f, 0.0f, fused)); }); }},
+     [] { return fused_or_not([](float v, bool fused) { return to_code<24>(product_plus(v, 1.0f, 0.0f, fused)); }); }},
     {"Sampled through sRGB", "packed maps in textures that the engine takes for colour",
      "The sampler bends every channel before the decoder sees it.", "decode(sRGB to linear(c))",
      "2048 codes, back more than a code off", "codes", "documented: linear formats; bytes reach `from_unorm` as they are",

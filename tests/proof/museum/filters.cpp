@@ -6,9 +6,9 @@
 #include <array>
 #include <cstdint>
 
-#include <umbrage/depth/linear.hpp>
-#include <umbrage/filter/hard.hpp>
-#include <umbrage/filter/pcf_2x2.hpp>
+#include <umbrage/depth/kinds.hpp>
+#include <umbrage/filter/pcf/hard.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
 
 namespace {
 

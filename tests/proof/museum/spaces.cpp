@@ -7,7 +7,7 @@
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/matrix.hpp>
-#include <umbrage/filter/hard.hpp>
+#include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>

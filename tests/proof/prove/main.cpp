@@ -22,7 +22,7 @@
 #include <boost/timer/progress_display.hpp>
 
 #include <umbrage/depth/float_bits.hpp>
-#include <umbrage/depth/ps14.hpp>
+#include <umbrage/depth/foreign/ps14.hpp>
 
 #include "../codecs.hpp"
 

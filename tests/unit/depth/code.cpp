@@ -15,12 +15,12 @@ constexpr float nan32 = std::numeric_limits<float>::quiet_NaN();
 constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr float below_one = 0x1.fffffep-1f;
 
-static_assert(depth_code<11>(0.5f) == 1024 && depth_code<11>(1.0f) == 2047 && depth_code<11>(0.0f) == 0);
-static_assert(code_depth<11>(1024.0f, upper_edge<float>) == 1025.0f / 2048.0f);
-static_assert(code_depth<11>(2047.0f, upper_edge<float>) == 1.0f);
-static_assert(code_depth<11>(0.0f, lower_edge<float>) == 0.0f);
-static_assert(code_depth<11>(3.0f, centre<float>) == 3.5f / 2048.0f);
-static_assert(code_depth<24>(16777214.0f, upper_edge<float>) == below_one);
+static_assert(to_code<11>(0.5f) == 1024 && to_code<11>(1.0f) == 2047 && to_code<11>(0.0f) == 0);
+static_assert(from_code<11>(1024.0f, upper_edge<float>) == 1025.0f / 2048.0f);
+static_assert(from_code<11>(2047.0f, upper_edge<float>) == 1.0f);
+static_assert(from_code<11>(0.0f, lower_edge<float>) == 0.0f);
+static_assert(from_code<11>(3.0f, centre<float>) == 3.5f / 2048.0f);
+static_assert(from_code<24>(16777214.0f, upper_edge<float>) == below_one);
 
 template <int Bits>
 void both_sides_of_every_step() {
@@ -29,15 +29,15 @@ void both_sides_of_every_step() {
     for (std::uint32_t x = 1; x < codes; ++x) {
         const float step = float(x) / float(codes);  // exact
         const float before = std::bit_cast<float>(std::bit_cast<std::uint32_t>(step) - 1);
-        wrong += depth_code<Bits>(step) != x || depth_code<Bits>(before) != x - 1;
-        wrong += depth_code<Bits>(double(step)) != x || depth_code<Bits>(double(step) - 0x1p-53) != x - 1;
+        wrong += to_code<Bits>(step) != x || to_code<Bits>(before) != x - 1;
+        wrong += to_code<Bits>(double(step)) != x || to_code<Bits>(double(step) - 0x1p-53) != x - 1;
     }
     CHECK(wrong == 0);
 }
 
 }  // namespace
 
-TEST_CASE("depth_code: both sides of every step") {
+TEST_CASE("to_code: both sides of every step") {
     both_sides_of_every_step<1>();
     both_sides_of_every_step<8>();
     both_sides_of_every_step<11>();
@@ -45,31 +45,31 @@ TEST_CASE("depth_code: both sides of every step") {
     both_sides_of_every_step<20>();
 }
 
-TEST_CASE("depth_code: out of range, infinities, NaN, denormals") {
+TEST_CASE("to_code: out of range, infinities, NaN, denormals") {
     for (float v : {-0.0f, -1.0f, -inf, std::numeric_limits<float>::denorm_min()}) {
-        CHECK(depth_code<1>(v) == 0);
-        CHECK(depth_code<24>(v) == 0);
+        CHECK(to_code<1>(v) == 0);
+        CHECK(to_code<24>(v) == 0);
     }
     for (float v : {1.0f, 1.5f, inf, nan32, -nan32}) {
-        CHECK(depth_code<1>(v) == 1);
-        CHECK(depth_code<24>(v) == 16777215);
+        CHECK(to_code<1>(v) == 1);
+        CHECK(to_code<24>(v) == 16777215);
     }
-    CHECK(depth_code<24>(below_one) == 16777215);
-    CHECK(depth_code<23>(below_one) == 8388607);
-    CHECK(depth_code<24>(0x1p-24f) == 1);
-    CHECK(depth_code<24>(0x1.fffffep-25f) == 0);
-    CHECK(depth_code<11>(std::numeric_limits<double>::quiet_NaN()) == 2047);
-    CHECK(depth_code<11>(-std::numeric_limits<double>::infinity()) == 0);
+    CHECK(to_code<24>(below_one) == 16777215);
+    CHECK(to_code<23>(below_one) == 8388607);
+    CHECK(to_code<24>(0x1p-24f) == 1);
+    CHECK(to_code<24>(0x1.fffffep-25f) == 0);
+    CHECK(to_code<11>(std::numeric_limits<double>::quiet_NaN()) == 2047);
+    CHECK(to_code<11>(-std::numeric_limits<double>::infinity()) == 0);
 }
 
-TEST_CASE("code_depth: the three places in an interval, float and double alike") {
+TEST_CASE("from_code: the three places in an interval, float and double alike") {
     for (int x : {0, 1, 1024, 2046, 2047})
         for (float edge : {lower_edge<float>, centre<float>, upper_edge<float>}) {
-            CHECK(code_depth<11>(float(x), edge) == (float(x) + edge) / 2048.0f);
-            CHECK(double(code_depth<11>(float(x), edge)) == code_depth<11>(double(x), double(edge)));
+            CHECK(from_code<11>(float(x), edge) == (float(x) + edge) / 2048.0f);
+            CHECK(double(from_code<11>(float(x), edge)) == from_code<11>(double(x), double(edge)));
         }
     // the centre of 24 bits: representable below 2^23, to the nearest even from there on, exact in double
-    CHECK(code_depth<24>(8388607.0f, centre<float>) == 8388607.5f / 16777216.0f);
-    CHECK(code_depth<24>(8388609.0f, centre<float>) == 8388610.0f / 16777216.0f);
-    CHECK(code_depth<24>(8388609.0, centre<double>) == 8388609.5 / 16777216.0);
+    CHECK(from_code<24>(8388607.0f, centre<float>) == 8388607.5f / 16777216.0f);
+    CHECK(from_code<24>(8388609.0f, centre<float>) == 8388610.0f / 16777216.0f);
+    CHECK(from_code<24>(8388609.0, centre<double>) == 8388609.5 / 16777216.0);
 }

@@ -6,9 +6,9 @@
 #include <umbrage/depth/float_bits.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rgb24.hpp>
-#include <umbrage/filter/box.hpp>
-#include <umbrage/filter/four_tap.hpp>
-#include <umbrage/filter/pcf_2x2.hpp>
+#include <umbrage/filter/pcf/box.hpp>
+#include <umbrage/filter/pcf/four_tap.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
 
 #include "maps.hpp"
 

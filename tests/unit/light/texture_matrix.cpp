@@ -6,10 +6,10 @@
 #include <limits>
 #include <random>
 
-#include <umbrage/filter/box.hpp>
-#include <umbrage/filter/four_tap.hpp>
-#include <umbrage/filter/pcf_2x2.hpp>
-#include <umbrage/image_ops/rasterize.hpp>
+#include <umbrage/filter/pcf/box.hpp>
+#include <umbrage/filter/pcf/four_tap.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+//
+// The RGBA format of Aras Pranckevicius, base 255, as Cesium, Babylon.js and bgfx use it, to read and write such maps.
+//
+//     float stored = umbrage::decode_base255(umbrage::load_unorm8(texel));
+//
+// Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error is
+// up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left is
+// the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighbouring floats decode 1 ulp out of it.
+//
+#pragma once
+
+#include <cmath>
+
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/scalar.hpp>
+#include <umbrage/unorm.hpp>
+
+namespace umbrage {
+
+/// @param depth   clamped to [0, 1]; NaN counts as 1, which decodes to 0: the fault of the format
+/// @return        UNORM values
+/// @formula       e_i = fract(255^i depth), each less 1/255 of the next
+/// @exactness     B
+/// @cite          Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
+template <real T>
+[[nodiscard]] glm::vec<4, T> write_base255(T depth) {
+    const T v = saturate(depth);
+    const T x = v - std::floor(v);
+    const T y = v * T(255) - std::floor(v * T(255));
+    const T z = v * T(65025) - std::floor(v * T(65025));
+    const T w = v * T(16581375) - std::floor(v * T(16581375));
+    constexpr T step = T(1.0 / 255.0);
+    return {x - y * step, y - z * step, z - w * step, w};
+}
+
+/// @param c      as sampled
+/// @formula      R + G/255 + B/255^2 + A/255^3
+/// @exactness    B
+template <real T>
+[[nodiscard]] constexpr T decode_base255(glm::vec<4, T> c) {
+    return c.x + c.y * T(1.0 / 255.0) + c.z * T(1.0 / 65025.0) + c.w * T(1.0 / 16581375.0);
+}
+
+/// A writer without the faults, for decode_base255 on the other side: the digits of depth in base 255.
+/// @return        integer channels 0..255 (to_unorm writes them); 1 gives (255, 0, 0, 0)
+/// @exactness     B
+template <real T>
+[[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth) {
+    T rest = saturate(depth) * T(255);
+    glm::u8vec4 digits(0);
+    for (int i = 0; i < 4; ++i) {
+        const T digit = std::floor(rest);
+        digits[i] = static_cast<std::uint8_t>(digit);
+        rest = (rest - digit) * T(255);
+    }
+    return digits;
+}
+
+/// The format as a value, for functions over images, faults and all; the store rounds.
+struct base255 {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+    static constexpr double max_error = 1.0;  ///< at 1.0; below it 2^-23, or 2^-7.98 where the store truncates
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_base255(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
+};
+
+/// The same, written without the faults.
+struct base255_repaired {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(255) * 255 * 255 * 255 + 1;
+    static constexpr double max_error = 0x1p-23;  ///< whether the store rounds or truncates
+
+    [[nodiscard]] texel encode(float depth) const { return encode_base255_repaired(depth); }
+    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
+};
+
+namespace glsl {
+
+inline constexpr snippet write_base255{
+    .name = "write_base255", .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
+    .exactness = tier::b, .needs = {&saturate}, .source = R"GLSL(
+// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
+//   round: umbrage_encode_base255_repaired has neither fault
+UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 e = vec4(v, v * 255.0, v * 65025.0, v * 16581375.0);
+    e = e - floor(e);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c =
+        vec4(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
+    return c;
+}
+)GLSL"};
+
+inline constexpr snippet decode_base255{
+    .name = "decode_base255", .summary = "base-255 RGBA to depth", .exactness = tier::b, .source = R"GLSL(
+// umbrage_decode_base255: base-255 RGBA, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
+        c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
+    return depth;
+}
+)GLSL"};
+
+inline constexpr snippet encode_base255_repaired{
+    .name = "encode_base255_repaired", .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
+    .exactness = tier::b, .needs = {&saturate}, .source = R"GLSL(
+// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = umbrage_saturate(depth) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (x - floor(x)) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (y - floor(y)) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (z - floor(z)) * 255.0;
+    return vec4(floor(x), floor(y), floor(z), floor(w));
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage

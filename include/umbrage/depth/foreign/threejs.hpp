@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+//
+// The depth formats of three.js, to read and write its maps: RGBA, RGB and RG of r167 and later, and the RGBA layout
+// of r73 to r166. Writers give UNORM values as three.js does; what the 8-bit store makes of the channels that hold a
+// fraction is part of the format.
+//
+//     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::write_threejs_rgba(depth));
+//     float stored = umbrage::decode_threejs_rgba(umbrage::load_unorm8(texel));
+//
+// Worst error of any binary32 depth, and the faults, as measured by the tests:
+//
+//     format             store rounds     store truncates   faults
+//     rgba               2^-32            2^-31.99          none
+//     rgb                2^-24            2^-23.99          none
+//     rg                 2^-16.99         2^-15.99          none
+//     legacy             2^-32, below 1   2^-32, below 1    1.0 decodes to 255/256, below depths that come before it
+//     legacy, repaired   2^-24            2^-24             none
+//
+#pragma once
+
+#include <cmath>
+
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/depth/code.hpp>
+#include <umbrage/unorm.hpp>
+
+namespace umbrage {
+
+/// Three whole bytes, R most significant, and the fraction that is left in A.
+/// @param depth   clamped to [0, 1]; NaN counts as 1; 1 gives all ones
+/// @return        UNORM values
+/// @exactness     B
+/// @cite          three.js r167 and later, packing chunk (format)
+template <real T>
+[[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth) {
+    const T v = saturate(depth);
+    if (!(v < T(1))) return glm::vec<4, T>(1);
+    const T x = v * T(16777216);
+    const T whole = std::floor(x);
+    const T high = std::floor(whole * T(1.0 / 65536.0));
+    const T rest = whole - high * T(65536);
+    const T middle = std::floor(rest * T(1.0 / 256.0));
+    return {high * T(1.0 / 255.0), middle * T(1.0 / 255.0), (rest - middle * T(256)) * T(1.0 / 255.0), x - whole};
+}
+
+/// @param c      as sampled
+/// @formula      255/256 (R + G/2^8 + B/2^16) + A/2^24
+/// @exactness    B
+template <real T>
+[[nodiscard]] constexpr T decode_threejs_rgba(glm::vec<4, T> c) {
+    return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(255.0 / 16777216.0) + c.w * T(1.0 / 16777216.0);
+}
+
+/// Two whole bytes and the fraction that is left in B.  @exactness B  @cite three.js r167 and later (format)
+template <real T>
+[[nodiscard]] glm::vec<3, T> write_threejs_rgb(T depth) {
+    const T v = saturate(depth);
+    if (!(v < T(1))) return glm::vec<3, T>(1);
+    const T x = v * T(65536);
+    const T whole = std::floor(x);
+    const T high = std::floor(whole * T(1.0 / 256.0));
+    return {high * T(1.0 / 255.0), (whole - high * T(256)) * T(1.0 / 255.0), x - whole};
+}
+
+/// @formula      255/256 (R + G/2^8) + B/2^16       @exactness B
+template <real T>
+[[nodiscard]] constexpr T decode_threejs_rgb(glm::vec<3, T> c) {
+    return c.x * T(255.0 / 256.0) + c.y * T(255.0 / 65536.0) + c.z * T(1.0 / 65536.0);
+}
+
+/// One whole byte and the fraction that is left in G.  @exactness B  @cite three.js r167 and later (format)
+template <real T>
+[[nodiscard]] glm::vec<2, T> write_threejs_rg(T depth) {
+    const T v = saturate(depth);
+    if (!(v < T(1))) return glm::vec<2, T>(1);
+    const T x = v * T(256);
+    const T whole = std::floor(x);
+    return {whole * T(1.0 / 255.0), x - whole};
+}
+
+/// @formula      255/256 R + G/2^8                  @exactness B
+template <real T>
+[[nodiscard]] constexpr T decode_threejs_rg(glm::vec<2, T> c) {
+    return c.x * T(255.0 / 256.0) + c.y * T(1.0 / 256.0);
+}
+
+/// The layout of r73 to r166: A most significant, channels scaled by 256/255.
+/// @return        UNORM values; A exceeds 1 for depth > 255/256, and the store clamps it: the fault of the format
+/// @exactness     B
+/// @cite          three.js r73 to r166, packing chunk (format)
+template <real T>
+[[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth) {
+    const T v = saturate(depth);
+    const T x = v * T(16777216) - std::floor(v * T(16777216));
+    const T y = v * T(65536) - std::floor(v * T(65536));
+    const T z = v * T(256) - std::floor(v * T(256));
+    return {x * T(256.0 / 255.0), (y - x * T(1.0 / 256.0)) * T(256.0 / 255.0), (z - y * T(1.0 / 256.0)) * T(256.0 / 255.0),
+            (v - z * T(1.0 / 256.0)) * T(256.0 / 255.0)};
+}
+
+/// @formula      255/256 (A + B/2^8 + G/2^16 + R/2^24)   @exactness B
+template <real T>
+[[nodiscard]] constexpr T decode_threejs_legacy(glm::vec<4, T> c) {
+    return c.x * T(255.0 / 4294967296.0) + c.y * T(255.0 / 16777216.0) + c.z * T(255.0 / 65536.0) + c.w * T(255.0 / 256.0);
+}
+
+/// A writer without the fault, for decode_threejs_legacy on the other side: 24 bits, and 1 decodes to 1.
+/// @return        integer channels 0..255 (to_unorm writes them), A most significant
+/// @exactness     A
+template <real T>
+[[nodiscard]] constexpr glm::u8vec4 encode_threejs_legacy_repaired(T depth) {
+    const T v = saturate(depth);
+    if (!(v < T(1))) return glm::u8vec4(255);
+    const std::uint32_t x = to_code<24>(v);
+    return {0, static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>(x >> 8 & 0xFF),
+            static_cast<std::uint8_t>(x >> 16)};
+}
+
+// The formats as values, for functions over images; the store rounds.
+
+/// RGBA, r167 and later.
+struct threejs_rgba {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+    static constexpr double max_error = 0x1p-32;  ///< where the store truncates, 256/255 of it
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_rgba(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgba(load_unorm8(t)); }
+};
+
+/// RGB, r167 and later.
+struct threejs_rgb {
+    using texel = glm::u8vec3;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
+    static constexpr double max_error = 0x1p-24;  ///< where the store truncates, 256/255 of it
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_rgb(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgb(load_unorm8(t)); }
+};
+
+/// RG, r167 and later.
+struct threejs_rg {
+    using texel = glm::u8vec2;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 16;
+    static constexpr double max_error = 0x1.02p-17;  ///< 2^-16 * 256/255 where the store truncates
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_rg(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rg(load_unorm8(t)); }
+};
+
+/// RGBA, r73 to r166, fault and all.
+struct threejs_legacy {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+    static constexpr double max_error = 1.0 / 256.0;  ///< at 1.0; below it 2^-32
+
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_legacy(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
+};
+
+/// RGBA for readers of r73 to r166, written without the fault.
+struct threejs_legacy_repaired {
+    using texel = glm::u8vec4;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
+    static constexpr double max_error = 0x1p-24;  ///< whether the store rounds or truncates
+
+    [[nodiscard]] texel encode(float depth) const { return encode_threejs_legacy_repaired(depth); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
+};
+
+namespace glsl {
+
+inline constexpr snippet write_threejs_rgba{
+    .name = "write_threejs_rgba", .summary = "depth to three.js RGBA, r167 and later", .exactness = tier::b,
+    .needs = {&saturate}, .source = R"GLSL(
+// umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    if (!(v < 1.0)) return vec4(1.0, 1.0, 1.0, 1.0);
+    UMBRAGE_HIGHP float x = v * 16777216.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    UMBRAGE_HIGHP float high = floor(whole * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = whole - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    UMBRAGE_HIGHP float low = rest - middle * 256.0;
+    return vec4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
+}
+)GLSL"};
+
+inline constexpr snippet decode_threejs_rgba{
+    .name = "decode_threejs_rgba", .summary = "three.js RGBA, r167 and later, to depth", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) +
+                                                c.z * (255.0 / 16777216.0) + c.w * (1.0 / 16777216.0);
+    return depth;
+}
+)GLSL"};
+
+inline constexpr snippet write_threejs_rgb{
+    .name = "write_threejs_rgb", .summary = "depth to three.js RGB, r167 and later", .exactness = tier::b,
+    .needs = {&saturate}, .source = R"GLSL(
+// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    if (!(v < 1.0)) return vec3(1.0, 1.0, 1.0);
+    UMBRAGE_HIGHP float x = v * 65536.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    UMBRAGE_HIGHP float high = floor(whole * (1.0 / 256.0));
+    return vec3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+}
+)GLSL"};
+
+inline constexpr snippet decode_threejs_rgb{
+    .name = "decode_threejs_rgb", .summary = "three.js RGB, r167 and later, to depth", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
+        c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
+    return depth;
+}
+)GLSL"};
+
+inline constexpr snippet write_threejs_rg{
+    .name = "write_threejs_rg", .summary = "depth to three.js RG, r167 and later", .exactness = tier::b,
+    .needs = {&saturate}, .source = R"GLSL(
+// umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    if (!(v < 1.0)) return vec2(1.0, 1.0);
+    UMBRAGE_HIGHP float x = v * 256.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    return vec2(whole * 0.00392156886, x - whole);
+}
+)GLSL"};
+
+inline constexpr snippet decode_threejs_rg{
+    .name = "decode_threejs_rg", .summary = "three.js RG, r167 and later, to depth", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
+    return depth;
+}
+)GLSL"};
+
+inline constexpr snippet write_threejs_legacy{
+    .name = "write_threejs_legacy", .summary = "depth to three.js RGBA, r73 to r166", .exactness = tier::b,
+    .needs = {&saturate}, .source = R"GLSL(
+// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
+//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+UMBRAGE_HIGHP vec4 umbrage_write_threejs_legacy(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = v * 16777216.0 - floor(v * 16777216.0);
+    UMBRAGE_HIGHP float y = v * 65536.0 - floor(v * 65536.0);
+    UMBRAGE_HIGHP float z = v * 256.0 - floor(v * 256.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = vec4(x, y - x * (1.0 / 256.0), z - y * (1.0 / 256.0), v - z * (1.0 / 256.0));
+    return c * 1.00392163;
+}
+)GLSL"};
+
+inline constexpr snippet decode_threejs_legacy{
+    .name = "decode_threejs_legacy", .summary = "three.js RGBA, r73 to r166, to depth", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 4294967296.0) + c.y * (255.0 / 16777216.0) +
+                                                c.z * (255.0 / 65536.0) + c.w * (255.0 / 256.0);
+    return depth;
+}
+)GLSL"};
+
+inline constexpr snippet encode_threejs_legacy_repaired{
+    .name = "encode_threejs_legacy_repaired", .summary = "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
+    .exactness = tier::a, .needs = {&saturate}, .source = R"GLSL(
+// umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    if (!(v < 1.0)) return vec4(255.0, 255.0, 255.0, 255.0);
+    UMBRAGE_HIGHP float x = floor(v * 16777216.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = x - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    return vec4(0.0, rest - middle * 256.0, middle, high);
+}
+)GLSL"};
+
+}  // namespace glsl
+}  // namespace umbrage

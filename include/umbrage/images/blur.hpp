@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+//
+// Separable blur of images of one to four floats a texel, such as moments.
+//
+//     umbrage::blur(moments.view(), blurred.view(), umbrage::make_gaussian_kernel(7, 1.5f));
+//
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/image.hpp>
+#include <umbrage/simd/dispatch.hpp>
+#include <umbrage/images/parallel.hpp>
+#include <umbrage/simd/memory.hpp>
+
+namespace umbrage {
+
+/// A symmetric row of weights. Taps are odd: 2 * weights.size() - 1.
+struct blur_kernel {
+    std::vector<float> weights;  ///< that of the centre, then those at distance 1, 2, ... on both sides
+};
+
+/// Row Taps - 1 of Pascal's triangle, divided by its sum: weights are exact.
+/// @formula       weights[i] = C(Taps - 1, (Taps - 1) / 2 + i) / 2^(Taps - 1)
+/// @exactness     A
+template <int Taps>
+[[nodiscard]] blur_kernel make_binomial_kernel() {
+    static_assert(Taps >= 1 && Taps <= 25 && Taps % 2 == 1, "an odd number up to 25: beyond, floats do not hold the weights");
+    blur_kernel kernel{std::vector<float>(Taps / 2 + 1)};
+    double weight = std::ldexp(1.0, 1 - Taps);  // that of the outermost tap
+    for (int i = 0; i <= Taps / 2; ++i) {
+        kernel.weights[static_cast<std::size_t>(Taps / 2 - i)] = static_cast<float>(weight);
+        weight = weight * (Taps - 1 - i) / (i + 1);
+    }
+    return kernel;
+}
+
+/// A Gaussian bell, sampled at the texels and divided by its sum.
+/// @param taps    odd, >= 1
+/// @param sigma   standard deviation in texels, > 0; infinity gives equal weights
+/// @throws std::invalid_argument  otherwise
+/// @formula       weights[i] = exp(-i^2 / (2 sigma^2)) / sum, in double
+/// @exactness     C: exp
+[[nodiscard]] inline blur_kernel make_gaussian_kernel(int taps, float sigma) {
+    if (taps < 1 || taps % 2 == 0 || !(sigma > 0.0f))
+        detail::fail("umbrage::make_gaussian_kernel: taps even or below 1, or sigma not above 0");
+    const auto bell = [s = static_cast<double>(sigma)](int i) { return std::exp(-0.5 * (i / s) * (i / s)); };
+    double sum = 1.0;
+    for (int i = 1; i <= taps / 2; ++i) sum += 2.0 * bell(i);
+    blur_kernel kernel;
+    for (int i = 0; i <= taps / 2; ++i) kernel.weights.push_back(static_cast<float>(bell(i) / sum));
+    return kernel;
+}
+
+namespace detail {
+
+template <class T>
+inline constexpr int float_channels = static_cast<int>(sizeof(T) / sizeof(float));
+
+/// 64 sums of taps; tap(i) is where those at distance i begin, i from -radius to radius.
+template <class Tap, std::size_t... I>
+UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, float* __restrict to, std::index_sequence<I...>) {
+    // Pointers and weights as locals: then one loop holds all taps, and nothing waits in memory.
+    const float* const centre = tap(0);
+    const std::array<const float*, sizeof...(I)> before{tap(-static_cast<int>(I) - 1)...}, after{tap(static_cast<int>(I) + 1)...};
+    const std::array<float, sizeof...(I)> w{weights[I + 1]...};
+    const float w0 = weights[0];
+    for (int x = 0; x < block; ++x) {
+        float sum = w0 * centre[x];
+        ((sum = sum + w[I] * (before[I][x] + after[I][x])), ...);
+        to[x] = sum;
+    }
+}
+
+/// The same for any number of sums.
+template <class Tap>
+UMBRAGE_INLINE inline void blur_some(const float* weights, int radius, const Tap& tap, float* to, int count) {
+    const float* const centre = tap(0);
+    for (int x = 0; x < count; ++x) to[x] = weights[0] * centre[x];
+    for (int i = 1; i <= radius; ++i) {
+        const float *before = tap(-i), *after = tap(i), w = weights[i];
+        for (int x = 0; x < count; ++x) to[x] = to[x] + w * (before[x] + after[x]);
+    }
+}
+
+/// A row; tap(i) is where the row at distance i begins, and `next` a row that will be needed after it.
+template <class Tap>
+UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap& tap, float* to, int width,
+                                    const float* next = nullptr) {
+    if (width < block) return blur_some(weights, radius, tap, to, width);
+    const auto each = [&](auto&& blur_at) UMBRAGE_INLINE {
+        for (int x = 0; x + block <= width; x += block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
+        if (const int x = width - block; width % block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
+    };
+    const auto with_radius = [&](auto taps) UMBRAGE_INLINE {
+        each([&](const auto& at, float* result) UMBRAGE_INLINE {
+            if (next) prefetch_bytes(next + (result - to), 0, block * static_cast<int>(sizeof(float)));
+            blur_block(weights, at, result, taps);
+        });
+    };
+    switch (radius) {
+        case 1: return with_radius(std::make_index_sequence<1>{});
+        case 2: return with_radius(std::make_index_sequence<2>{});
+        case 3: return with_radius(std::make_index_sequence<3>{});
+        case 4: return with_radius(std::make_index_sequence<4>{});
+        case 5: return with_radius(std::make_index_sequence<5>{});
+    }
+    each([&](const auto& at, float* result) UMBRAGE_INLINE {
+        alignas(64) float sums[block];
+        blur_some(weights, radius, at, sums, block);
+        std::memcpy(result, sums, sizeof sums);
+    });
+}
+
+/// Rows first <= y < last: each along y into a line, and that along x.
+template <int Channels>
+void blur_rows(image_view<const float> from, image_view<float> to, const blur_kernel& kernel, int first, int last) {
+    const int radius = static_cast<int>(kernel.weights.size()) - 1, width = from.size.x, height = from.size.y;
+    const int border = radius * Channels;
+    std::vector<float> padded(static_cast<std::size_t>(width + 2 * border));
+    std::vector<const float*> rows(2 * kernel.weights.size() - 1);
+    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+        const float* const weights = kernel.weights.data();
+        const float** const around = rows.data() + radius;
+        float* const line = padded.data() + border;
+        const auto row = [&](int y) { return from.row(y < 0 ? 0 : (y < height ? y : height - 1)); };
+        for (int y = first; y < last; ++y) {
+            for (int i = -radius; i <= radius; ++i) around[i] = row(y + i);
+            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return around[i]; }, line, width, row(y + radius + 1));
+            for (int i = 0; i < border; ++i) {
+                line[i - border] = line[i % Channels];
+                line[width + i] = line[width - Channels + i % Channels];
+            }
+            const float* const centre = line;
+            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return centre + i * Channels; }, to.row(y), width);
+        }
+    });
+}
+
+}  // namespace detail
+
+/// Blurs along y, then along x. Outside the image, its border goes on.
+///
+/// @param from      texels of float, vec2, vec3 or vec4
+/// @param to        same size and type, other pixels
+/// @param kernel    1 weight at least
+/// @param parallel  cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ, same pixels, or no weights
+/// @formula         w0 c + w1 (before1 + after1) + w2 (before2 + after2) + ..., in this order, along y and then along x
+/// @exactness       B: every instruction set and any pieces give the bits of the written order, as long as the compiler is
+///                  not told that it may fuse a multiplication and an addition (-march with FMA without -ffp-contract=off)
+template <class From, class T, class ParallelFor = serial>
+void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, ParallelFor&& parallel = {}) {
+    constexpr int channels = detail::float_channels<T>;
+    static_assert(std::is_same_v<std::remove_const_t<From>, T>);
+    static_assert(std::is_same_v<T, float> || std::is_same_v<T, glm::vec2> || std::is_same_v<T, glm::vec3> ||
+                  std::is_same_v<T, glm::vec4>);
+    static_assert(sizeof(T) == channels * sizeof(float) && alignof(T) == alignof(float));
+    if (from.size != to.size) detail::fail("umbrage::blur: sizes differ");
+    if (kernel.weights.empty()) detail::fail("umbrage::blur: no weights");
+    if (from.empty()) return;
+    if (from.data == to.data) detail::fail("umbrage::blur: same pixels");
+    const glm::ivec2 size(from.size.x * channels, from.size.y);
+    const image_view<const float> floats_from(reinterpret_cast<const float*>(from.data), size, from.stride);
+    const image_view<float> floats_to(reinterpret_cast<float*>(to.data), size, to.stride);
+    parallel(size.y, [&](int first, int last) { detail::blur_rows<channels>(floats_from, floats_to, kernel, first, last); });
+}
+
+}  // namespace umbrage

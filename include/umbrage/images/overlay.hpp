@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+//
+// A shadow map in the corner of the picture it shadowed, stretched in contrast so that people see something.
+//
+//     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
+//     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {
+//         return umbrage::false_colour(s(depth));
+//     });
+//
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <vector>
+
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/clip_space.hpp>
+#include <umbrage/image.hpp>
+#include <umbrage/scalar.hpp>
+#include <umbrage/unorm.hpp>
+
+namespace umbrage {
+
+/// Maps low..high to 0..1; values outside clamp, NaN becomes 1.
+struct contrast_stretch {
+    float low = 0.0f, high = 1.0f;
+
+    [[nodiscard]] float operator()(float v) const {
+        if (is_nan(v) || v >= high) return 1.0f;
+        return v > low ? static_cast<float>((double(v) - low) / (double(high) - low)) : 0.0f;
+    }
+};
+
+/// The range that a map's depths fill, without the texels that nothing was drawn to.
+///
+/// @param cleared   texels of this value are left out, as are NaN and the infinities
+/// @param outliers  share of the depths to give up at either end, 0 <= outliers < 1/2
+/// @return      0..1 when no texel is left
+/// @throws std::invalid_argument  outliers out of range
+[[nodiscard]] inline contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f,
+                                              double outliers = 0.01) {
+    if (!(outliers >= 0.0 && outliers < 0.5)) detail::fail("umbrage::stretch: outliers not in [0, 1/2)");
+    std::vector<float> depths;
+    for (int y = 0; y < map.size.y && !map.empty(); ++y)
+        for (int x = 0; x < map.size.x; ++x)
+            if (const float depth = map.row(y)[x]; is_finite(depth) && depth != cleared) depths.push_back(depth);
+    if (depths.empty()) return {};
+    const auto given_up = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(depths.size()));
+    const auto ranked = [&](std::ptrdiff_t rank) {
+        std::nth_element(depths.begin(), depths.begin() + rank, depths.end());
+        return depths[static_cast<std::size_t>(rank)];
+    };
+    return {ranked(given_up), ranked(std::ssize(depths) - 1 - given_up)};
+}
+
+/// Where an overlay goes: the top left corner, as people see it.
+struct overlay_placement {
+    glm::ivec2 size{0, 0};  ///< in texels of the picture; a zero takes the map's own side
+    texture_origin map_origin = texture_origin::bottom;   ///< where row 0 of the map is
+    texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
+};
+
+/// Draws a map into the top left corner of a picture, scaled to the nearest texel. What does not fit is cut off.
+///
+/// @param colour  float -> colour, given the map's texels as they are: a float is a grey, a vec3 red, green and blue,
+///                all in [0, 1]
+/// @throws std::invalid_argument  negative size
+template <class Colour>
+void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
+             Colour&& colour) {
+    if (place.size.x < 0 || place.size.y < 0) detail::fail("umbrage::overlay: negative size");
+    if (map.empty()) return;
+    const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
+    const auto nearest = [](int i, int count, int from) {
+        return static_cast<int>((2 * std::int64_t{i} + 1) * from / (2 * std::int64_t{count}));
+    };
+    const auto row_from_top = [](int y, int count, texture_origin origin) {
+        return origin == texture_origin::top ? y : count - 1 - y;
+    };
+    for (int y = 0; y < std::min(size.y, picture.size.y); ++y) {
+        const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
+        glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
+        for (int x = 0; x < std::min(size.x, picture.size.x); ++x)
+            out[x] = store_unorm8(glm::vec3(colour(depths[nearest(x, size.x, map.size.x)])));
+    }
+}
+
+}  // namespace umbrage

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+//
+// The depth pass on the CPU: triangles into a depth image, each sample on a shared edge covered exactly once.
+//
+//     umbrage::image<float> map({1024, 1024}, umbrage::cleared_depth(clip));
+//     umbrage::rasterize_depth(map, {positions, triangles}, world_to_clip, clip);
+//
+// A camera pass keeps the nearest triangle of each texel and interpolates afterwards:
+//
+//     umbrage::rasterize(size, mesh, world_to_clip, clip, [&](glm::ivec2 texel, float z, unsigned triangle) {
+//         if (z <= depth[texel]) depth[texel] = z, visible[texel] = triangle;
+//     });
+//     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, visible[texel]);
+//
+// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left
+// rule (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a
+// grid on which every sample is then computed exactly. So no order of triangles or vertices, no threads, no instruction
+// set and no contraction to FMA changes a bit; of clipped triangles the last may move a cut by 1/256 texel.
+//
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/clip_space.hpp>
+#include <umbrage/image.hpp>
+#include <umbrage/simd/raster/clip.hpp>
+#include <umbrage/simd/dispatch.hpp>
+#include <umbrage/images/parallel.hpp>
+#include <umbrage/simd/raster/projected_mesh.hpp>
+#include <umbrage/simd/strict_math.hpp>
+#include <umbrage/simd/raster/triangle_batch.hpp>
+#include <umbrage/scalar.hpp>
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+namespace detail {
+
+/// Which triangles may touch which band of rows, so that a band stays in the cache while it is drawn.
+class banded_triangles {
+public:
+    template <class ParallelFor>
+    banded_triangles(const projected_mesh& mesh, glm::ivec2 size, ParallelFor&& parallel)
+        : mesh_(mesh), rows_(std::clamp(band_texels / std::max(size.x, 1), 1, band_rows)), bands_((size.y + rows_ - 1) / rows_) {
+        const unsigned triangles = mesh.triangle_count(), pieces = (triangles + piece - 1) / piece;
+        lists_.resize(std::size_t(pieces) * std::size_t(bands_));
+        parallel(static_cast<int>(pieces), [&](int first, int last) {
+            for (unsigned i = unsigned(first) * piece; i < std::min(unsigned(last) * piece, triangles); ++i) {
+                const auto [low, high] = mesh.rows(i, size.y);
+                for (int band = low / rows_; band * rows_ < high; ++band)
+                    lists_[std::size_t(i / piece) * std::size_t(bands_) + std::size_t(band)].push_back(i);
+            }
+        });
+    }
+
+    [[nodiscard]] int bands() const { return bands_; }
+    [[nodiscard]] int rows() const { return rows_; }
+
+    /// In the mesh's order.
+    template <class Use>
+    void for_each(int band, const Use& use) const {
+        for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands_))
+            for (std::size_t k = 0; k < lists_[i].size(); ++k) {
+                mesh_.expect(lists_[i], k);
+                use(lists_[i][k]);
+            }
+    }
+
+private:
+    static constexpr int band_texels = 1 << 16, band_rows = 64;
+    static constexpr unsigned piece = 1 << 16;  // triangles that one thread sorts at a time
+
+    const projected_mesh& mesh_;
+    int rows_, bands_;
+    std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band
+};
+
+/// A triangle's depths into an image, that many texels of a row at a time.
+template <bool Forward, int Lanes>
+class span_writer {
+public:
+    UMBRAGE_INLINE span_writer(image_view<float> depth, bool flipped)
+        : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
+          up_(flipped ? -depth.stride : depth.stride),
+          last_block_(depth.size.x - Lanes) {}
+
+    /// Starts to fetch the texels of a triangle, which for a small one takes as long as to draw another.
+    UMBRAGE_INLINE void expect(const triangle_batch& batch, int i) const {
+        const auto bounds = batch.bounds(i);
+        for (int y = bounds.first.y; y < std::min(bounds.last.y, bounds.first.y + 16); ++y)
+            UMBRAGE_PREFETCH(row(y) + bounds.first.x);
+    }
+
+    UMBRAGE_INLINE void draw(const triangle_batch& batch, int i) const {
+        const auto plane = batch.plane(i);
+        // Depths of one sign, and none that is flushed: their bits are in their order.
+        if (plane.lowest >= 0x1p-126 && plane.highest <= 1.0) {
+            const block_writer write(plane);
+            const double step = plane.dx * Lanes;
+            batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
+                float* const texels = row(y);
+                double z = plane.unclamped(first, y);
+                for (; first < last; first += Lanes, z += step) {
+                    if (first > last_block_) return write.at_border(texels + first, z, last - first);
+                    write(texels + first, z, last - first);
+                }
+            });
+        } else {
+            batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
+                float* const texels = row(y);
+                for (int x = first; x < last; ++x) {
+                    const double z = plane(x, y);
+                    if (!(z >= 0.0 && z <= 1.0)) continue;
+                    const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
+                    if (!is_nan(texels[x]) && (Forward ? stored <= texels[x] : stored >= texels[x])) texels[x] = stored;
+                }
+            });
+        }
+    }
+
+private:
+    struct block_writer {
+        double ramp[Lanes];
+        std::int32_t lowest, highest;
+
+        UMBRAGE_INLINE explicit block_writer(const depth_plane& plane)
+            : lowest(detail::bit_cast<std::int32_t>(static_cast<float>(plane.lowest))),
+              highest(detail::bit_cast<std::int32_t>(static_cast<float>(plane.highest))) {
+            for (int i = 0; i < Lanes; ++i) ramp[i] = plane.dx * i;
+        }
+
+        /// The first `count` of a block's texels; what is there can be anything.
+        UMBRAGE_INLINE void operator()(float* texels, double z, int count) const {
+            constexpr std::int32_t infinity = 0x7F800000, sign = std::numeric_limits<std::int32_t>::min();
+            std::int32_t there[Lanes], here[Lanes];
+            float rounded[Lanes];
+            for (int i = 0; i < Lanes; ++i) rounded[i] = static_cast<float>(z + ramp[i]);
+            std::memcpy(here, rounded, sizeof here);
+            std::memcpy(there, texels, sizeof there);
+            for (int i = 0; i < Lanes; ++i) {
+                const std::int32_t above = here[i] < lowest ? lowest : here[i];
+                const std::int32_t depth = above > highest ? highest : above;
+                const bool nearer = Forward ? depth <= there[i] : depth >= there[i];
+                const bool number = (Forward ? there[i] : there[i] ^ sign) <= infinity;  // or a NaN of the other sign
+                const std::int32_t mask = -std::int32_t(nearer & number & (i < count));
+                there[i] = (depth & mask) | (there[i] & ~mask);
+            }
+            std::memcpy(texels, there, sizeof there);
+        }
+
+        /// The same where the row ends before the block.
+        void at_border(float* texels, double z, int count) const {
+            float copy[Lanes]{};
+            for (int i = 0; i < count; ++i) copy[i] = texels[i];
+            (*this)(copy, z, count);
+            for (int i = 0; i < count; ++i) texels[i] = copy[i];
+        }
+    };
+
+    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const { return reinterpret_cast<float*>(bottom_ + y * up_); }
+
+    std::byte* bottom_;
+    std::ptrdiff_t up_;
+    int last_block_;
+};
+
+template <bool Forward>
+void draw_batch(image_view<float> depth, bool flipped, const triangle_batch& batch) {
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        const span_writer<Forward, decltype(set)::value == isa::avx512 ? 8 : 4> writer(depth, flipped);
+        for (int i = 0; i < batch.count; ++i) {
+            if (i + 1 < batch.count) writer.expect(batch, i + 1);
+            writer.draw(batch, i);
+        }
+    });
+}
+
+}  // namespace detail
+
+/// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
+///
+/// @param depth          greatest side 16384; row 0 is where clip.origin says; empty: nothing happens
+/// @param mesh           triangles with a NaN or infinite position are left out, as all are if the matrix has one;
+///                       those of no area on the 1/256 texel grid cover nothing
+/// @param world_to_clip  projection * view
+/// @param clip           reversed: greater depths win
+/// @param cull           which faces to leave out
+/// @param parallel       cuts the work into pieces, see parallel.hpp: vertices, triangles, bands of rows
+/// @throws std::invalid_argument  an index is out of range; a side of the image is above 16384
+/// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
+///              the far plane; never -0
+/// @exactness   coverage A from the snapped vertices on; depth B, see triangle_batch::set_up
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {}) {
+    const detail::projected_mesh projected(depth.size, mesh, world_to_clip, clip, parallel);
+    const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
+    const detail::banded_triangles banded(projected, depth.size, parallel);
+    parallel(banded.bands(), [&](int first, int last) {
+        for (int band = first; band < last; ++band) {
+            const texel_bounds bounds{{0, band * banded.rows()},
+                                      {depth.size.x, std::min((band + 1) * banded.rows(), depth.size.y)}};
+            const auto triangles = [&](const auto& use) { banded.for_each(band, use); };
+            projected.for_each_batch(triangles, bounds, cull, [&](const triangle_batch& batch) {
+                if (forward) detail::draw_batch<true>(depth, flipped, batch);
+                else detail::draw_batch<false>(depth, flipped, batch);
+            });
+        }
+    });
+}
+
+/// The general form: one call for each covered sample between the near and the far plane, triangle by triangle.
+///
+/// @param size    of the image in texels, each at most 16384
+/// @param sample  (glm::ivec2 texel, float depth, unsigned triangle); does the depth test. Where depths tie, a callee
+///                that wants results free of the triangles' order compares the triangles too
+/// The rest as for rasterize_depth.
+template <class Sample>
+void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
+               cull_mode cull = cull_mode::none) {
+    const bool flipped = clip.origin == texture_origin::top;
+    const detail::projected_mesh projected(size, mesh, world_to_clip, clip, serial{});
+    const auto triangles = [&](const auto& use) {
+        for (unsigned i = 0; i < projected.triangle_count(); ++i) use(i);
+    };
+    projected.for_each_batch(triangles, {{0, 0}, size}, cull, [&](const triangle_batch& batch) {
+        for (int i = 0; i < batch.count; ++i) {
+            const auto plane = batch.plane(i);
+            batch.for_each_row(i, [&](int y, int first, int last) {
+                for (int x = first; x < last; ++x)
+                    if (const double z = plane(x, y); z >= 0.0 && z <= 1.0)
+                        sample(glm::ivec2(x, flipped ? size.y - 1 - y : y), z > 0.0 ? static_cast<float>(z) : 0.0f,
+                               batch.id[i]);
+            });
+        }
+    });
+}
+
+/// Perspective-correct weights of a triangle's vertices at the centre of a texel.
+///
+/// @param triangle  index into mesh.triangles; its vertices may be behind the camera
+/// @return      weights that are not negative and sum to 1: a texel that snapping moved out of the triangle gets the
+///              weights of the nearest edge; (1, 0, 0) for a triangle seen edge-on or not finite
+/// @formula     b_i ~ (x_j - X w_j)(y_k - Y w_k) - (y_j - Y w_j)(x_k - X w_k), homogeneous texels; no division by w
+/// @cite        Olano, Greer: Triangle Scan Conversion using 2D Homogeneous Coordinates, Graphics Hardware 1997
+[[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
+                                            clip_space clip, glm::ivec2 texel, unsigned triangle) {
+    assert(triangle < mesh.triangles.size());
+    const projection project(world_to_clip, clip, size);
+    const double centre_x = texel.x + 0.5;
+    const double centre_y = clip.origin == texture_origin::top ? size.y - texel.y - 0.5 : texel.y + 0.5;
+    std::array<glm::dvec2, 3> from;  // the centre to each vertex, times w
+    for (int i = 0; i < 3; ++i) {
+        const auto h = project.homogeneous(mesh.positions[mesh.triangles[triangle][i]]);
+        from[std::size_t(i)] = {h.x - centre_x * h.w, h.y - centre_y * h.w};
+    }
+    const auto cross = [](glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; };
+    std::array<double, 3> weights{cross(from[1], from[2]), cross(from[2], from[0]), cross(from[0], from[1])};
+    const double signed_sum = weights[0] + weights[1] + weights[2];
+    double sum = 0.0;
+    for (auto& w : weights) {
+        if (signed_sum < 0.0) w = -w;
+        sum += w = w > 0.0 ? w : 0.0;
+    }
+    if (!is_finite(signed_sum) || sum == 0.0) return {1.0f, 0.0f, 0.0f};
+    return {weights[0] / sum, weights[1] / sum, weights[2] / sum};
+}
+
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+//
+// GLSL twins: what a snippet is, and how to put snippets into a shader.
+//
+//     std::string shader = umbrage::glsl::source(umbrage::glsl::version::v330, {umbrage::glsl::pcf_2x2}) + my_main;
+//
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <umbrage/config.hpp>
+
+namespace umbrage::glsl {
+
+/// How exactly a snippet and its C++ twin agree.
+///   a  bit for bit on every implementation: every intermediate is representable, so nothing can round
+///   b  bit for bit where + - * round to nearest in written order; a few ulp elsewhere
+///   c  within snippet::ulp units in the last place on every implementation tried: division, square root
+enum class tier { a, b, c };
+
+/// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
+enum class version { v100, v110, v120, v130, v150, v300_es, v310_es, v320_es, v330, v430, v450, v460, vulkan };
+
+inline constexpr std::array versions{version::v100,    version::v110,    version::v120,    version::v130, version::v150,
+                                     version::v300_es, version::v310_es, version::v320_es, version::v330, version::v430,
+                                     version::v450,    version::v460,    version::vulkan};
+
+/// What follows `#version`, e.g. "300 es".
+[[nodiscard]] constexpr std::string_view directive(version v) {
+    switch (v) {
+        case version::v100: return "100";
+        case version::v110: return "110";
+        case version::v120: return "120";
+        case version::v130: return "130";
+        case version::v150: return "150";
+        case version::v300_es: return "300 es";
+        case version::v310_es: return "310 es";
+        case version::v320_es: return "320 es";
+        case version::v330: return "330";
+        case version::v430: return "430";
+        case version::v450: return "450";
+        case version::v460: return "460";
+        case version::vulkan: return "450";
+    }
+    return "";
+}
+
+/// One GLSL function (with its overloads) and what is known of it.
+struct snippet {
+    std::string_view name;                 ///< of the C++ twin; the GLSL function is umbrage_<name>
+    std::string_view summary;              ///< one line
+    tier exactness = tier::a;
+    int ulp = 0;                           ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
+    version lowest = version::v100;        ///< v100: every dialect; v300_es: 300 es and 330 upwards
+    std::array<const snippet*, 4> needs{};
+    std::string_view source;
+};
+
+/// True when `s` compiles in dialect `v`.
+[[nodiscard]] constexpr bool supports(const snippet& s, version v) {
+    return s.lowest == version::v100 || v >= version::v300_es;
+}
+
+/// Macros every snippet relies on; each can be defined beforehand to something else.
+inline constexpr std::string_view prelude = R"GLSL(
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+)GLSL";
+
+namespace detail {
+
+inline void append(std::string& out, std::vector<std::string_view>& done, const snippet& s) {
+    for (std::string_view name : done)
+        if (name == s.name) return;
+    done.push_back(s.name);
+    for (const snippet* need : s.needs)
+        if (need) append(out, done, *need);
+    std::string guard = "UMBRAGE_HAS_";
+    for (char c : s.name) guard += (c >= 'a' && c <= 'z') ? static_cast<char>(c - 'a' + 'A') : c;
+    out += "\n#ifndef " + guard + "\n#define " + guard;
+    out += s.source;
+    out += "#endif\n";
+}
+
+}  // namespace detail
+
+/// The snippets and all they need, each once and guarded, without a `#version` line: text to paste into any shader.
+[[nodiscard]] inline std::string text(std::span<const snippet> snippets) {
+    std::string out(prelude);
+    std::vector<std::string_view> done;
+    for (const snippet& s : snippets) detail::append(out, done, s);
+    return out;
+}
+
+[[nodiscard]] inline std::string text(std::initializer_list<snippet> snippets) {
+    return text(std::span(snippets.begin(), snippets.size()));
+}
+
+/// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
+/// @throws std::invalid_argument when a snippet does not support the dialect
+[[nodiscard]] inline std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
+    for (const snippet& s : snippets)
+        if (!supports(s, v))
+            umbrage::detail::fail("umbrage::glsl::source: " + std::string(s.name) + " needs GLSL 330 or 300 es");
+    std::string out = "#version ";
+    out += directive(v);
+    out += '\n';
+    out += preamble;
+    if (!preamble.empty() && preamble.back() != '\n') out += '\n';
+    return out + text(snippets);
+}
+
+[[nodiscard]] inline std::string source(version v, std::initializer_list<snippet> snippets,
+                                        std::string_view preamble = {}) {
+    return source(v, std::span(snippets.begin(), snippets.size()), preamble);
+}
+
+namespace detail {
+
+/// Text with the constants of one member of a family filled in, at compile time.
+template <std::size_t Capacity>
+struct filled_text {
+    char data[Capacity]{};
+    std::size_t size = 0;
+    [[nodiscard]] constexpr std::string_view view() const { return {data, size}; }
+};
+
+struct constant {
+    char key;  ///< `$key` in the text
+    unsigned value;
+};
+
+/// Replaces each `$key` by the decimal digits of its value. Plain arrays, for the sake of every user's compile time.
+template <std::size_t Capacity, std::size_t Length>
+constexpr filled_text<Capacity> fill(const char (&text)[Length], std::initializer_list<constant> constants) {
+    filled_text<Capacity> out;
+    std::size_t size = 0;
+    for (std::size_t i = 0; i + 1 < Length; ++i) {
+        if (text[i] != '$') {
+            out.data[size++] = text[i];
+            continue;
+        }
+        ++i;
+        for (const constant& c : constants) {
+            if (c.key != text[i]) continue;
+            unsigned unit = 1;
+            while (c.value / unit >= 10) unit *= 10;
+            for (; unit > 0; unit /= 10) out.data[size++] = static_cast<char>('0' + c.value / unit % 10);
+        }
+    }
+    out.size = size;
+    return out;
+}
+
+}  // namespace detail
+}  // namespace umbrage::glsl

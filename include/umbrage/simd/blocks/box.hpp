@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+//
+// The box filter over maps of floats: whole rows of the box are loaded at once, never one texel after the other.
+//
+//     std::int32_t lit = umbrage::detail::box_rows<8, 0>(map.stride, 5).count(row, 0, receiver);
+//
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include <glm/vec2.hpp>
+
+#include <umbrage/filter/pcf/box.hpp>
+#include <umbrage/simd/blocks/texels.hpp>
+
+namespace umbrage::detail {
+
+#if defined(__GNUC__) || defined(__clang__)
+#define UMBRAGE_HAS_VECTORS 1
+
+/// Floats and numbers as wide as a register. The compiler's own vectors: they need no header and know no machine.
+template <int Lanes>
+struct vectors;
+template <>
+struct vectors<4> {
+    typedef float floats __attribute__((vector_size(16)));
+    typedef float unaligned __attribute__((vector_size(16), aligned(4), may_alias));
+    typedef std::int32_t ints __attribute__((vector_size(16)));
+};
+template <>
+struct vectors<8> {
+    typedef float floats __attribute__((vector_size(32)));
+    typedef float unaligned __attribute__((vector_size(32), aligned(4), may_alias));
+    typedef std::int32_t ints __attribute__((vector_size(32)));
+};
+
+/// less_equal for texels that lie side by side: all bits of a lane, or none.
+template <int Lanes>
+UMBRAGE_INLINE inline void compare_lanes(const float* texels, float receiver, typename vectors<Lanes>::ints& lit) {
+    const typename vectors<Lanes>::floats stored = *reinterpret_cast<const typename vectors<Lanes>::unaligned*>(texels);
+    lit = receiver <= stored;
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+    lit &= ((typename vectors<Lanes>::ints)stored & 0x7FFFFFFF) <= 0x7F800000;
+#endif
+}
+
+/// The sum of each of two vectors of numbers between 0 and 127.
+template <int Lanes>
+UMBRAGE_INLINE inline void sum_two(const typename vectors<Lanes>::ints& first, const typename vectors<Lanes>::ints& second,
+                                   std::int32_t* sums) {
+    const auto four = [](const auto& numbers) UMBRAGE_INLINE {
+        vectors<4>::ints parts[Lanes / 4], sum{};
+        std::memcpy(parts, &numbers, sizeof parts);
+        for (const vectors<4>::ints& part : parts) sum += part;
+        return sum;
+    };
+    const vectors<4>::ints a = four(first), b = four(second);
+#if UMBRAGE_HAS_DISPATCH
+    typedef char chars __attribute__((vector_size(16)));
+    const auto halves = (chars)__builtin_ia32_packssdw128(a, b);
+    const auto wide = (vectors<4>::ints)__builtin_ia32_psadbw128(halves, chars{});  // adds bytes, eight at a time
+    const auto both = __builtin_ia32_packssdw128(wide, wide);
+    std::memcpy(sums, &both, 2 * sizeof *sums);
+#else
+    sums[0] = a[0] + a[1] + a[2] + a[3];
+    sums[1] = b[0] + b[1] + b[2] + b[3];
+#endif
+}
+
+/// Lit texels of boxes that lie inside a map at least as wide as a register.
+/// @tparam Lanes   of a register;   Whole  registers that a row of the box fills;   Width  of the box, 0 if not known here
+template <int Lanes, int Whole, int Width = 0>
+struct box_rows {
+    using ints = typename vectors<Lanes>::ints;
+    static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
+    std::ptrdiff_t stride;
+    int width;
+    std::int32_t window[3 * Lanes]{};  ///< lanes that the rest of a row has in a register, slid to where they are
+
+    UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(Width ? Width : box_width) {
+        for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
+    }
+
+    /// @param row     first texel of the box
+    /// @param moved   by how much the last register of a row is moved back, so that it ends inside the map
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
+        ints lit;
+        std::int32_t sums[2];
+        count_lanes(row, moved, receiver, lit);
+        sum_two<Lanes>(lit, lit, sums);
+        return sums[0];
+    }
+
+    /// Of two boxes, which costs less than of each alone.
+    UMBRAGE_INLINE void count_two(const std::byte* const rows[2], const float* receivers, std::int32_t* counts) const {
+        ints first, second;
+        count_lanes(rows[0], 0, receivers[0], first);
+        count_lanes(rows[1], 0, receivers[1], second);
+        sum_two<Lanes>(first, second, counts);
+    }
+
+private:
+    UMBRAGE_INLINE void count_lanes(const std::byte* row, std::ptrdiff_t moved, float receiver, ints& lit) const {
+        lit = ints{};
+        ints rest{};
+        const auto add_row = [&]() UMBRAGE_INLINE {
+            const float* texels = reinterpret_cast<const float*>(row);
+            ints lanes;
+            for (int i = 0; i < Whole; ++i) {
+                compare_lanes<Lanes>(texels + i * Lanes, receiver, lanes);
+                lit -= lanes;
+            }
+            compare_lanes<Lanes>(texels + Whole * Lanes - moved, receiver, lanes);
+            rest -= lanes;
+            row += stride;
+        };
+        if constexpr (Width > 0) {
+#pragma GCC unroll 8
+            for (int j = 0; j < Width; ++j) add_row();
+        } else
+            for (int j = 0; j < width; ++j) add_row();
+        ints wanted;
+        std::memcpy(&wanted, window + Lanes - moved, sizeof wanted);
+        lit += rest & wanted;
+    }
+};
+#else
+#define UMBRAGE_HAS_VECTORS 0
+
+/// The same texel by texel.
+struct box_texels {
+    static constexpr int reach = 1;
+    std::ptrdiff_t stride;
+    int width;
+
+    [[nodiscard]] std::int32_t count(const std::byte* row, std::ptrdiff_t, float receiver) const {
+        std::int32_t lit = 0;
+        for (int j = 0; j < width; ++j, row += stride)
+            for (int i = 0; i < width; ++i) lit += is_lit(receiver, reinterpret_cast<const float*>(row)[i]);
+        return lit;
+    }
+    void count_two(const std::byte* const rows[2], const float* receivers, std::int32_t* counts) const {
+        for (int k = 0; k < 2; ++k) counts[k] = count(rows[k], 0, receivers[k]);
+    }
+};
+#endif
+
+/// The part of a map that a block's boxes lie in. Rows of a map that lie a multiple of 2048 bytes apart share their places
+/// in a first-level cache, which has few for each: high boxes push their own rows out of it. Here they do not.
+struct map_tile {
+    static constexpr int columns = 100, rows = 96;
+    float texels[rows][columns];
+
+    [[nodiscard]] static bool helps(std::ptrdiff_t stride, int width) { return width > 8 && stride % 2048 == 0; }
+
+    /// @param last   texel of the map, within columns and rows of the first; at least eight columns
+    UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
+        const int count = last.x - first.x + 1;
+        const auto eight = [](const float* from, float* to) UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
+        for (int y = first.y; y <= last.y; ++y) {
+            const float* from = texel_at(map, first.x, y);
+            float* to = texels[y - first.y];
+            for (int i = 0; i + 8 < count; i += 8) eight(from + i, to + i);
+            eight(from + count - 8, to + count - 8);
+        }
+    }
+};
+
+/// Only maps of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
+template <>
+struct block_filter<filters::box, depth32f> {
+    static constexpr int least = 1;
+    struct placed {
+        alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
+        alignas(64) std::int32_t inside[block], in_space[block];
+        alignas(64) float z[block];
+        std::int32_t all_plain;  ///< all bits if all boxes and what is loaded beside them are inside, and no depth is NaN
+    };
+    image_view<const float> map;
+    const depth32f& encoding;
+    const filters::box& filter;
+
+    [[nodiscard]] UMBRAGE_INLINE int radius() const { return clamp_int(filter.radius, max_box_radius); }
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const texel_bytes memory(map);
+        const int before = radius(), width = 2 * before + 1, last_x = map.size.x - width, last_y = map.size.y - width;
+        const int last_load = last_x - 7;  // where registers of eight lanes still end inside
+        std::int32_t plain = -1;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            at.in_space[i] = texel_space_mask(receivers.x(i), receivers.y(i));
+            const std::int32_t x = floor_int(masked(receivers.x(i), at.in_space[i])) - before;
+            const std::int32_t y = floor_int(masked(receivers.y(i), at.in_space[i])) - before;
+            at.inside[i] = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
+            at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
+            at.x[i] = x;
+            at.y[i] = y;
+            at.z[i] = receivers.z(i);
+            const std::int32_t magnitude = detail::bit_cast<std::int32_t>(receivers.z(i)) & 0x7FFFFFFF;
+            const auto loads_inside = std::int32_t(x <= last_load), number = std::int32_t(magnitude <= 0x7F800000);
+            plain &= at.inside[i] & at.in_space[i] & -(loads_inside & number);
+        }
+        at.all_plain = plain;
+        prefetch(memory, at.offsets, last_y < 0 ? 1 : width);
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
+        const int width = 2 * radius() + 1;
+#if UMBRAGE_HAS_VECTORS
+        constexpr int lanes = Isa::value == isa::base ? 4 : 8;
+        if constexpr (lanes == 8) {
+            if (width == 3) return count_with<box_rows<8, 0, 3>>(at, count, visibility);
+            if (width == 5) return count_with<box_rows<8, 0, 5>>(at, count, visibility);
+            if (width == 7) return count_with<box_rows<8, 0, 7>>(at, count, visibility);
+        }
+        if (width / lanes == 0) return count_with<box_rows<lanes, 0>>(at, count, visibility);
+        if (width / lanes == 1) return count_with<box_rows<lanes, 1>>(at, count, visibility);
+        if (width / lanes == 2) return count_with<box_rows<lanes, 2>>(at, count, visibility);
+        if constexpr (lanes == 4) {
+            if (width / lanes == 3) return count_with<box_rows<4, 3>>(at, count, visibility);
+            count_with<box_rows<4, 4>>(at, count, visibility);
+        }
+#else
+        count_with<box_texels>(at, count, visibility);
+#endif
+    }
+
+private:
+    template <class Boxes>
+    UMBRAGE_INLINE void count_with(const placed& at, int count, float* visibility) const {
+        const int width = 2 * radius() + 1, last_load = map.size.x - Boxes::reach;
+        const Boxes boxes(map.stride, width);
+        const texel_bytes memory(map);
+        alignas(64) std::int32_t lit[block]{};
+        if (at.all_plain)  // as nearly always
+            count_inside(boxes, at, count, lit);
+        else
+            for (int i = 0; i < count; ++i) {
+                if (is_nan(at.z[i]) || !at.in_space[i]) continue;
+                const int moved = at.x[i] > last_load ? at.x[i] - last_load : 0;
+                lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved, at.z[i])
+                                                        : count_at_border<Boxes>({at.x[i], at.y[i]}, width, at.z[i]);
+            }
+        const float scale = box_scale<float>(radius());
+        for (int i = 0; i < block; ++i)
+            visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~at.in_space[i], 1.0f,
+                                   static_cast<float>(lit[i]) * scale);
+    }
+
+    /// All 64 boxes lie inside the map, with what is loaded beside them.
+    template <class Boxes>
+    UMBRAGE_INLINE void count_inside(const Boxes& boxes, const placed& at, int count, std::int32_t* lit) const {
+        const auto count_all = [&](const Boxes& of, const auto& row) UMBRAGE_INLINE {
+            for (int i = 0; i < count; i += 2) {  // a block is even
+                const std::byte* const rows[]{row(i), row(i + 1)};
+                of.count_two(rows, at.z + i, lit + i);
+            }
+        };
+        if (map_tile::helps(map.stride, 2 * radius() + 1)) {
+            glm::ivec2 first(at.x[0], at.y[0]), last = first;
+            for (int i = 0; i < block; ++i) {
+                first.x = at.x[i] < first.x ? at.x[i] : first.x;
+                first.y = at.y[i] < first.y ? at.y[i] : first.y;
+                last.x = at.x[i] > last.x ? at.x[i] : last.x;
+                last.y = at.y[i] > last.y ? at.y[i] : last.y;
+            }
+            last += glm::ivec2(Boxes::reach - 1, 2 * radius());
+            if (last.x - first.x < map_tile::columns && last.y - first.y < map_tile::rows) {
+                map_tile tile;
+                tile.copy(map, first, last);
+                return count_all(Boxes(sizeof tile.texels[0], 2 * radius() + 1), [&](int i) UMBRAGE_INLINE {
+                    return reinterpret_cast<const std::byte*>(&tile.texels[at.y[i] - first.y][at.x[i] - first.x]);
+                });
+            }
+        }
+        const texel_bytes memory(map);
+        count_all(boxes, [&](int i) UMBRAGE_INLINE { return memory.data + at.offsets[i]; });
+    }
+
+    /// The same from a copy of the box, the map's border texels repeated.
+    template <class Boxes>
+    std::int32_t count_at_border(glm::ivec2 first, int width, float receiver) const {
+        constexpr int widest = 2 * max_box_radius + 1;
+        float texels[widest][Boxes::reach > widest ? Boxes::reach : widest]{};
+        for (int j = 0; j < width; ++j) {
+            const float* row = texel_at(map, 0, clamp_int(first.y + j, map.size.y - 1));
+            for (int i = 0; i < width; ++i) texels[j][i] = row[clamp_int(first.x + i, map.size.x - 1)];
+        }
+        return Boxes(sizeof texels[0], width).count(reinterpret_cast<const std::byte*>(texels), 0, receiver);
+    }
+};
+
+}  // namespace umbrage::detail

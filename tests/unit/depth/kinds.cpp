@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include <umbrage/depth/kinds.hpp>
+
+using namespace umbrage;
+using doctest::Approx;
+
+namespace {
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+constexpr float nan32 = std::numeric_limits<float>::quiet_NaN();
+
+static_assert(linear_depth(5.0f, 0.125f) == 0.625f);
+static_assert(linear_depth(-5.0, 0.125) == -0.625 && linear_depth(16.0, 0.125) == 2.0);  // not clamped
+static_assert(project_depth(1.0f, 4.0f) == 0.25f);
+static_assert(reverse_depth(0.25f) == 0.75f && reverse_depth(1.0) == 0.0);
+static_assert(depth_from_ndc(-1.0f) == 0.0f && depth_from_ndc(0.0f) == 0.5f && depth_from_ndc(1.0f) == 1.0f);
+static_assert(view_z_from_depth(0.0f, 2.0f, 8.0f) == 2.0f && view_z_from_depth(1.0f, 2.0f, 8.0f) == 8.0f);
+static_assert(view_z_from_depth(0.5f, 2.0f, 8.0f) == 3.2f);  // 2 / (1 - 3/8)
+static_assert(depth_from_view_z(2.0f, 2.0f, 8.0f) == 0.0f && depth_from_view_z(8.0f, 2.0f, 8.0f) == 1.0f);
+static_assert(depth_from_view_z(4.0, 2.0, 8.0) == 0.5 / 0.75);
+
+}  // namespace
+
+TEST_CASE("project_depth: cleared depth where the point is not in front of the light") {
+    for (float w : {0.0f, -0.0f, -1.0f, -inf, nan32, -nan32}) {
+        CHECK(project_depth(0.25f, w) == 1.0f);
+        CHECK(project_depth(0.25, double(w)) == 1.0);
+    }
+    CHECK(project_depth(3.0f, inf) == 0.0f);
+    CHECK(is_nan(project_depth(nan32, 1.0f)));
+    CHECK(project_depth(-1.0f, 2.0f) == -0.5f);  // not clamped
+}
+
+TEST_CASE("distance_depth: Pythagoras over the range") {
+    CHECK(distance_depth(glm::vec3(3, 0, 4), 0.125f) == 0.625f);
+    CHECK(distance_depth(glm::vec3(2, -3, 6), 0.25f) == 1.75f);
+    CHECK(distance_depth(glm::vec3(0), 1.0f) == 0.0f);
+    const glm::dvec3 p(0.1, -0.7, 12.5);
+    CHECK(double(distance_depth(glm::vec3(p), 0.05f)) == Approx(distance_depth(p, 0.05)).epsilon(3e-7));
+}
+
+TEST_CASE("reverse_depth: its own inverse on the lattice of 24 bits, exact from 1/2 to 2") {
+    int wrong = 0;
+    for (int k = 0; k <= 1 << 24; k += 7) {
+        const float d = float(k) / 16777216.0f;
+        wrong += reverse_depth(reverse_depth(d)) != d || double(reverse_depth(d)) != 1.0 - double(d);
+    }
+    CHECK(wrong == 0);
+    for (float d : {0.5f, 0x1.000002p-1f, 0.7f, 0x1.fffffep-1f, 1.0f, 1.3f, 0x1.fffffep0f, 2.0f})
+        CHECK(double(reverse_depth(d)) == 1.0 - double(d));
+    CHECK(reverse_depth(1e-10f) == 1.0f);
+}
+
+TEST_CASE("depth_from_ndc: ends, middle and out of range") {
+    CHECK(depth_from_ndc(-3.0f) == -1.0f);
+    CHECK(depth_from_ndc(0.5) == 0.75);
+    CHECK(depth_from_ndc(inf) == inf);
+}
+
+TEST_CASE("view_z_from_depth, depth_from_view_z: inverse to each other, in order, also without a far plane") {
+    for (double z_far : {10.0, 1000.0, std::numeric_limits<double>::infinity()}) {
+        double previous = -1;
+        for (double z = 0.5; z <= 10; z += 0.25) {
+            const double d = depth_from_view_z(z, 0.5, z_far);
+            CHECK(d > previous);
+            CHECK(view_z_from_depth(d, 0.5, z_far) == Approx(z).epsilon(1e-12));
+            CHECK(double(depth_from_view_z(float(z), 0.5f, float(z_far))) == Approx(d).epsilon(1e-6));
+            previous = d;
+        }
+    }
+    CHECK(view_z_from_depth(1.0f, 0.5f, inf) == inf);
+    CHECK(depth_from_view_z(inf, 0.5f, inf) == 1.0f);
+    CHECK(view_z_from_depth(reverse_depth(1.0f), 0.5f, 10.0f) == 0.5f);  // reversed: 1 is the near plane
+}

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <umbrage/shader/registry.hpp>
+
+using namespace umbrage::glsl;
+
+namespace {
+
+constexpr snippet leaf{.name = "leaf", .summary = "", .source = "\nfloat umbrage_leaf() { return 1.0; }\n"};
+constexpr snippet left{.name = "left", .summary = "", .needs = {&leaf}, .source = "\nleft body\n"};
+constexpr snippet right{.name = "right", .summary = "", .needs = {&leaf}, .source = "\nright body\n"};
+constexpr snippet top{.name = "top", .summary = "", .needs = {&left, &right}, .source = "\ntop body\n"};
+constexpr snippet modern{.name = "modern", .summary = "", .lowest = version::v300_es, .source = "\nmodern body\n"};
+
+std::size_t count(std::string_view text, std::string_view part) {
+    std::size_t n = 0;
+    for (auto at = text.find(part); at != text.npos; at = text.find(part, at + part.size())) ++n;
+    return n;
+}
+
+std::string without_comments(std::string_view text) {
+    std::string out;
+    bool comment = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        comment = text[i] == '\n' ? false : comment || text.substr(i, 2) == "//";
+        if (!comment) out += text[i];
+    }
+    return out;
+}
+
+struct word {
+    std::string_view text;
+    bool member;  ///< follows a dot
+};
+
+std::vector<word> words(std::string_view code) {
+    const auto part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    std::vector<word> found;
+    for (std::size_t i = 0; i < code.size();) {
+        if (!part(code[i])) {
+            ++i;
+            continue;
+        }
+        const auto start = i;
+        while (i < code.size() && part(code[i])) ++i;
+        if (!std::isdigit(static_cast<unsigned char>(code[start])))
+            found.push_back({code.substr(start, i - start), start > 0 && code[start - 1] == '.'});
+    }
+    return found;
+}
+
+/// What a snippet lets its users define, as UMBRAGE_LIT.
+std::vector<std::string_view> macros(const snippet& s) {
+    std::vector<std::string_view> found;
+    const auto all = words(s.source);
+    for (std::size_t i = 1; i < all.size(); ++i)
+        if (all[i - 1].text == "define") found.push_back(all[i].text);
+    return found;
+}
+
+/// A scan that finds nothing proves nothing: what the rules below rest on, tried on a text that breaks them.
+const std::string bad = without_comments("a__b gl_x v.xy // mix(\nmix (1.0) c.x 2.5e3");
+
+}  // namespace
+
+TEST_CASE("the scan that the rules rest on sees what it should") {
+    std::string all;
+    for (const word& w : words(bad)) all += std::string(w.text) + (w.member ? "! " : " ");
+    CHECK(all == "a__b gl_x v xy! mix c x! ");
+}
+
+TEST_CASE("text: what is needed comes before, each once") {
+    const std::string out = text({top, leaf, right, top});
+    for (std::string_view part : {"umbrage_leaf()", "left body", "right body", "top body"}) CHECK(count(out, part) == 1);
+    CHECK(out.find("umbrage_leaf()") < out.find("left body"));
+    CHECK(out.find("left body") < out.find("right body"));
+    CHECK(out.find("right body") < out.find("top body"));
+    CHECK(out.starts_with(prelude));
+    CHECK(count(out, "#ifndef UMBRAGE_HAS_LEFT\n#define UMBRAGE_HAS_LEFT\n") == 1);
+    CHECK(count(out, "#if") == count(out, "#endif"));
+    CHECK(text({}) == prelude);
+}
+
+TEST_CASE("source: #version first, then the preamble on lines of its own, then the snippets") {
+    CHECK(source(version::v100, {leaf}) == "#version 100\n" + text({leaf}));
+    CHECK(source(version::v300_es, {leaf}, "precision highp float;") ==
+          "#version 300 es\nprecision highp float;\n" + text({leaf}));
+    CHECK(source(version::vulkan, {leaf}, "#define A\n") == "#version 450\n#define A\n" + text({leaf}));
+    std::set<std::string_view> directives;
+    for (version v : versions) directives.insert(directive(v));
+    CHECK(directives.size() == versions.size() - 1);  // Vulkan's is that of 450
+    CHECK_FALSE(directives.contains(""));
+}
+
+TEST_CASE("source: a dialect that a snippet does not support") {
+    for (version v : versions) {
+        CHECK(supports(leaf, v));
+        const bool old = v == version::v100 || v == version::v110 || v == version::v120 || v == version::v130 ||
+                         v == version::v150;
+        CHECK(supports(modern, v) == !old);
+        if (old)
+            CHECK_THROWS_AS((void)source(v, {leaf, modern}), std::invalid_argument);
+        else
+            CHECK_NOTHROW((void)source(v, {leaf, modern}));
+    }
+}
+
+TEST_CASE("fill: keys become decimal digits") {
+    constexpr auto filled = detail::fill<64>("a$b, $n.0 $b$b", {{'b', 9}, {'n', 65536}});
+    static_assert(filled.view() == "a9, 65536.0 99");
+    static_assert(detail::fill<8>("$z", {{'z', 0}}).view() == "0");
+    static_assert(detail::fill<16>("$z", {{'z', 100}}).view() == "100");
+}
+
+TEST_CASE("registry: names tell snippets apart, and whatever one needs is there and old enough") {
+    std::set<std::string_view> names;
+    for (const snippet* s : registry) {
+        CAPTURE(s->name);
+        CHECK(names.insert(s->name).second);
+        CHECK_FALSE(s->summary.empty());
+        CHECK((s->exactness == tier::c ? s->ulp > 0 : s->ulp == 0));
+        CHECK(count(s->source, "umbrage_" + std::string(s->name) + "(") > 0);
+        CHECK(count(s->source, "// umbrage_" + std::string(s->name) + ":") == 1);  // a copied text explains itself
+        for (const snippet* need : s->needs) {
+            if (!need) continue;
+            CAPTURE(need->name);
+            CHECK(std::find(registry.begin(), registry.end(), need) != registry.end());
+            for (version v : versions) CHECK((!supports(*s, v) || supports(*need, v)));
+            const std::string code = without_comments(s->source);
+            bool used = count(code, "umbrage_" + std::string(need->name) + "(") > 0;
+            for (std::string_view macro : macros(*need)) used = used || count(code, macro) > 0;
+            CHECK(used);
+        }
+    }
+}
+
+TEST_CASE("registry: every function of the library that a snippet calls is among its needs") {
+    for (const snippet* s : registry) {
+        const std::string out = text({*s}), code = without_comments(out);
+        for (const word& w : words(code))
+            if (w.text.starts_with("umbrage_")) {
+                CAPTURE(s->name);
+                CAPTURE(w.text);
+                bool defined = false;
+                for (std::string_view type : {"bool", "float", "vec2", "vec3", "vec4"})
+                    defined = defined || count(out, std::string(type) + " " + std::string(w.text) + "(") > 0;
+                CHECK(defined);
+            }
+    }
+}
+
+TEST_CASE("registry: texts that every compiler takes and any host shader can carry") {
+    for (const snippet* s : registry) {
+        CAPTURE(s->name);
+        CHECK(s->source.size() < 12000);
+        CHECK(s->source.starts_with("\n//"));
+        CHECK(s->source.ends_with("\n"));
+        CHECK(std::all_of(s->source.begin(), s->source.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+        CHECK(s->source.find('$') == s->source.npos);  // a key of the family left over
+        const std::string code = without_comments(s->source);
+        CHECK(count(code, "#version") == 0);
+        CHECK(count(code, "#if") == count(code, "#endif"));
+        for (const word& w : words(code)) {
+            CAPTURE(w.text);
+            CHECK((w.text == "__VERSION__" || w.text.find("__") == w.text.npos));
+            CHECK_FALSE(w.text.starts_with("gl_"));
+            for (std::string_view never : {"precision", "uniform", "layout", "varying", "attribute", "out", "inout", "while"})
+                CHECK(w.text != never);
+            if (w.member) CHECK(w.text.size() == 1);  // no swizzles of several components
+            if (s->exactness == tier::c) continue;
+            for (std::string_view loose : {"mix", "dot", "fma", "round", "mod", "fract", "smoothstep"}) CHECK(w.text != loose);
+        }
+    }
+}
+
+TEST_CASE("registry: a division or a root is tier C, but for the coordinate of an old-style fetch") {
+    for (const snippet* s : registry) {
+        if (s->exactness == tier::c) continue;
+        CAPTURE(s->name);
+        const std::string code = without_comments(s->source);
+        for (std::string_view loose : {"sqrt(", "normalize(", "length(", "pow(", "exp2(", "exp(", "sin(", "cos("})
+            CHECK(count(code, loose) == 0);
+        for (auto at = code.find(" / "); at != code.npos; at = code.find(" / ", at + 1)) {
+            const bool constant = std::isdigit(static_cast<unsigned char>(code[at - 1])) &&
+                                  std::isdigit(static_cast<unsigned char>(code[at + 3]));
+            const bool fetch = code.substr(0, at).rfind("texture2D(") > code.substr(0, at).rfind(';') &&
+                               code.substr(0, at).rfind("texture2D(") != code.npos;
+            CHECK((constant || fetch));
+        }
+    }
+}
+
+TEST_CASE("registry: highp on every parameter, local and return; int is wide enough anywhere for what it counts") {
+    const std::set<std::string_view> types{"float", "vec2", "vec3", "vec4", "mat3", "mat4", "uint", "uvec4"};
+    for (const snippet* s : registry) {
+        CAPTURE(s->name);
+        const std::string code = without_comments(s->source);
+        const auto all = words(code);
+        for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+            if (!types.contains(all[i].text)) continue;
+            const auto* after = all[i].text.data() + all[i].text.size();
+            if (*after != ' ') continue;  // a constructor
+            CAPTURE(all[i + 1].text);
+            CHECK(i > 0);
+            CHECK(all[i - 1].text == "UMBRAGE_HIGHP");
+        }
+    }
+}

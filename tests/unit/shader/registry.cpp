@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+//
+// The registry against the headers' own text: a snippet that a header defines and nobody lists fails here.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <umbrage/shader/registry.hpp>
+
+using namespace umbrage::glsl;
+
+namespace {
+
+struct found {
+    std::string header;
+    std::string cpp;   ///< the header's text before `namespace glsl`
+    std::string name;  ///< as C++ has it, without a family's number
+    bool family;
+};
+
+/// Every `inline constexpr snippet NAME{` below include/umbrage.
+std::vector<found> snippets_in_headers() {
+    std::vector<found> all;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(UMBRAGE_SOURCE_DIR "/include/umbrage")) {
+        if (entry.path().extension() != ".hpp") continue;
+        std::ifstream file(entry.path());
+        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        const std::string key = "inline constexpr snippet ";
+        for (auto at = text.find(key); at != text.npos; at = text.find(key, at + 1)) {
+            const auto start = at + key.size(), end = text.find_first_of("{;= ", start);
+            const auto line_before = text.rfind('\n', at - 2) + 1;
+            all.push_back({entry.path().filename().string(), text.substr(0, text.find("namespace glsl {")),
+                           text.substr(start, end - start), text.compare(line_before, 8, "template") == 0});
+        }
+    }
+    return all;
+}
+
+/// A family's name: encode_rg of encode_rg11.
+std::string without_digits(std::string_view name) {
+    std::string out;
+    for (char c : name)
+        if (!std::isdigit(static_cast<unsigned char>(c))) out += c;
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("registry: lists every snippet of every header once, and nothing else") {
+    std::map<std::string, int> listed;  // by name, families without their digits
+    std::set<std::string_view> names;
+    const auto headers = snippets_in_headers();
+    std::set<std::string> families;
+    for (const found& f : headers)
+        if (f.family) families.insert(f.name);
+    for (const snippet* s : registry) {
+        CAPTURE(s->name);
+        CHECK(names.insert(s->name).second);
+        const bool member = families.count(without_digits(s->name)) == 1;
+        ++listed[member ? without_digits(s->name) : std::string(s->name)];
+    }
+    CHECK(headers.size() > 30);
+    CHECK(families.count("encode_rg") == 1);
+    for (const found& f : headers) {
+        CAPTURE(f.header);
+        CAPTURE(f.name);
+        CHECK(listed[f.name] == (f.family ? 8 : 1));  // Bits = 9 .. 16
+        listed.erase(f.name);
+    }
+    for (const auto& left : listed) {
+        CAPTURE(left.first);
+        CHECK(left.second == 0);  // listed, but in no header
+    }
+}
+
+TEST_CASE("registry: each snippet has a C++ twin of its name in its header") {
+    for (const found& f : snippets_in_headers()) {
+        CAPTURE(f.header);
+        CAPTURE(f.name);
+        CHECK(f.cpp.find(" " + f.name + "(") != f.cpp.npos);
+    }
+}
+
+TEST_CASE("registry: the GLSL function is umbrage_ and the snippet's name, and a line of comment says what it does") {
+    for (const snippet* s : registry) {
+        CAPTURE(s->name);
+        const std::string function = "umbrage_" + std::string(s->name);
+        CHECK(s->source.find(" " + function + "(") != s->source.npos);
+        CHECK(s->source.find("// " + function + ": ") != s->source.npos);
+        CHECK_FALSE(s->summary.empty());
+        CHECK(s->summary.find('\n') == s->summary.npos);
+    }
+}
+
+TEST_CASE("registry: ulp are stated for tier c, and only there; what cannot round asks for no precision") {
+    for (const snippet* s : registry) {
+        CAPTURE(s->name);
+        CHECK((s->ulp > 0) == (s->exactness == tier::c));
+        if (s->exactness == tier::a) CHECK(s->source.find("UMBRAGE_PRECISE") == s->source.npos);
+    }
+}
