@@ -5,6 +5,7 @@
 #     make test    builds and runs every test
 #     make prove   every float and every code, on every implementation here: about an hour on two cores
 #     make bench   ours against memcpy, GLM code, llvmpipe, Embree and OpenCV: a table, and plots in build/plots
+#     make bench-compare A=old.json B=new.json   tells two runs of it apart, or several: A="1.json 2.json" B="3.json 4.json"
 #     make bench-packing   depth packing of three.js, Babylon.js and PlayCanvas beside ours
 #     make bench-shaders   what the snippets cost on a GPU, and those peers' shaders beside ours
 #
@@ -20,7 +21,7 @@ test_packages := $(demo_packages) clang-14 doctest-dev glslang-tools libegl-dev 
     g++-aarch64-linux-gnu qemu-user \
     chromium $(node_packages)
 
-bench_packages := $(test_packages) gnuplot-nox libbenchmark-dev libembree-dev libopencv-dev
+bench_packages := $(test_packages) gnuplot-nox libbenchmark-dev libembree-dev libopencv-dev nlohmann-json3-dev
 
 # $(call install,packages): what is missing of them; elsewhere than on Debian, says what is needed and goes on.
 define install
@@ -42,6 +43,12 @@ else \
 fi
 endef
 
+define configure_bench
+$(call install,$(bench_packages))
+@cmake -G Ninja -S . -B build/bench -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_BENCHMARKS=ON -D UMBRAGE_BUILD_EXAMPLES=OFF \
+    -D UMBRAGE_BENCH_OUTPUT=$(CURDIR)/build
+endef
+
 # What drives the browser, for the tests in WebGL.
 define browser
 @test -d build/node_modules/playwright-core \
@@ -49,7 +56,7 @@ define browser
     || echo "npm has no playwright-core for us: the tests in WebGL report themselves skipped."
 endef
 
-.PHONY: test demo gallery bench prove asan bench-packing bench-shaders single-header readme compile-time clean
+.PHONY: test demo gallery bench bench-compare prove asan bench-packing bench-shaders single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -100,11 +107,18 @@ asan:
 # Ours against what else there is: a table and build/bench.json; then curves over map size, kernel size, triangles and
 # threads: build/plots/*.svg, their points in build/bench-series.tsv.
 bench:
-	$(call install,$(bench_packages))
-	cmake -G Ninja -S . -B build/bench -D CMAKE_BUILD_TYPE=Release -D UMBRAGE_BUILD_BENCHMARKS=ON -D UMBRAGE_BUILD_EXAMPLES=OFF \
-	    -D UMBRAGE_BENCH_OUTPUT=$(CURDIR)/build
+	$(configure_bench)
 	cmake --build build/bench --target bench_table
 	cmake --build build/bench --target bench_plots
+
+# Fails when a row's ratio has got worse by more than 5 % and its spread. `make bench-compare old.json new.json` does too.
+A ?= $(word 2,$(MAKECMDGOALS))
+B ?= $(word 3,$(MAKECMDGOALS))
+bench-compare:
+	$(if $(and $(A),$(B)),,$(error Two runs are needed: make bench-compare A=old.json B=new.json))
+	$(configure_bench)
+	@cmake --build build/bench --target bench_compare
+	@build/bench/tests/bench/bench_compare --before $(A) --after $(B)
 
 # Makes single_include/umbrage/umbrage.hpp anew.
 single-header:

@@ -1,17 +1,28 @@
 // SPDX-License-Identifier: MIT
+//
+//     bench bench.json
+//     bench --filter 'PCF 5x5|Embree' bench.json
 #include "bench.hpp"
 
+#include <chrono>
 #include <cstdio>
+#include <ctime>
 #include <deque>
-#include <fstream>
-#include <map>
+#include <exception>
+#include <regex>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include <benchmark/benchmark.h>
+#include <CLI/CLI.hpp>
+
+#include "measure.hpp"
+#include "report.hpp"
 
 namespace bench {
 namespace {
 
+std::regex filter;
 int disagreements = 0;
 
 std::deque<row>& rows() {
@@ -23,76 +34,96 @@ std::vector<std::function<void()>>& registrations() {
     return all;
 }
 
-/// Keeps the medians.
-class collector : public benchmark::ConsoleReporter {
-public:
-    std::map<std::string, double> medians;  ///< seconds
-    void ReportRuns(const std::vector<Run>& runs) override {
-        for (const Run& run : runs) {
-            if (run.aggregate_name != "median") continue;
-            const bool wall = run.run_name.time_type == "real_time";
-            medians[run.run_name.function_name] =
-                (wall ? run.real_accumulated_time : run.cpu_accumulated_time) / double(run.iterations);
-        }
-        ConsoleReporter::ReportRuns(runs);
-    }
-};
-
-void register_side(const row& r, const std::string& name, const std::function<void()>& work) {
-    auto* b = benchmark::RegisterBenchmark(name.c_str(), [&work](benchmark::State& state) {
-        for (auto _ : state) work();
-    });
-    b->Repetitions(15)->ReportAggregatesOnly()->MinTime(0.02)->Unit(benchmark::kMillisecond);
-    if (r.measured == clock::wall) b->UseRealTime();
+double wall_seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-std::string side_name(std::size_t i, const char* side) { return std::to_string(i) + " " + rows()[i].work + ", " + side; }
+/// Of this thread: what others do on its processor does not count.
+double processor_seconds() {
+    std::timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
+}
+
+result run(const row& r, const limits& within) {
+    const bool wall = r.measured == clock::wall;
+    const measurement m = measure(r.ours, r.theirs, wall ? wall_seconds : processor_seconds, wall_seconds, within);
+    return {.work = r.work,
+            .peer = r.peer,
+            .ours = m.ours / r.items * 1e9,
+            .theirs = m.theirs / r.items * 1e9,
+            .ratio = m.ratio.median,
+            .spread = m.ratio.spread(),
+            .converged = m.ratio.spread() < within.spread,
+            .rounds = m.rounds,
+            .clock = wall ? "wall" : "processor",
+            .wanted = r.at_least};
+}
+
+void print_heading(const machine& on) {
+    std::printf("%s, %u processors; instruction set %s", on.processor.c_str(), on.processors,
+                on.instruction_set.c_str());
+    if (on.instruction_set != on.best_instruction_set) std::printf(" (it has %s)", on.best_instruction_set.c_str());
+    std::printf("; %s\n\n%-58s %-22s %10s %10s %8s %8s %8s verdict\n", on.compiler.c_str(), "work", "against",
+                "ours, ns", "theirs, ns", "ratio", "spread", "wanted");
+}
+
+void print(const result& r) {
+    std::printf("%-58s %-22s %10.3f %10.3f %8.2f %6.1f %% ", r.work.c_str(), r.peer.c_str(), r.ours, r.theirs, r.ratio,
+                r.spread * 100);
+    if (r.wanted > 0)
+        std::printf("%8.2f %s", r.wanted, r.ratio < r.wanted ? "missed" : "met");
+    else
+        std::printf("%8s", "");
+    std::printf("%s\n", r.converged ? "" : " not settled");
+    std::fflush(stdout);
+}
 
 }  // namespace
 
 void add(row r) {
+    if (!std::regex_search(r.work + ", " + r.peer, filter)) return;
     r.ours();
     r.theirs();
     if (r.agree && !r.agree()) {
-        std::fprintf(stderr, "bench: %s: ours and that of %s differ, so there is nothing to time\n", r.work.c_str(), r.peer.c_str());
+        std::fprintf(stderr, "bench: %s: ours and that of %s differ, so there is nothing to time\n", r.work.c_str(),
+                     r.peer.c_str());
         ++disagreements;
         return;
     }
     rows().push_back(std::move(r));
 }
 
-registration::registration(std::function<void()> rows) { registrations().push_back(std::move(rows)); }
+registration::registration(std::function<void()> rows) {
+    registrations().push_back(std::move(rows));
+}
 
 }  // namespace bench
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     using namespace bench;
-    std::vector<char*> arguments(argv, argv + argc);
-    std::string interleave = "--benchmark_enable_random_interleaving=true", output = "bench.json";
-    arguments.push_back(interleave.data());
-    int count = static_cast<int>(arguments.size());
-    benchmark::Initialize(&count, arguments.data());
-    if (count > 1) output = arguments[1];
+    CLI::App app("Image functions and depth pass against what a user could take instead");
+    app.option_defaults()->always_capture_default();
+    std::string output = "bench.json", pattern;
+    limits within;
+    app.add_option("output", output, "the results, as JSON");
+    app.add_option("--filter", pattern, "only rows with this regular expression in \"work, peer\"");
+    app.add_option("--spread", within.spread, "repeat until the ratio's spread is below");
+    app.add_option("--at-least", within.at_least, "seconds a row");
+    app.add_option("--at-most", within.at_most, "seconds a row, settled or not");
+    CLI11_PARSE(app, argc, argv);
+    filter = pattern;
 
     for (const auto& make : registrations()) make();
-    for (std::size_t i = 0; i < rows().size(); ++i) {
-        register_side(rows()[i], side_name(i, "umbrage"), rows()[i].ours);
-        register_side(rows()[i], side_name(i, rows()[i].peer.c_str()), rows()[i].theirs);
+    report all{this_machine(), {}};
+    print_heading(all.on);
+    for (const row& r : rows()) {
+        all.rows.push_back(run(r, within));
+        print(all.rows.back());
     }
-    collector seen;
-    benchmark::RunSpecifiedBenchmarks(&seen);
-
-    std::ofstream json(output);
-    std::printf("\n%-58s %-22s %10s %10s %8s %8s\n", "work", "against", "ours, ns", "theirs, ns", "ratio", "wanted");
-    for (std::size_t i = 0; i < rows().size(); ++i) {
-        const row& r = rows()[i];
-        const auto ours = seen.medians.find(side_name(i, "umbrage")), theirs = seen.medians.find(side_name(i, r.peer.c_str()));
-        if (ours == seen.medians.end() || theirs == seen.medians.end()) continue;  // filtered out
-        const double a = ours->second / r.items * 1e9, b = theirs->second / r.items * 1e9;
-        std::printf("%-58s %-22s %10.3f %10.3f %8.2f", r.work.c_str(), r.peer.c_str(), a, b, b / a);
-        std::printf(r.at_least > 0 ? " %8.2f %s\n" : "\n", r.at_least, b / a < r.at_least ? "missed" : "");
-        json << "{\"name\": \"" << r.work << "\", \"ours\": " << a << ", \"peer\": " << b << ", \"peer_name\": \"" << r.peer
-             << "\", \"unit\": \"ns per item\", \"ratio\": " << b / a << "}\n";
-    }
+    write(all, output);
     return disagreements ? 1 : 0;
+} catch (const std::exception& e) {
+    std::fprintf(stderr, "bench: %s\n", e.what());
+    return 2;
 }

@@ -17,10 +17,10 @@ enum class clock { processor, wall };  ///< wall for what runs on several thread
 
 struct row {
     std::string work, peer;
-    double at_least = 0;                ///< the speed-up that we mean to have; 0: none stated
-    double items = 1;                   ///< texels, receivers, triangles: times are printed per item
+    double at_least = 0;  ///< the speed-up that we mean to have; 0: none stated
+    double items = 1;     ///< texels, receivers, triangles: times are printed per item
     std::function<void()> ours, theirs;
-    std::function<bool()> agree;        ///< after both have run once: are the results the same?
+    std::function<bool()> agree;  ///< after both have run once: are the results the same?
     clock measured = clock::processor;
 };
 
