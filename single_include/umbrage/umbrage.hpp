@@ -1237,14 +1237,14 @@ inline constexpr snippet write_threejs_rgba{
 // umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    if (!(v < 1.0)) return vec4(1.0, 1.0, 1.0, 1.0);
     UMBRAGE_HIGHP float x = v * 16777216.0;
     UMBRAGE_HIGHP float whole = floor(x);
     UMBRAGE_HIGHP float high = floor(whole * (1.0 / 65536.0));
     UMBRAGE_HIGHP float rest = whole - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
     UMBRAGE_HIGHP float low = rest - middle * 256.0;
-    return vec4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
+    UMBRAGE_HIGHP vec4 c = vec4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
+    return v < 1.0 ? c : vec4(1.0, 1.0, 1.0, 1.0);
 }
 )GLSL"};
 
@@ -1265,11 +1265,11 @@ inline constexpr snippet write_threejs_rgb{
 // umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    if (!(v < 1.0)) return vec3(1.0, 1.0, 1.0);
     UMBRAGE_HIGHP float x = v * 65536.0;
     UMBRAGE_HIGHP float whole = floor(x);
     UMBRAGE_HIGHP float high = floor(whole * (1.0 / 256.0));
-    return vec3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+    UMBRAGE_HIGHP vec3 c = vec3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+    return v < 1.0 ? c : vec3(1.0, 1.0, 1.0);
 }
 )GLSL"};
 
@@ -1290,10 +1290,9 @@ inline constexpr snippet write_threejs_rg{
 // umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    if (!(v < 1.0)) return vec2(1.0, 1.0);
     UMBRAGE_HIGHP float x = v * 256.0;
     UMBRAGE_HIGHP float whole = floor(x);
-    return vec2(whole * 0.00392156886, x - whole);
+    return v < 1.0 ? vec2(whole * 0.00392156886, x - whole) : vec2(1.0, 1.0);
 }
 )GLSL"};
 
@@ -1340,12 +1339,11 @@ inline constexpr snippet encode_threejs_legacy_repaired{
 //   whole numbers 0..255 (umbrage_to_unorm writes them)
 UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    if (!(v < 1.0)) return vec4(255.0, 255.0, 255.0, 255.0);
     UMBRAGE_HIGHP float x = floor(v * 16777216.0);
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
     UMBRAGE_HIGHP float rest = x - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    return vec4(0.0, rest - middle * 256.0, middle, high);
+    return v < 1.0 ? vec4(0.0, rest - middle * 256.0, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
 }
 )GLSL"};
 
@@ -2198,8 +2196,8 @@ inline constexpr snippet project_coordinate{
     .source = R"GLSL(
 // umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
 UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
-    if (!(coordinate.w > 0.0)) return vec3(65536.0, 65536.0, 0.0);
-    return vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
+    UMBRAGE_HIGHP vec3 p = vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
+    return coordinate.w > 0.0 ? p : vec3(65536.0, 65536.0, 0.0);
 }
 )GLSL"};
 
@@ -2339,8 +2337,8 @@ UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                       UMBRAGE_HIGHP float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
     int width = 2 * r + 1;
-    if (!umbrage_inside_texel_space(coord)) return float(width * width);
-    UMBRAGE_HIGHP vec2 first = floor(coord) - float(r);
+    bool inside = umbrage_inside_texel_space(coord);
+    UMBRAGE_HIGHP vec2 first = inside ? floor(coord) - float(r) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float count = 0.0;
     for (int j = 0; j < 17; j++) {
         if (j >= width) break;
@@ -2349,7 +2347,7 @@ UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
             count += UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, first + vec2(float(i), float(j))));
         }
     }
-    return count;
+    return inside ? count : float(width * width);
 }
 )GLSL"};
 
@@ -2536,8 +2534,8 @@ inline constexpr snippet pcf_2x2{
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                     UMBRAGE_HIGHP float receiver) {
-    if (!umbrage_inside_texel_space(coord)) return 1.0;
-    UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
+    bool inside = umbrage_inside_texel_space(coord);
+    UMBRAGE_HIGHP vec2 x = inside ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
     UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
@@ -2545,7 +2543,8 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
     UMBRAGE_HIGHP float b = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 0.0)));
     UMBRAGE_HIGHP float c = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(0.0, 1.0)));
     UMBRAGE_HIGHP float d = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 1.0)));
-    return (lo.y * (lo.x * a + hi.x * b) + hi.y * (lo.x * c + hi.x * d)) * (1.0 / 65536.0);
+    UMBRAGE_HIGHP float visibility = (lo.y * (lo.x * a + hi.x * b) + hi.y * (lo.x * c + hi.x * d)) * (1.0 / 65536.0);
+    return inside ? visibility : 1.0;
 }
 )GLSL"};
 
@@ -2557,8 +2556,8 @@ inline constexpr snippet pcf_2x2_dx_sdk{
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
 UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float epsilon) {
-    if (!umbrage_inside_texel_space(coord)) return 1.0;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = coord - 0.5;
+    bool inside = umbrage_inside_texel_space(coord);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = inside ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;
     UMBRAGE_HIGHP float a = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel), epsilon);
@@ -2568,7 +2567,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 s
     UMBRAGE_PRECISE UMBRAGE_HIGHP float low = a + weight.x * (b - a);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float high = c + weight.x * (d - c);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float visibility = low + weight.y * (high - low);
-    return visibility;
+    return inside ? visibility : 1.0;
 }
 )GLSL"};
 

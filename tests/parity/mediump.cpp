@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The two-channel encodings in mediump. llvmpipe really computes it at 16 bits in a GLES context, which is asked first.
+// The two-channel encodings in mediump. llvmpipe really computes it at 16 bits in a GLES context, which is asked first;
+// so is whether highp results come through that context whole.
 //
 //     mediump      prints a table; exit status 0 as expected, 1 otherwise, 77 no llvmpipe here
 #include <array>
@@ -61,6 +62,20 @@ bool computes_at_16_bits(backend& b, version v) {
     return run(b, v, plus_one, "vec4(plus_one(x0.x))", {vec4(2048.0f)}).front().x == 2048.0f;
 }
 
+/// True when results reach us with all their bits, out of branches too: gl_FragColor is mediump in GLSL ES 1.00.
+bool results_are_whole(backend& b, version v) {
+    static constexpr snippet thrice{.name = "thrice", .summary = {}, .needs = {}, .source = R"(
+highp float thrice(highp float v) {
+    if (v > 1.0) return 1.0;
+    highp float sum = 0.0;
+    for (int i = 0; i < 3; i++) sum += v;
+    return sum;
+}
+)"};
+    const float third = 0x1.555554p-2f;
+    return run(b, v, thrice, "vec4(thrice(x0.x))", {vec4(third)}).front().x == third + third + third;
+}
+
 /// Codes wrong at the lower edge, the centre and the upper edge; half depths whose channels are wrong, as floats or as
 /// bytes.
 struct faults {
@@ -116,6 +131,10 @@ int look_at_all() {
             ++wrong;
             std::cout << "GLSL " << directive(v) << ": 2048 + 1 is not 2048\n";
             continue;
+        }
+        if (!results_are_whole(b, v)) {
+            ++wrong;
+            std::cout << "GLSL " << directive(v) << ": a result of 24 bits is rounded on its way out\n";
         }
         std::cout << "GLSL " << directive(v) << ", mediump at 16 bits\n"
                   << "bits   codes   wrong: lower   centre   upper edge   half depths wrong\n";

@@ -45,7 +45,10 @@ shader make_shader(const entry& e, version v) {
         f += "    UMBRAGE_HIGHP vec4 " + x + " = " +
              (old ? "texture2D(" + x + "_texels, position);\n" : "texelFetch(" + x + "_texels, ivec2(gl_FragCoord.xy), 0);\n");
     }
-    f += std::string("    ") + (old ? "gl_FragColor" : "result") + " = " + e.call + ";\n}\n";
+    // gl_FragColor is mediump in GLSL ES 1.00. Mesa drops the rounding of a product that is stored as it is, but not of
+    // a value that comes out of a branch: that it rounds in the branch.
+    const std::string one = v == version::v100 ? " * (position.x < 2.0 ? 1.0 : 0.0)" : "";
+    f += std::string("    ") + (old ? "gl_FragColor" : "result") + " = " + e.call + one + ";\n}\n";
     return s;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -67,6 +68,45 @@ std::vector<std::string_view> macros(const snippet& s) {
     return found;
 }
 
+/// What the preprocessor may leave of a text, without directives: the first branch of every #if, and the last.
+std::vector<std::string> branches(const std::string& code) {
+    std::vector<std::string> texts;
+    for (const bool first : {true, false}) {
+        std::vector<bool> taken;
+        std::istringstream lines(code);
+        std::string& text = texts.emplace_back();
+        for (std::string line; std::getline(lines, line);) {
+            if (line.starts_with("#if"))
+                taken.push_back(first);
+            else if (line.starts_with("#el"))
+                taken.back() = !first;
+            else if (line.starts_with("#endif"))
+                taken.pop_back();
+            else if (!line.starts_with("#") && std::find(taken.begin(), taken.end(), false) == taken.end())
+                text += line + '\n';
+        }
+    }
+    return texts;
+}
+
+/// Functions that have not exactly one return, their last statement.
+std::vector<std::string> several_exits(const std::string& code) {
+    std::vector<std::string> found;
+    std::size_t depth = 0, start = 0, head = 0;
+    for (std::size_t i = 0; i < code.size(); ++i) {
+        if (code[i] == '{' && depth++ == 0) start = i + 1;
+        if (code[i] != '}' || --depth != 0) continue;
+        const std::string body = ';' + code.substr(start, i - start);
+        const auto exit = body.find("return "), before = body.find_last_not_of(" \n", exit - 1);
+        const bool once = exit != body.npos && body.find("return", exit + 1) == body.npos;
+        const bool after_statement = once && (body[before] == ';' || body[before] == '}');
+        if (!after_statement || body.find_first_not_of(" \n", body.find(';', exit) + 1) != body.npos)
+            found.push_back(code.substr(head, start - head));
+        head = i + 1;
+    }
+    return found;
+}
+
 /// A scan that finds nothing proves nothing: what the rules below rest on, tried on a text that breaks them.
 const std::string bad = without_comments("a__b gl_x v.xy // mix(\nmix (1.0) c.x 2.5e3");
 
@@ -76,11 +116,23 @@ TEST_CASE("the scan that the rules rest on sees what it should") {
     std::string all;
     for (const word& w : words(bad)) all += std::string(w.text) + (w.member ? "! " : " ");
     CHECK(all == "a__b gl_x v xy! mix c x! ");
+
+    const std::string forked = "float f() {\n#if A\n    return 1.0;\n#else\n    return 2.0;\n#endif\n}\n";
+    for (const std::string& text : branches(forked)) CHECK(several_exits(text).empty());
+    CHECK(branches(forked)[0] != branches(forked)[1]);
+    const std::string other = " float g() { return 0.0; } ";
+    for (const char* body : {"{ return 1.0; }", "{ if (a) { b; } return 1.0; }", "{\n    a;\n    return b;\n}\n"})
+        CHECK(several_exits("float f() " + std::string(body)).empty());
+    for (const char* body :
+         {"{ if (a) return 1.0; return 2.0; }", "{ return 1.0; a; }", "{ a; }", "{ }", "{ if (a) { return 1.0; } }",
+          "{ if (a) return 1.0; }", "{ for (;;) { return 1.0; } return 2.0; }"})
+        CHECK(several_exits(other + "float f() " + body + other).size() == 1);
 }
 
 TEST_CASE("text: what is needed comes before, each once") {
     const std::string out = text({top, leaf, right, top});
-    for (std::string_view part : {"umbrage_leaf()", "left body", "right body", "top body"}) CHECK(count(out, part) == 1);
+    for (std::string_view part : {"umbrage_leaf()", "left body", "right body", "top body"})
+        CHECK(count(out, part) == 1);
     CHECK(out.find("umbrage_leaf()") < out.find("left body"));
     CHECK(out.find("left body") < out.find("right body"));
     CHECK(out.find("right body") < out.find("top body"));
@@ -104,8 +156,8 @@ TEST_CASE("source: #version first, then the preamble on lines of its own, then t
 TEST_CASE("source: a dialect that a snippet does not support") {
     for (version v : versions) {
         CHECK(supports(leaf, v));
-        const bool old = v == version::v100 || v == version::v110 || v == version::v120 || v == version::v130 ||
-                         v == version::v150;
+        const bool old =
+            v == version::v100 || v == version::v110 || v == version::v120 || v == version::v130 || v == version::v150;
         CHECK(supports(modern, v) == !old);
         if (old)
             CHECK_THROWS_AS((void)source(v, {leaf, modern}), std::invalid_argument);
@@ -164,7 +216,8 @@ TEST_CASE("registry: texts that every compiler takes and any host shader can car
         CHECK(s->source.size() < 12000);
         CHECK(s->source.starts_with("\n//"));
         CHECK(s->source.ends_with("\n"));
-        CHECK(std::all_of(s->source.begin(), s->source.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+        CHECK(std::all_of(s->source.begin(), s->source.end(),
+                          [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
         CHECK(s->source.find('$') == s->source.npos);  // a key of the family left over
         const std::string code = without_comments(s->source);
         CHECK(count(code, "#version") == 0);
@@ -173,12 +226,31 @@ TEST_CASE("registry: texts that every compiler takes and any host shader can car
             CAPTURE(w.text);
             CHECK((w.text == "__VERSION__" || w.text.find("__") == w.text.npos));
             CHECK_FALSE(w.text.starts_with("gl_"));
-            for (std::string_view never : {"precision", "uniform", "layout", "varying", "attribute", "out", "inout", "while"})
+            for (std::string_view never :
+                 {"precision", "uniform", "layout", "varying", "attribute", "out", "inout", "while"})
                 CHECK(w.text != never);
             if (w.member) CHECK(w.text.size() == 1);  // no swizzles of several components
             if (s->exactness == tier::c) continue;
-            for (std::string_view loose : {"mix", "dot", "fma", "round", "mod", "fract", "smoothstep"}) CHECK(w.text != loose);
+            for (std::string_view loose : {"mix", "dot", "fma", "round", "mod", "fract", "smoothstep"})
+                CHECK(w.text != loose);
         }
+    }
+}
+
+// What a shader hands on in mediump, as GLSL ES 1.00 has gl_FragColor, may be rounded to 16 bits. Mesa drops the
+// rounding where it stands next to the store; where a value comes out of a branch it rounds in the branch, and there it
+// stays. So a sum lost bits behind an early return before its loop that one return of a selection keeps. Nor do fetches
+// wait for a branch then.
+TEST_CASE("registry: one exit a function, its last statement") {
+    for (const snippet* s : registry) {
+        CAPTURE(s->name);
+        for (const std::string& text : branches(without_comments(s->source)))
+            for (const std::string& function : several_exits(text)) {
+                CAPTURE(function);
+                CHECK(false);
+            }
+        for (auto at = s->source.find("#define"); at != s->source.npos; at = s->source.find("#define", at + 1))
+            CHECK(s->source.substr(at, s->source.find('\n', at) - at).find("return") == s->source.npos);
     }
 }
 

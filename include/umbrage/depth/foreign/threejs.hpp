@@ -180,14 +180,14 @@ inline constexpr snippet write_threejs_rgba{
 // umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    if (!(v < 1.0)) return vec4(1.0, 1.0, 1.0, 1.0);
     UMBRAGE_HIGHP float x = v * 16777216.0;
     UMBRAGE_HIGHP float whole = floor(x);
     UMBRAGE_HIGHP float high = floor(whole * (1.0 / 65536.0));
     UMBRAGE_HIGHP float rest = whole - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
     UMBRAGE_HIGHP float low = rest - middle * 256.0;
-    return vec4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
+    UMBRAGE_HIGHP vec4 c = vec4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
+    return v < 1.0 ? c : vec4(1.0, 1.0, 1.0, 1.0);
 }
 )GLSL"};
 
@@ -208,11 +208,11 @@ inline constexpr snippet write_threejs_rgb{
 // umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    if (!(v < 1.0)) return vec3(1.0, 1.0, 1.0);
     UMBRAGE_HIGHP float x = v * 65536.0;
     UMBRAGE_HIGHP float whole = floor(x);
     UMBRAGE_HIGHP float high = floor(whole * (1.0 / 256.0));
-    return vec3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+    UMBRAGE_HIGHP vec3 c = vec3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+    return v < 1.0 ? c : vec3(1.0, 1.0, 1.0);
 }
 )GLSL"};
 
@@ -233,10 +233,9 @@ inline constexpr snippet write_threejs_rg{
 // umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    if (!(v < 1.0)) return vec2(1.0, 1.0);
     UMBRAGE_HIGHP float x = v * 256.0;
     UMBRAGE_HIGHP float whole = floor(x);
-    return vec2(whole * 0.00392156886, x - whole);
+    return v < 1.0 ? vec2(whole * 0.00392156886, x - whole) : vec2(1.0, 1.0);
 }
 )GLSL"};
 
@@ -283,12 +282,11 @@ inline constexpr snippet encode_threejs_legacy_repaired{
 //   whole numbers 0..255 (umbrage_to_unorm writes them)
 UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
-    if (!(v < 1.0)) return vec4(255.0, 255.0, 255.0, 255.0);
     UMBRAGE_HIGHP float x = floor(v * 16777216.0);
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
     UMBRAGE_HIGHP float rest = x - high * 65536.0;
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    return vec4(0.0, rest - middle * 256.0, middle, high);
+    return v < 1.0 ? vec4(0.0, rest - middle * 256.0, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
 }
 )GLSL"};
 

@@ -74,8 +74,8 @@ UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                       UMBRAGE_HIGHP float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
     int width = 2 * r + 1;
-    if (!umbrage_inside_texel_space(coord)) return float(width * width);
-    UMBRAGE_HIGHP vec2 first = floor(coord) - float(r);
+    bool inside = umbrage_inside_texel_space(coord);
+    UMBRAGE_HIGHP vec2 first = inside ? floor(coord) - float(r) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float count = 0.0;
     for (int j = 0; j < 17; j++) {
         if (j >= width) break;
@@ -84,7 +84,7 @@ UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
             count += UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, first + vec2(float(i), float(j))));
         }
     }
-    return count;
+    return inside ? count : float(width * width);
 }
 )GLSL"};
 

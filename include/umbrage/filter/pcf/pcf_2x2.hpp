@@ -71,8 +71,8 @@ inline constexpr snippet pcf_2x2{
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                     UMBRAGE_HIGHP float receiver) {
-    if (!umbrage_inside_texel_space(coord)) return 1.0;
-    UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
+    bool inside = umbrage_inside_texel_space(coord);
+    UMBRAGE_HIGHP vec2 x = inside ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
     UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
@@ -80,7 +80,8 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
     UMBRAGE_HIGHP float b = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 0.0)));
     UMBRAGE_HIGHP float c = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(0.0, 1.0)));
     UMBRAGE_HIGHP float d = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 1.0)));
-    return (lo.y * (lo.x * a + hi.x * b) + hi.y * (lo.x * c + hi.x * d)) * (1.0 / 65536.0);
+    UMBRAGE_HIGHP float visibility = (lo.y * (lo.x * a + hi.x * b) + hi.y * (lo.x * c + hi.x * d)) * (1.0 / 65536.0);
+    return inside ? visibility : 1.0;
 }
 )GLSL"};
 
@@ -92,8 +93,8 @@ inline constexpr snippet pcf_2x2_dx_sdk{
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
 UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float epsilon) {
-    if (!umbrage_inside_texel_space(coord)) return 1.0;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = coord - 0.5;
+    bool inside = umbrage_inside_texel_space(coord);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = inside ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;
     UMBRAGE_HIGHP float a = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel), epsilon);
@@ -103,7 +104,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 s
     UMBRAGE_PRECISE UMBRAGE_HIGHP float low = a + weight.x * (b - a);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float high = c + weight.x * (d - c);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float visibility = low + weight.y * (high - low);
-    return visibility;
+    return inside ? visibility : 1.0;
 }
 )GLSL"};
 
