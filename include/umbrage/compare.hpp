@@ -64,7 +64,7 @@ namespace glsl {
 
 inline constexpr snippet compare{
     .name = "compare", .summary = "one comparison, as a macro to redefine", .exactness = tier::a,
-    .needs = {}, .source = R"GLSL(
+    .source = R"GLSL(
 // UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth; define it with >= for reversed Z
 #ifndef UMBRAGE_LIT
 #define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)

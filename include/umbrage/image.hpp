@@ -195,7 +195,7 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 
 inline constexpr snippet fetch_bordered{
     .name = "fetch_bordered", .summary = "texel of a map, outside a border value", .exactness = tier::a,
-    .needs = {&fetch_clamped}, .source = R"GLSL(
+    .needs = list<&fetch_clamped>, .source = R"GLSL(
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP vec4 border) {

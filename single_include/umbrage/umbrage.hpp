@@ -205,9 +205,13 @@ struct snippet {
     tier exactness = tier::a;
     int ulp = 0;                           ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
     version lowest = version::v100;        ///< v100: every dialect; v300_es: 300 es and 330 upwards
-    std::array<const snippet*, 4> needs{};
+    std::span<const snippet* const> needs{};  ///< a list<>
     std::string_view source;
 };
+
+/// Snippets in a row: those that one needs, a header's, a room's.
+template <const snippet*... Snippets>
+inline constexpr std::array<const snippet*, sizeof...(Snippets)> list{Snippets...};
 
 /// True when `s` compiles in dialect `v`.
 [[nodiscard]] constexpr bool supports(const snippet& s, version v) {
@@ -238,8 +242,7 @@ inline void append(std::string& out, std::vector<std::string_view>& done, const 
     for (std::string_view name : done)
         if (name == s.name) return;
     done.push_back(s.name);
-    for (const snippet* need : s.needs)
-        if (need) append(out, done, *need);
+    for (const snippet* need : s.needs) append(out, done, *need);
     std::string guard = "UMBRAGE_HAS_";
     for (char c : s.name) guard += (c >= 'a' && c <= 'z') ? static_cast<char>(c - 'a' + 'A') : c;
     out += "\n#ifndef " + guard + "\n#define " + guard;
@@ -433,7 +436,7 @@ namespace glsl {
 
 inline constexpr snippet compare{
     .name = "compare", .summary = "one comparison, as a macro to redefine", .exactness = tier::a,
-    .needs = {}, .source = R"GLSL(
+    .source = R"GLSL(
 // UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth; define it with >= for reversed Z
 #ifndef UMBRAGE_LIT
 #define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
@@ -650,7 +653,7 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 
 inline constexpr snippet fetch_bordered{
     .name = "fetch_bordered", .summary = "texel of a map, outside a border value", .exactness = tier::a,
-    .needs = {&fetch_clamped}, .source = R"GLSL(
+    .needs = list<&fetch_clamped>, .source = R"GLSL(
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP vec4 border) {
@@ -887,7 +890,7 @@ UMBRAGE_HIGHP vec4 umbrage_encode_float_bits(UMBRAGE_HIGHP float v) {
 
 inline constexpr snippet decode_float_bits{
     .name = "decode_float_bits", .summary = "four channels, R least significant, to the float they are",
-    .exactness = tier::a, .lowest = version::v300_es, .needs = {&saturate}, .source = R"GLSL(
+    .exactness = tier::a, .lowest = version::v300_es, .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
 UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_HIGHP uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);
@@ -976,7 +979,7 @@ namespace glsl {
 
 inline constexpr snippet write_base255{
     .name = "write_base255", .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
-    .exactness = tier::b, .needs = {&saturate}, .source = R"GLSL(
+    .exactness = tier::b, .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
 //   round: umbrage_encode_base255_repaired has neither fault
 UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
@@ -1001,7 +1004,7 @@ UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
 
 inline constexpr snippet encode_base255_repaired{
     .name = "encode_base255_repaired", .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
-    .exactness = tier::b, .needs = {&saturate}, .source = R"GLSL(
+    .exactness = tier::b, .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
 //   whole numbers 0..255 (umbrage_to_unorm writes them)
 UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
@@ -1233,7 +1236,7 @@ namespace glsl {
 
 inline constexpr snippet write_threejs_rgba{
     .name = "write_threejs_rgba", .summary = "depth to three.js RGBA, r167 and later", .exactness = tier::b,
-    .needs = {&saturate}, .source = R"GLSL(
+    .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
@@ -1261,7 +1264,7 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
 
 inline constexpr snippet write_threejs_rgb{
     .name = "write_threejs_rgb", .summary = "depth to three.js RGB, r167 and later", .exactness = tier::b,
-    .needs = {&saturate}, .source = R"GLSL(
+    .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
@@ -1286,7 +1289,7 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
 
 inline constexpr snippet write_threejs_rg{
     .name = "write_threejs_rg", .summary = "depth to three.js RG, r167 and later", .exactness = tier::b,
-    .needs = {&saturate}, .source = R"GLSL(
+    .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
@@ -1308,7 +1311,7 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
 
 inline constexpr snippet write_threejs_legacy{
     .name = "write_threejs_legacy", .summary = "depth to three.js RGBA, r73 to r166", .exactness = tier::b,
-    .needs = {&saturate}, .source = R"GLSL(
+    .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
 //   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
 UMBRAGE_HIGHP vec4 umbrage_write_threejs_legacy(UMBRAGE_HIGHP float depth) {
@@ -1334,7 +1337,7 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
 
 inline constexpr snippet encode_threejs_legacy_repaired{
     .name = "encode_threejs_legacy_repaired", .summary = "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
-    .exactness = tier::a, .needs = {&saturate}, .source = R"GLSL(
+    .exactness = tier::a, .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
 //   whole numbers 0..255 (umbrage_to_unorm writes them)
 UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float depth) {
@@ -1578,7 +1581,7 @@ template <int Bits>
 inline constexpr snippet encode_rg{.name = encode_rg_name<Bits>.view(),
                                    .summary = "depth to two channels, R the low byte",
                                    .exactness = tier::a,
-                                   .needs = {&saturate},
+                                   .needs = list<&saturate>,
                                    .source = encode_rg_text<Bits>.view()};
 
 template <int Bits>
@@ -1597,7 +1600,7 @@ template <int Bits>
 inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
                                    .summary = "two channels, R the low byte, to depth",
                                    .exactness = tier::a,
-                                   .needs = {&from_unorm},
+                                   .needs = list<&from_unorm>,
                                    .source = decode_rg_text<Bits>.view()};
 
 }  // namespace glsl
@@ -1741,7 +1744,7 @@ template <int Bits>
 inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view(),
                                          .summary = "depth to two channels through a look-up texture",
                                          .exactness = tier::a,
-                                         .needs = {&saturate, &from_unorm, &fetch_clamped},
+                                         .needs = list<&saturate, &from_unorm, &fetch_clamped>,
                                          .source = encode_rg_table_text<Bits>.view()};
 
 }  // namespace glsl
@@ -1804,7 +1807,7 @@ namespace glsl {
 
 inline constexpr snippet encode_rgb24{
     .name = "encode_rgb24", .summary = "depth to three channels, R most significant", .exactness = tier::a,
-    .needs = {&saturate}, .source = R"GLSL(
+    .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 (umbrage_to_unorm writes them)
 //   depth   clamped to [0, 1], NaN counts as 1
 UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
@@ -1818,7 +1821,7 @@ UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
 
 inline constexpr snippet decode_rgb24{
     .name = "decode_rgb24", .summary = "three channels, R most significant, to depth", .exactness = tier::a,
-    .needs = {&from_unorm}, .source = R"GLSL(
+    .needs = list<&from_unorm>, .source = R"GLSL(
 // umbrage_decode_rgb24: three channels, as sampled, to depth
 //   edge   0.0 or 1.0: lower or upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
@@ -2255,7 +2258,7 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 /// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps, arrays, borders.
 inline constexpr snippet fetch_depth{
     .name = "fetch_depth", .summary = "stored depth of a texel, as a macro to redefine", .exactness = tier::a,
-    .needs = {&fetch_clamped}, .source = R"GLSL(
+    .needs = list<&fetch_clamped>, .source = R"GLSL(
 // UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps, arrays, borders
 #ifndef UMBRAGE_FETCH
 #define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
@@ -2329,7 +2332,7 @@ namespace glsl {
 
 inline constexpr snippet box_count{
     .name = "box_count", .summary = "lit texels in a box of radius 0..8", .exactness = tier::a,
-    .needs = {&compare, &inside_texel_space, &fetch_depth}, .source = R"GLSL(
+    .needs = list<&compare, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
@@ -2370,7 +2373,7 @@ UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
 
 inline constexpr snippet box{
     .name = "box", .summary = "lit share of a box of radius 0..8", .exactness = tier::b,
-    .needs = {&box_count, &box_scale}, .source = R"GLSL(
+    .needs = list<&box_count, &box_scale>, .source = R"GLSL(
 // umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
 UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, int radius) {
@@ -2407,7 +2410,7 @@ namespace glsl {
 
 inline constexpr snippet hard{
     .name = "hard", .summary = "nearest texel, one test", .exactness = tier::a,
-    .needs = {&compare, &inside_texel_space, &fetch_depth}, .source = R"GLSL(
+    .needs = list<&compare, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2451,7 +2454,7 @@ namespace glsl {
 
 inline constexpr snippet four_tap{
     .name = "four_tap", .summary = "mean of four taps with coordinates of their own", .exactness = tier::a,
-    .needs = {&hard}, .source = R"GLSL(
+    .needs = list<&hard>, .source = R"GLSL(
 // umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels;   receiver  depth, biased
 UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 a,
@@ -2528,7 +2531,7 @@ namespace glsl {
 
 inline constexpr snippet pcf_2x2{
     .name = "pcf_2x2", .summary = "bilinear 2x2, weights in steps of 1/256", .exactness = tier::a,
-    .needs = {&compare, &inside_texel_space, &fetch_depth}, .source = R"GLSL(
+    .needs = list<&compare, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
@@ -2550,7 +2553,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
 
 inline constexpr snippet pcf_2x2_dx_sdk{
     .name = "pcf_2x2_dx_sdk", .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats", .exactness = tier::b,
-    .needs = {&compare_dx_sdk, &inside_texel_space, &fetch_depth}, .source = R"GLSL(
+    .needs = list<&compare_dx_sdk, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
@@ -2674,7 +2677,7 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet false_colour{
-    .name = "false_colour", .summary = "0..1 to blue, green, red", .exactness = tier::b, .needs = {&saturate},
+    .name = "false_colour", .summary = "0..1 to blue, green, red", .exactness = tier::b, .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_false_colour: blue for 0.0, through green, to red for 1.0
 UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {

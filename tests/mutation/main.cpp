@@ -7,7 +7,7 @@
 // A mutant is caught when the compiler refuses it or one result differs from C++ as the comparison of the parity suite
 // has it. Those that pass a few inputs get more, up to 2^20 of each entry, and must then be in FILE with the reason
 // why they are equivalent; there they are given few inputs only, unless --full. A line of FILE whose mutant is caught
-// or does not exist is stale. --every takes each Nth mutant only.
+// or does not exist is stale. --every takes one mutant in N, by a hash of its name: the same ones whatever is added.
 //
 // Exit status: 0 all caught or explained, 1 not, 77 nothing here to run on.
 #include <unistd.h>
@@ -70,6 +70,13 @@ std::map<std::string, std::string> read_equivalent(const std::string& path) {
     return all;
 }
 
+/// One name in `every`, whichever others there are: FNV-1a.
+bool sampled(std::string_view name, std::size_t every) {
+    std::uint64_t hash = 14695981039346656037u;
+    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+    return hash % every == 0;
+}
+
 enum class fate { alive, refused, caught };
 
 struct candidate {
@@ -128,14 +135,14 @@ int run_all(int argc, char** argv) {
     const auto equivalent = read_equivalent(o.equivalent);
 
     std::vector<std::pair<const snippet*, std::vector<candidate>>> all;
-    std::size_t total = 0, number = 0;
+    std::size_t total = 0;
     std::set<std::string> left_out;
     for (const snippet* s : umbrage::glsl::registry) {
         if (s->name.find(o.filter) == std::string::npos) continue;
         all.push_back({s, {}});
         for (mutant& m : mutants(s->source)) {
             std::string name = std::string(s->name) + ": " + std::string(m.kind) + ": " + m.site;
-            if (number++ % o.every == 0) all.back().second.push_back({std::move(m), std::move(name)});
+            if (sampled(name, o.every)) all.back().second.push_back({std::move(m), std::move(name)});
             else left_out.insert(std::move(name));
         }
         total += all.back().second.size();

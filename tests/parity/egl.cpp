@@ -206,7 +206,7 @@ private:
         throw std::runtime_error(std::string(log) + '\n' + s.fragment);
     }
 
-    static constexpr snippet nothing_{.name = "nothing", .summary = {}, .needs = {}, .source = "\n"};
+    static constexpr snippet nothing_{.name = "nothing", .summary = {}, .source = "\n"};
 
     EGLDisplay display_;
     EGLContext handle_;

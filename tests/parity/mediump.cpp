@@ -23,7 +23,6 @@ namespace {
 const std::string low = "#define UMBRAGE_HIGHP mediump\n";
 constexpr snippet high_again{.name = "high_again",
                              .summary = {},
-                             .needs = {},
                              .source = "\n#undef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP highp\n"};
 
 /// `call` over inputs x0, in mediump.
@@ -57,14 +56,13 @@ std::vector<vec4> half_depths() {
 bool computes_at_16_bits(backend& b, version v) {
     static constexpr snippet plus_one{.name = "plus_one",
                                       .summary = {},
-                                      .needs = {},
                                       .source = "\nmediump float plus_one(mediump float v) { return v + 1.0; }\n"};
     return run(b, v, plus_one, "vec4(plus_one(x0.x))", {vec4(2048.0f)}).front().x == 2048.0f;
 }
 
 /// True when results reach us with all their bits, out of branches too: gl_FragColor is mediump in GLSL ES 1.00.
 bool results_are_whole(backend& b, version v) {
-    static constexpr snippet thrice{.name = "thrice", .summary = {}, .needs = {}, .source = R"(
+    static constexpr snippet thrice{.name = "thrice", .summary = {}, .source = R"(
 highp float thrice(highp float v) {
     if (v > 1.0) return 1.0;
     highp float sum = 0.0;

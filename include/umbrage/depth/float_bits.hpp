@@ -78,7 +78,7 @@ UMBRAGE_HIGHP vec4 umbrage_encode_float_bits(UMBRAGE_HIGHP float v) {
 
 inline constexpr snippet decode_float_bits{
     .name = "decode_float_bits", .summary = "four channels, R least significant, to the float they are",
-    .exactness = tier::a, .lowest = version::v300_es, .needs = {&saturate}, .source = R"GLSL(
+    .exactness = tier::a, .lowest = version::v300_es, .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
 UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_HIGHP uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);

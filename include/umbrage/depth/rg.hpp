@@ -90,7 +90,7 @@ template <int Bits>
 inline constexpr snippet encode_rg{.name = encode_rg_name<Bits>.view(),
                                    .summary = "depth to two channels, R the low byte",
                                    .exactness = tier::a,
-                                   .needs = {&saturate},
+                                   .needs = list<&saturate>,
                                    .source = encode_rg_text<Bits>.view()};
 
 template <int Bits>
@@ -109,7 +109,7 @@ template <int Bits>
 inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
                                    .summary = "two channels, R the low byte, to depth",
                                    .exactness = tier::a,
-                                   .needs = {&from_unorm},
+                                   .needs = list<&from_unorm>,
                                    .source = decode_rg_text<Bits>.view()};
 
 }  // namespace glsl

@@ -71,7 +71,7 @@ template <int Bits>
 inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view(),
                                          .summary = "depth to two channels through a look-up texture",
                                          .exactness = tier::a,
-                                         .needs = {&saturate, &from_unorm, &fetch_clamped},
+                                         .needs = list<&saturate, &from_unorm, &fetch_clamped>,
                                          .source = encode_rg_table_text<Bits>.view()};
 
 }  // namespace glsl

@@ -63,7 +63,7 @@ namespace glsl {
 
 inline constexpr snippet encode_rgb24{
     .name = "encode_rgb24", .summary = "depth to three channels, R most significant", .exactness = tier::a,
-    .needs = {&saturate}, .source = R"GLSL(
+    .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 (umbrage_to_unorm writes them)
 //   depth   clamped to [0, 1], NaN counts as 1
 UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
@@ -77,7 +77,7 @@ UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
 
 inline constexpr snippet decode_rgb24{
     .name = "decode_rgb24", .summary = "three channels, R most significant, to depth", .exactness = tier::a,
-    .needs = {&from_unorm}, .source = R"GLSL(
+    .needs = list<&from_unorm>, .source = R"GLSL(
 // umbrage_decode_rgb24: three channels, as sampled, to depth
 //   edge   0.0 or 1.0: lower or upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {

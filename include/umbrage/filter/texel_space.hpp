@@ -58,7 +58,7 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 /// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps, arrays, borders.
 inline constexpr snippet fetch_depth{
     .name = "fetch_depth", .summary = "stored depth of a texel, as a macro to redefine", .exactness = tier::a,
-    .needs = {&fetch_clamped}, .source = R"GLSL(
+    .needs = list<&fetch_clamped>, .source = R"GLSL(
 // UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps, arrays, borders
 #ifndef UMBRAGE_FETCH
 #define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x

@@ -58,9 +58,13 @@ struct snippet {
     tier exactness = tier::a;
     int ulp = 0;                           ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
     version lowest = version::v100;        ///< v100: every dialect; v300_es: 300 es and 330 upwards
-    std::array<const snippet*, 4> needs{};
+    std::span<const snippet* const> needs{};  ///< a list<>
     std::string_view source;
 };
+
+/// Snippets in a row: those that one needs, a header's, a room's.
+template <const snippet*... Snippets>
+inline constexpr std::array<const snippet*, sizeof...(Snippets)> list{Snippets...};
 
 /// True when `s` compiles in dialect `v`.
 [[nodiscard]] constexpr bool supports(const snippet& s, version v) {
@@ -91,8 +95,7 @@ inline void append(std::string& out, std::vector<std::string_view>& done, const 
     for (std::string_view name : done)
         if (name == s.name) return;
     done.push_back(s.name);
-    for (const snippet* need : s.needs)
-        if (need) append(out, done, *need);
+    for (const snippet* need : s.needs) append(out, done, *need);
     std::string guard = "UMBRAGE_HAS_";
     for (char c : s.name) guard += (c >= 'a' && c <= 'z') ? static_cast<char>(c - 'a' + 'A') : c;
     out += "\n#ifndef " + guard + "\n#define " + guard;

@@ -30,7 +30,7 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet false_colour{
-    .name = "false_colour", .summary = "0..1 to blue, green, red", .exactness = tier::b, .needs = {&saturate},
+    .name = "false_colour", .summary = "0..1 to blue, green, red", .exactness = tier::b, .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_false_colour: blue for 0.0, through green, to red for 1.0
 UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {

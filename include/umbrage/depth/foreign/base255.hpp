@@ -83,7 +83,7 @@ namespace glsl {
 
 inline constexpr snippet write_base255{
     .name = "write_base255", .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
-    .exactness = tier::b, .needs = {&saturate}, .source = R"GLSL(
+    .exactness = tier::b, .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
 //   round: umbrage_encode_base255_repaired has neither fault
 UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
@@ -108,7 +108,7 @@ UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
 
 inline constexpr snippet encode_base255_repaired{
     .name = "encode_base255_repaired", .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
-    .exactness = tier::b, .needs = {&saturate}, .source = R"GLSL(
+    .exactness = tier::b, .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
 //   whole numbers 0..255 (umbrage_to_unorm writes them)
 UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {

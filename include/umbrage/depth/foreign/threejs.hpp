@@ -176,7 +176,7 @@ namespace glsl {
 
 inline constexpr snippet write_threejs_rgba{
     .name = "write_threejs_rgba", .summary = "depth to three.js RGBA, r167 and later", .exactness = tier::b,
-    .needs = {&saturate}, .source = R"GLSL(
+    .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
@@ -204,7 +204,7 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
 
 inline constexpr snippet write_threejs_rgb{
     .name = "write_threejs_rgb", .summary = "depth to three.js RGB, r167 and later", .exactness = tier::b,
-    .needs = {&saturate}, .source = R"GLSL(
+    .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
@@ -229,7 +229,7 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
 
 inline constexpr snippet write_threejs_rg{
     .name = "write_threejs_rg", .summary = "depth to three.js RG, r167 and later", .exactness = tier::b,
-    .needs = {&saturate}, .source = R"GLSL(
+    .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
@@ -251,7 +251,7 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
 
 inline constexpr snippet write_threejs_legacy{
     .name = "write_threejs_legacy", .summary = "depth to three.js RGBA, r73 to r166", .exactness = tier::b,
-    .needs = {&saturate}, .source = R"GLSL(
+    .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
 //   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
 UMBRAGE_HIGHP vec4 umbrage_write_threejs_legacy(UMBRAGE_HIGHP float depth) {
@@ -277,7 +277,7 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
 
 inline constexpr snippet encode_threejs_legacy_repaired{
     .name = "encode_threejs_legacy_repaired", .summary = "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
-    .exactness = tier::a, .needs = {&saturate}, .source = R"GLSL(
+    .exactness = tier::a, .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
 //   whole numbers 0..255 (umbrage_to_unorm writes them)
 UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float depth) {

@@ -66,7 +66,7 @@ namespace glsl {
 
 inline constexpr snippet box_count{
     .name = "box_count", .summary = "lit texels in a box of radius 0..8", .exactness = tier::a,
-    .needs = {&compare, &inside_texel_space, &fetch_depth}, .source = R"GLSL(
+    .needs = list<&compare, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
@@ -107,7 +107,7 @@ UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
 
 inline constexpr snippet box{
     .name = "box", .summary = "lit share of a box of radius 0..8", .exactness = tier::b,
-    .needs = {&box_count, &box_scale}, .source = R"GLSL(
+    .needs = list<&box_count, &box_scale>, .source = R"GLSL(
 // umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
 UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, int radius) {

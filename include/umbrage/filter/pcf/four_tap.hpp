@@ -30,7 +30,7 @@ namespace glsl {
 
 inline constexpr snippet four_tap{
     .name = "four_tap", .summary = "mean of four taps with coordinates of their own", .exactness = tier::a,
-    .needs = {&hard}, .source = R"GLSL(
+    .needs = list<&hard>, .source = R"GLSL(
 // umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels;   receiver  depth, biased
 UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 a,

@@ -29,7 +29,7 @@ namespace glsl {
 
 inline constexpr snippet hard{
     .name = "hard", .summary = "nearest texel, one test", .exactness = tier::a,
-    .needs = {&compare, &inside_texel_space, &fetch_depth}, .source = R"GLSL(
+    .needs = list<&compare, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased

@@ -65,7 +65,7 @@ namespace glsl {
 
 inline constexpr snippet pcf_2x2{
     .name = "pcf_2x2", .summary = "bilinear 2x2, weights in steps of 1/256", .exactness = tier::a,
-    .needs = {&compare, &inside_texel_space, &fetch_depth}, .source = R"GLSL(
+    .needs = list<&compare, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
@@ -87,7 +87,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
 
 inline constexpr snippet pcf_2x2_dx_sdk{
     .name = "pcf_2x2_dx_sdk", .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats", .exactness = tier::b,
-    .needs = {&compare_dx_sdk, &inside_texel_space, &fetch_depth}, .source = R"GLSL(
+    .needs = list<&compare_dx_sdk, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
