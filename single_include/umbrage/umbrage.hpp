@@ -2775,13 +2775,6 @@ struct hierarchical_box {
 // UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice; a machine that lacks it takes the next lower one. No choice
 // changes a bit of a result of tier A. It has to be the same in all files of a program.
 
-// UMBRAGE_PREFETCH only in functions that are UMBRAGE_INLINE or do more: GCC leaves out calls of one that only fetches.
-#if defined(__GNUC__) || defined(__clang__)
-#define UMBRAGE_PREFETCH(address) __builtin_prefetch(address)
-#else
-#define UMBRAGE_PREFETCH(address) static_cast<void>(address)
-#endif
-
 // Before a loop that writes memory which nothing it reads lies in: GCC does not check that at run time at -O2.
 #if defined(__GNUC__) && !defined(__clang__)
 #define UMBRAGE_NO_OVERLAP _Pragma("GCC ivdep")
@@ -2789,71 +2782,61 @@ struct hierarchical_box {
 #define UMBRAGE_NO_OVERLAP
 #endif
 
-#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
-#define UMBRAGE_HAS_DISPATCH 1
-#define UMBRAGE_AVX2 __attribute__((target("avx2"), noinline))
-#define UMBRAGE_AVX512 __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"), noinline))
-#else
-#define UMBRAGE_HAS_DISPATCH 0
-#endif
-
-#ifndef UMBRAGE_FORCE_ISA
-#define UMBRAGE_FORCE_ISA avx512
-#endif
-
-namespace umbrage {
+namespace umbrage::detail {
 
 enum class isa { base, avx2, avx512 };
 
+template <isa Set>
+using isa_constant = std::integral_constant<isa, Set>;
+
+#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
+inline constexpr bool has_dispatch = true;
+
 /// The best instruction set of this machine, of those that get a path of their own.
 [[nodiscard]] inline isa best_isa() {
-#if UMBRAGE_HAS_DISPATCH
     __builtin_cpu_init();
     if (!__builtin_cpu_supports("avx2")) return isa::base;
     const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
     return wide ? isa::avx512 : isa::avx2;
-#else
-    return isa::base;
-#endif
 }
 
-namespace detail {
-
-/// What image functions use; tests set it to see every path.
-inline isa isa_in_use = best_isa() < isa::UMBRAGE_FORCE_ISA ? best_isa() : isa::UMBRAGE_FORCE_ISA;
-
-template <isa Set>
-using isa_constant = std::integral_constant<isa, Set>;
-
-#if UMBRAGE_HAS_DISPATCH
 template <class Body>
-UMBRAGE_AVX2 void on_avx2(const Body& body) {
+__attribute__((target("avx2"), noinline)) void on_avx2(const Body& body) {
     body(isa_constant<isa::avx2>{});
 }
 template <class Body>
-UMBRAGE_AVX512 void on_avx512(const Body& body) {
+__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"), noinline)) void on_avx512(const Body& body) {
     body(isa_constant<isa::avx512>{});
 }
+#else
+inline constexpr bool has_dispatch = false;
+[[nodiscard]] inline isa best_isa() { return isa::base; }
+#endif
+
+/// What image functions use; tests set it to see every path.
+#if defined(UMBRAGE_FORCE_ISA)
+inline isa isa_in_use = best_isa() < isa::UMBRAGE_FORCE_ISA ? best_isa() : isa::UMBRAGE_FORCE_ISA;
+#else
+inline isa isa_in_use = best_isa();
 #endif
 
 /// Runs the body, compiled for the instruction set in use, which it gets as a constant. Only for results that no
 /// contraction to FMA can change.
 template <class Body>
 void on_best_isa(const Body& body) {
-#if UMBRAGE_HAS_DISPATCH
-    if (isa_in_use == isa::avx512) return on_avx512(body);
-    if (isa_in_use == isa::avx2) return on_avx2(body);
-#endif
+    if constexpr (has_dispatch) {
+        if (isa_in_use == isa::avx512) return on_avx512(body);
+        if (isa_in_use == isa::avx2) return on_avx2(body);
+    }
     body(isa_constant<isa::base>{});
 }
 
 /// The same for sums of products that round: AVX-512 brings FMA along, with which compilers change the result.
 template <class Body>
 void on_best_isa_without_fma(const Body& body) {
-#if UMBRAGE_HAS_DISPATCH
-    if (isa_in_use != isa::base) return on_avx2(body);
-#endif
+    if constexpr (has_dispatch)
+        if (isa_in_use != isa::base) return on_avx2(body);
     body(isa_constant<isa::base>{});
 }
 
@@ -2861,24 +2844,7 @@ void on_best_isa_without_fma(const Body& body) {
 /// a stack is chance, a loop over them can take several times as long.
 inline constexpr int block = 64;
 
-/// saturate() on the bits: the magnitude up to `highest`, or 0 for what is negative and not a NaN.
-[[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v, float highest = 1.0f) {
-    constexpr auto minus_infinity = static_cast<std::int32_t>(0xFF800000u);
-    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
-    const std::int32_t magnitude = bits & 0x7FFFFFFF, kept = -std::int32_t(bits > minus_infinity);
-    return detail::bit_cast<float>((magnitude < top ? magnitude : top) & kept);
-}
-
-/// Most blocks are whole, and then the compiler knows how much there is to copy.
-UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
-    if (count == block)
-        std::memcpy(to, from, block * sizeof(float));
-    else
-        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
-}
-
-}  // namespace detail
-}  // namespace umbrage
+}  // namespace umbrage::detail
 
 // ---- umbrage/images/parallel.hpp
 // How image functions use threads: they have none, and ask the caller's scheduler.
@@ -2904,8 +2870,287 @@ struct serial {
 
 }  // namespace umbrage
 
+// ---- umbrage/simd/strict_math.hpp
+// Keeps -ffast-math out of code whose bits are promised:
+//
+//     UMBRAGE_STRICT_MATH
+//     namespace umbrage { ... }  // sums stay in their order, quotients stay quotients, -0 stays -0
+//     UMBRAGE_END_STRICT_MATH
+//
+// Comparisons with NaN are not kept: under -ffinite-math-only GCC shortens them even here, so that code which may meet a
+// NaN tests its bits. Denormals may be flushed, which is a mode of the processor. Without the flag these macros are empty,
+// as they are for clang where it has no such pragma (version 14: all but x86).
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#if defined(__clang__) && (defined(__x86_64__) || __clang_major__ > 14)
+#define UMBRAGE_STRICT_MATH _Pragma("float_control(precise, on, push)")
+#define UMBRAGE_END_STRICT_MATH _Pragma("float_control(pop)")
+#elif defined(__GNUC__) && !defined(__clang__)
+#define UMBRAGE_STRICT_MATH _Pragma("GCC push_options") _Pragma("GCC optimize(\"no-fast-math\")")
+#define UMBRAGE_END_STRICT_MATH _Pragma("GCC pop_options")
+#endif
+#endif
+
+#ifndef UMBRAGE_STRICT_MATH
+#define UMBRAGE_STRICT_MATH
+#define UMBRAGE_END_STRICT_MATH
+#endif
+
+namespace umbrage::detail {
+
+/// Whether the compiler takes it that no float is a NaN. Without external linkage: files may differ.
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+constexpr bool finite_math_only = true;
+#else
+constexpr bool finite_math_only = false;
+#endif
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/simd/bits.hpp
+// Comparisons, selections and conversions of floats as operations on their bits: without a branch, so that loops over
+// blocks vectorise, and with NaN where -ffast-math forgets it. Masks are all bits of a number, or none.
+//
+//     visibility[i] = select(texel_space_mask(x, y), sum, 1.0f);
+//
+
+namespace umbrage::detail {
+
+/// Mask of the floats that are not NaN.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t number_mask(float v) {
+    return -std::int32_t((detail::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000);
+}
+
+/// inside_texel_space as a mask.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t texel_space_mask(float x, float y) {
+    constexpr auto limit = detail::bit_cast<std::int32_t>(32768.0f);
+    return -(std::int32_t((detail::bit_cast<std::int32_t>(x) & 0x7FFFFFFF) < limit) &
+             std::int32_t((detail::bit_cast<std::int32_t>(y) & 0x7FFFFFFF) < limit));
+}
+
+[[nodiscard]] UMBRAGE_INLINE inline float masked(float v, std::int32_t mask) {
+    return detail::bit_cast<float>(detail::bit_cast<std::int32_t>(v) & mask);
+}
+[[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
+    return detail::bit_cast<float>((detail::bit_cast<std::int32_t>(a) & mask) | (detail::bit_cast<std::int32_t>(b) & ~mask));
+}
+
+/// less_equal as 0 or 1, NaN 0 whatever the compiler believes.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
+    if constexpr (finite_math_only)
+        return std::int32_t(receiver <= stored) & number_mask(receiver) & number_mask(stored);
+    else
+        return std::int32_t(receiver <= stored);
+}
+
+/// saturate: the magnitude up to `highest`, or 0 for what is negative and not a NaN.
+[[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v, float highest = 1.0f) {
+    constexpr auto minus_infinity = static_cast<std::int32_t>(0xFF800000u);
+    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
+    const std::int32_t magnitude = bits & 0x7FFFFFFF, kept = -std::int32_t(bits > minus_infinity);
+    return detail::bit_cast<float>((magnitude < top ? magnitude : top) & kept);
+}
+
+/// floor; |v| < 2^31.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_int(float v) {
+    const auto toward_zero = static_cast<std::int32_t>(v);
+    return toward_zero - std::int32_t(static_cast<float>(toward_zero) > v);
+}
+
+/// v clamped to 0 .. highest.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t clamp_int(std::int32_t v, std::int32_t highest) {
+    v = v > 0 ? v : 0;
+    return v < highest ? v : highest;
+}
+
+/// floor of v clamped to 0 .. highest <= 2^24; NaN gives one of the ends. A float that is not negative truncates to its
+/// floor, and is ordered as its bits are.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_within(float v, float highest) {
+    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
+    const std::int32_t positive = bits > 0 ? bits : 0;
+    return static_cast<std::int32_t>(detail::bit_cast<float>(positive < top ? positive : top));
+}
+
+/// Floats as integers in the same order, -0 below +0, NaN below everything; and back.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t order_key(float v) {
+    const auto bits = detail::bit_cast<std::int32_t>(v);
+    const std::int32_t number = number_mask(v);
+    return ((bits ^ (bits >> 31 & 0x7FFFFFFF)) & number) | (INT32_MIN & ~number);
+}
+[[nodiscard]] UMBRAGE_INLINE inline float from_order_key(std::int32_t key) {
+    return detail::bit_cast<float>(key ^ (key >> 31 & 0x7FFFFFFF));
+}
+struct least_of {
+    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a < b ? a : b; }
+};
+struct greatest_of {
+    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a > b ? a : b; }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/simd/lanes.hpp
+// Registers: several values side by side, an operation on all of them at once.
+//
+//     lanes_of<float, 8> depths;
+//     load_lanes(texels, depths);  // with + - & and [] of the language
+//
+// The compiler's own vectors: they need no header and know no machine. Where it has none, or for a test, plain_lanes gives
+// the same bits. Vectors go by reference: by value, the calling convention depends on the instruction set.
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+template <class T, int Count>
+struct plain_lanes {
+    T at[Count];
+
+    T& operator[](int i) { return at[i]; }
+    const T& operator[](int i) const { return at[i]; }
+
+    plain_lanes& operator+=(const plain_lanes& b) {
+        for (int i = 0; i < Count; ++i) at[i] += b.at[i];
+        return *this;
+    }
+    plain_lanes& operator-=(const plain_lanes& b) {
+        for (int i = 0; i < Count; ++i) at[i] -= b.at[i];
+        return *this;
+    }
+    plain_lanes& operator&=(const plain_lanes& b) {
+        for (int i = 0; i < Count; ++i) at[i] &= b.at[i];
+        return *this;
+    }
+    friend plain_lanes operator+(plain_lanes a, const plain_lanes& b) { return a += b; }
+    friend plain_lanes operator-(plain_lanes a, const plain_lanes& b) { return a -= b; }
+    friend plain_lanes operator&(plain_lanes a, const plain_lanes& b) { return a &= b; }
+};
+
+#if defined(__GNUC__) || defined(__clang__)
+template <class T, int Count>
+struct compiler_lanes {
+    typedef T type __attribute__((vector_size(Count * sizeof(T))));
+};
+template <class T, int Count>
+using lanes_of = typename compiler_lanes<T, Count>::type;
+#else
+template <class T, int Count>
+using lanes_of = plain_lanes<T, Count>;
+#endif
+
+/// From memory of any alignment, and back.
+template <class Lanes>
+UMBRAGE_INLINE inline void load_lanes(const void* from, Lanes& v) {
+    std::memcpy(&v, from, sizeof v);
+}
+template <class Lanes>
+UMBRAGE_INLINE inline void store_lanes(const Lanes& v, void* to) {
+    std::memcpy(to, &v, sizeof v);
+}
+
+/// Lane i of the result is lane From[i] of a, then b, counted through; lanes of 32 bits.
+template <int... From, class T, int Count>
+inline void shuffle(const plain_lanes<T, Count>& a, const plain_lanes<T, Count>& b, plain_lanes<T, Count>& result) {
+    result = {{(From < Count ? a[From % Count] : b[From % Count])...}};
+}
+
+/// is_lit as a mask for each lane; the receiver is not NaN.
+template <int Count>
+inline void lit_lanes(float receiver, const plain_lanes<float, Count>& stored, plain_lanes<std::int32_t, Count>& lit) {
+    for (int i = 0; i < Count; ++i) lit[i] = -is_lit(receiver, stored[i]);
+}
+
+/// The sum of each of two registers of 4 or 8 numbers between 0 and 127.
+template <int Count>
+inline void sum_two_lanes(const plain_lanes<std::int32_t, Count>& first, const plain_lanes<std::int32_t, Count>& second,
+                          std::int32_t* sums) {
+    sums[0] = sums[1] = 0;
+    for (int i = 0; i < Count; ++i) {
+        sums[0] += first[i];
+        sums[1] += second[i];
+    }
+}
+
+#if defined(__GNUC__) || defined(__clang__)
+template <int... From, class Lanes>
+UMBRAGE_INLINE inline void shuffle(const Lanes& a, const Lanes& b, Lanes& result) {
+#if defined(__clang__)
+    result = __builtin_shufflevector(a, b, From...);
+#else
+    result = __builtin_shuffle(a, b, lanes_of<std::int32_t, sizeof...(From)>{From...});
+#endif
+}
+
+template <int Count>
+UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count>& stored,
+                                     lanes_of<std::int32_t, Count>& lit) {
+    lit = receiver <= stored;
+    if constexpr (finite_math_only) lit &= ((lanes_of<std::int32_t, Count>)stored & 0x7FFFFFFF) <= 0x7F800000;
+}
+
+template <int Count>
+UMBRAGE_INLINE inline void sum_two_lanes(const lanes_of<std::int32_t, Count>& first,
+                                         const lanes_of<std::int32_t, Count>& second, std::int32_t* sums) {
+    using four = lanes_of<std::int32_t, 4>;
+    const auto to_four = [](const auto& numbers) UMBRAGE_INLINE {
+        four parts[Count / 4], sum{};
+        std::memcpy(parts, &numbers, sizeof parts);
+        for (const four& part : parts) sum += part;
+        return sum;
+    };
+    const four a = to_four(first), b = to_four(second);
+#if defined(__x86_64__)
+    using bytes = compiler_lanes<char, 16>::type;
+    const auto halves = (bytes)__builtin_ia32_packssdw128(a, b);
+    const auto wide = (four)__builtin_ia32_psadbw128(halves, bytes{});  // adds bytes, eight at a time
+    const auto both = __builtin_ia32_packssdw128(wide, wide);
+    std::memcpy(sums, &both, 2 * sizeof *sums);
+#else
+    sums[0] = a[0] + a[1] + a[2] + a[3];
+    sums[1] = b[0] + b[1] + b[2] + b[3];
+#endif
+}
+#endif
+
+/// Each lane plus those before it: of four as v0, v0+v1, (v1+v2)+v0, (v2+v3)+(v0+v1).
+template <int Count, class Lanes>
+UMBRAGE_INLINE inline void running_sum(Lanes& v) {
+    const auto add_moved = [&]<int... From>() UMBRAGE_INLINE {
+        Lanes moved;
+        shuffle<From...>(Lanes{}, v, moved);
+        v = v + moved;
+    };
+    static_assert(Count == 4 || Count == 8);
+    if constexpr (Count == 8) {
+        add_moved.template operator()<0, 8, 9, 10, 11, 12, 13, 14>();
+        add_moved.template operator()<0, 1, 8, 9, 10, 11, 12, 13>();
+        add_moved.template operator()<0, 1, 2, 3, 8, 9, 10, 11>();
+    } else {
+        add_moved.template operator()<0, 4, 5, 6>();
+        add_moved.template operator()<0, 1, 4, 5>();
+    }
+}
+
+/// The last lane in all of them.
+template <int Count, class Lanes>
+UMBRAGE_INLINE inline void all_last(Lanes& v) {
+    Lanes last;
+    if constexpr (Count == 8) shuffle<7, 7, 7, 7, 7, 7, 7, 7>(v, v, last);
+    else shuffle<3, 3, 3, 3>(v, v, last);
+    v = last;
+}
+
+/// Lanes of a running sum where registers have eight: clang 14 is slower with them than with four.
+#if defined(__GNUC__) && !defined(__clang__)
+inline constexpr int running_sum_lanes = 8;
+#else
+inline constexpr int running_sum_lanes = 4;
+#endif
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
 // ---- umbrage/simd/memory.hpp
-// How large images get to memory: past the cache, and asked for before they are needed.
+// How large images get to memory: with non-temporal stores, and prefetched.
 //
 //     const bool large = umbrage::detail::past_cache(out);
 //     if (large) umbrage::detail::stream_block(to, from);
@@ -2914,8 +3159,8 @@ struct serial {
 
 namespace umbrage::detail {
 
-/// Whether an image is so large that writing it would only push out of the cache what is read meanwhile, and fetch what
-/// is overwritten anyway.
+/// Whether an image is so large that non-temporal stores pay: others would read each cache line before it is overwritten,
+/// and evict what is read meanwhile.
 template <class T>
 [[nodiscard]] inline bool past_cache(const image_view<T>& image) {
     constexpr double large = 4.0 * (1 << 20);  // bytes
@@ -2927,16 +3172,16 @@ template <class T>
     return reinterpret_cast<std::uintptr_t>(to) % 16 == 0;
 }
 
-/// Stores past the cache. Wants multiples of 16 bytes, and finish_streaming() before anybody else looks.
+/// Non-temporal stores of a multiple of 16 bytes. Other threads see them after finish_streaming().
 template <std::size_t Bytes>
 UMBRAGE_INLINE inline void stream(void* to, const void* from) {
 #if (defined(__GNUC__) && defined(__x86_64__)) || defined(__clang__)
-    typedef float four __attribute__((vector_size(16), may_alias));
+    typedef lanes_of<float, 4> four __attribute__((may_alias));
     static_assert(Bytes % sizeof(four) == 0);
 #pragma GCC unroll 16
     for (std::size_t i = 0; i < Bytes; i += sizeof(four)) {
         four part;
-        std::memcpy(&part, static_cast<const std::byte*>(from) + i, sizeof part);
+        load_lanes(static_cast<const std::byte*>(from) + i, part);
 #if defined(__clang__)
         __builtin_nontemporal_store(part, reinterpret_cast<four*>(static_cast<std::byte*>(to) + i));
 #else
@@ -2954,19 +3199,35 @@ inline void finish_streaming() {
 #endif
 }
 
-/// A block of texels past the cache, or through it where stream() cannot store.
+/// A block of texels by non-temporal stores, where stream() can.
 template <class T>
 UMBRAGE_INLINE inline void stream_block(T* to, const T* from) {
     if (streams_to(to)) stream<block * sizeof(T)>(to, from);
     else std::memcpy(static_cast<void*>(to), from, block * sizeof(T));
 }
 
-/// Starts to fetch what lies there, which may be behind the end of an array.
+/// Up to a block of floats; most are whole, and then the compiler knows how much there is to copy.
+UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
+    if (count == block)
+        std::memcpy(to, from, block * sizeof(float));
+    else
+        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
+}
+
+/// Prefetches a cache line. Callers must be UMBRAGE_INLINE or do more than that: for GCC a function that only prefetches
+/// has no effect, and a call of it is left out.
+UMBRAGE_INLINE inline void prefetch_line([[maybe_unused]] const void* at) {
+#if defined(__GNUC__) || defined(__clang__)
+    __builtin_prefetch(at);
+#endif
+}
+
+/// Prefetches `count` bytes, `ahead` bytes from there; they may lie behind the end of an array.
 UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead, int count) {
     const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(from) + static_cast<std::uintptr_t>(ahead);
 #pragma GCC unroll 16
     for (int line = 0; line < count; line += 64)
-        UMBRAGE_PREFETCH(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
+        prefetch_line(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
 }
 
 }  // namespace umbrage::detail
@@ -3320,22 +3581,6 @@ struct depth_bounds {
 
 namespace detail {
 
-/// Floats as integers in the same order, -0 below +0, NaN below everything; and back.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t order_key(float v) {
-    const auto bits = detail::bit_cast<std::int32_t>(v);
-    const std::int32_t number = -std::int32_t((bits & 0x7FFFFFFF) <= 0x7F800000);
-    return ((bits ^ (bits >> 31 & 0x7FFFFFFF)) & number) | (INT32_MIN & ~number);
-}
-[[nodiscard]] UMBRAGE_INLINE inline float from_order_key(std::int32_t key) {
-    return detail::bit_cast<float>(key ^ (key >> 31 & 0x7FFFFFFF));
-}
-struct least_of {
-    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a < b ? a : b; }
-};
-struct greatest_of {
-    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a > b ? a : b; }
-};
-
 /// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it. The two images may be one.
 template <class ParallelFor>
 void halve(image_view<const float> least, image_view<const float> greatest, depth_bounds& to, ParallelFor&& parallel) {
@@ -3484,32 +3729,6 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
 }
 
 }  // namespace umbrage
-
-// ---- umbrage/simd/strict_math.hpp
-// Keeps -ffast-math out of code whose bits are promised:
-//
-//     UMBRAGE_STRICT_MATH
-//     namespace umbrage { ... }  // sums stay in their order, quotients stay quotients, -0 stays -0
-//     UMBRAGE_END_STRICT_MATH
-//
-// NaNs remain for tests of bits to find: GCC keeps the shorter comparisons that -ffinite-math-only brings. Denormals
-// may still be flushed, a state of the machine. Without the flag these macros are empty, as they are for clang where it
-// has no such pragma (version 14: all but x86).
-
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
-#if defined(__clang__) && (defined(__x86_64__) || __clang_major__ > 14)
-#define UMBRAGE_STRICT_MATH _Pragma("float_control(precise, on, push)")
-#define UMBRAGE_END_STRICT_MATH _Pragma("float_control(pop)")
-#elif defined(__GNUC__) && !defined(__clang__)
-#define UMBRAGE_STRICT_MATH _Pragma("GCC push_options") _Pragma("GCC optimize(\"no-fast-math\")")
-#define UMBRAGE_END_STRICT_MATH _Pragma("GCC pop_options")
-#endif
-#endif
-
-#ifndef UMBRAGE_STRICT_MATH
-#define UMBRAGE_STRICT_MATH
-#define UMBRAGE_END_STRICT_MATH
-#endif
 
 // ---- umbrage/simd/raster/clip.hpp
 // From world positions to vertices on the 1/256 texel grid: projection, clipping, snapping.
@@ -3785,10 +4004,8 @@ namespace detail {
 /// Towards zero; |v| < 2^63.
 template <isa Set>
 [[nodiscard]] UMBRAGE_INLINE inline double truncate(double v) {
-#if UMBRAGE_HAS_DISPATCH
-    if constexpr (Set == isa::avx2) return __builtin_trunc(v);
-#endif
-    return static_cast<double>(static_cast<std::int64_t>(v));
+    if constexpr (Set == isa::avx2) return std::trunc(v);
+    else return static_cast<double>(static_cast<std::int64_t>(v));
 }
 
 }  // namespace detail
@@ -3939,7 +4156,7 @@ private:
         }
     }
 
-    template <isa Set>
+    template <detail::isa Set>
     UMBRAGE_INLINE void set_up_planes() {
         using bits = std::int64_t;
         constexpr bits exponent = 0x7FF0000000000000, magnitude = 0x7FFFFFFFFFFFFFFF, short_digits = ~bits(0x3FFFFFF);
@@ -4060,10 +4277,10 @@ public:
     /// for GCC a function that only fetches has no effect, and a call of it is left out.
     UMBRAGE_INLINE void expect(std::span<const unsigned> list, std::size_t k) const {
         constexpr std::size_t soon = 16, later = 32;
-        if (k + later < list.size()) UMBRAGE_PREFETCH(&mesh_.triangles[list[k + later]]);
+        if (k + later < list.size()) prefetch_line(&mesh_.triangles[list[k + later]]);
         if (k + soon < list.size())
             for (int corner = 0; corner < 3; ++corner)
-                UMBRAGE_PREFETCH(&vertices_[mesh_.triangles[list[k + soon]][corner]]);
+                prefetch_line(&vertices_[mesh_.triangles[list[k + soon]][corner]]);
     }
 
     [[nodiscard]] unsigned triangle_count() const { return static_cast<unsigned>(mesh_.triangles.size()); }
@@ -4228,7 +4445,7 @@ public:
     UMBRAGE_INLINE void expect(const triangle_batch& batch, int i) const {
         const auto bounds = batch.bounds(i);
         for (int y = bounds.first.y; y < std::min(bounds.last.y, bounds.first.y + 16); ++y)
-            UMBRAGE_PREFETCH(row(y) + bounds.first.x);
+            prefetch_line(row(y) + bounds.first.x);
     }
 
     UMBRAGE_INLINE void draw(const triangle_batch& batch, int i) const {
@@ -4423,64 +4640,9 @@ UMBRAGE_STRICT_MATH
 namespace umbrage {
 namespace detail {
 
-#if defined(__GNUC__) && __GNUC__ >= 12  // clang 14 is slower with eight lanes than with four
-#define UMBRAGE_HAS_EIGHT_LANES 1
-#else
-#define UMBRAGE_HAS_EIGHT_LANES 0
-#endif
-#if defined(__clang__) || UMBRAGE_HAS_EIGHT_LANES
-#define UMBRAGE_HAS_SHUFFLES 1
-#else
-#define UMBRAGE_HAS_SHUFFLES 0
-#endif
-
-/// Neighbours in a row, and the steps of a running sum over them.
-template <class T, int Lanes>
-struct group {
-#if defined(__GNUC__) || defined(__clang__)
-    typedef T lanes __attribute__((vector_size(Lanes * sizeof(T))));
-#else
-    struct lanes {
-        T at[Lanes];
-        T& operator[](int i) { return at[i]; }
-        friend lanes operator+(lanes a, const lanes& b) {
-            for (int i = 0; i < Lanes; ++i) a[i] += b.at[i];
-            return a;
-        }
-    };
-#endif
-    static UMBRAGE_INLINE void load(const T* from, lanes& v) { std::memcpy(&v, from, sizeof v); }
-    static UMBRAGE_INLINE void store(const lanes& v, T* to) { std::memcpy(to, &v, sizeof v); }
-
-    /// Each plus those before it.
-    static UMBRAGE_INLINE void running_sum(lanes& v) {
-#if UMBRAGE_HAS_SHUFFLES
-        if constexpr (Lanes == 8) {
-            v = v + __builtin_shufflevector(lanes{}, v, 0, 8, 9, 10, 11, 12, 13, 14);
-            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 8, 9, 10, 11, 12, 13);
-            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 2, 3, 8, 9, 10, 11);
-        } else {
-            v = v + __builtin_shufflevector(lanes{}, v, 0, 4, 5, 6);
-            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 4, 5);
-        }
-#else
-        v = v + lanes{T(0), v[0], v[1], v[2]};
-        v = v + lanes{T(0), T(0), v[0], v[1]};
-#endif
-    }
-    static UMBRAGE_INLINE void all_last(lanes& v) {
-#if UMBRAGE_HAS_SHUFFLES
-        if constexpr (Lanes == 8) v = __builtin_shufflevector(v, v, 7, 7, 7, 7, 7, 7, 7, 7);
-        else v = __builtin_shufflevector(v, v, 3, 3, 3, 3);
-#else
-        v = lanes{v[3], v[3], v[3], v[3]};
-#endif
-    }
-};
-
 /// Floats are always added in fours, in the order that summed_area states; integers in any.
 template <class T, isa Set>
-inline constexpr int group_lanes = std::is_integral_v<T> && UMBRAGE_HAS_EIGHT_LANES && Set != isa::base ? 8 : 4;
+inline constexpr int sum_lanes = std::is_integral_v<T> && Set != isa::base ? running_sum_lanes : 4;
 
 /// The running sums of a band, and what lies under it. Machines compare the last twelve bits of addresses first, and let a
 /// load wait for a store that looks like it: so these lie where rows of the image and of the table do not. The worst
@@ -4512,21 +4674,21 @@ enum class table_store { none, plain, streaming };
 /// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`.
 template <table_store Store, int Lanes, class From, class Sum>
 UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line, Sum* to, int count) {
-    using few = group<Sum, Lanes>;
-    typename few::lanes carry{};
+    using few = lanes_of<Sum, Lanes>;
+    few carry{};
     const auto sum_few = [&](const Sum* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
-        typename few::lanes sums, there, together;
-        few::load(values, together);
-        few::load(lines, there);
-        few::running_sum(together);
+        few sums, there, together;
+        load_lanes(values, together);
+        load_lanes(lines, there);
+        running_sum<Lanes>(together);
         sums = (carry + together) + there;
-        few::all_last(together);
+        all_last<Lanes>(together);
         carry = carry + together;
-        few::store(sums, lines);
+        store_lanes(sums, lines);
         if constexpr (Store == table_store::none) return;
-        few::load(under, there);
+        load_lanes(under, there);
         sums = sums + there;
-        if constexpr (Store == table_store::plain) few::store(sums, result);
+        if constexpr (Store == table_store::plain) store_lanes(sums, result);
         if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
     };
     int x = 0;
@@ -4563,7 +4725,7 @@ void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, in
     const int width = sums.size.x;
     const bool is_large = past_cache(sums);
     on_best_isa([&](auto set) UMBRAGE_INLINE {
-        constexpr int lanes = group_lanes<Sum, decltype(set)::value>;
+        constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
         for (int y = first; y < last; ++y) {
             const From* from = values.row(y);
             Sum* to = sums.row(y);
@@ -4594,7 +4756,7 @@ void total_of_rows(image_view<const From> values, int first, int last, Sum* line
             for (int x = 1; x < width; ++x) line[x] += line[x - 1];
         } else {
             for (int y = first; y < last; ++y)
-                sum_row<table_store::none, group_lanes<Sum, decltype(set)::value>>(values.row(y), line, line, line, width);
+                sum_row<table_store::none, sum_lanes<Sum, decltype(set)::value>>(values.row(y), line, line, line, width);
         }
     });
 }
@@ -4718,47 +4880,6 @@ struct receiver_block {
     }
 };
 
-/// less_equal as a number. -ffast-math makes compilers forget what NaN does to <=; then the bits say it.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-    const auto number = [](float v) UMBRAGE_INLINE {
-        return std::int32_t((detail::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000);
-    };
-    return std::int32_t(receiver <= stored) & number(receiver) & number(stored);
-#else
-    return std::int32_t(receiver <= stored);
-#endif
-}
-
-/// inside_texel_space as a mask: all bits, or none.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t texel_space_mask(float x, float y) {
-    constexpr auto limit = detail::bit_cast<std::int32_t>(32768.0f);
-    return -(std::int32_t((detail::bit_cast<std::int32_t>(x) & 0x7FFFFFFF) < limit) &
-             std::int32_t((detail::bit_cast<std::int32_t>(y) & 0x7FFFFFFF) < limit));
-}
-[[nodiscard]] UMBRAGE_INLINE inline float masked(float v, std::int32_t mask) {
-    return detail::bit_cast<float>(detail::bit_cast<std::int32_t>(v) & mask);
-}
-[[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
-    return detail::bit_cast<float>((detail::bit_cast<std::int32_t>(a) & mask) | (detail::bit_cast<std::int32_t>(b) & ~mask));
-}
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_int(float v) {  // |v| < 2^31
-    const auto toward_zero = static_cast<std::int32_t>(v);
-    return toward_zero - std::int32_t(static_cast<float>(toward_zero) > v);
-}
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t clamp_int(std::int32_t v, std::int32_t highest) {
-    v = v > 0 ? v : 0;
-    return v < highest ? v : highest;
-}
-
-/// floor of v clamped to 0 .. highest <= 2^24; NaN gives one of the ends. In bits: a float that is not negative truncates
-/// to its floor, and is ordered as its bits are.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_within(float v, float highest) {
-    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
-    const std::int32_t positive = bits > 0 ? bits : 0;
-    return static_cast<std::int32_t>(detail::bit_cast<float>(positive < top ? positive : top));
-}
-
 /// Where a block of words comes from, at(i), and where it goes.
 template <class At>
 struct gathered {
@@ -4777,13 +4898,7 @@ UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
         std::memcpy(&w, from, sizeof w);
         return w;
     };
-#if defined(__GNUC__) || defined(__clang__)
-    typedef Word words __attribute__((vector_size(16)));
-#else
-    struct words {
-        Word w;
-    };
-#endif
+    using words = lanes_of<Word, 16 / sizeof(Word)>;
     constexpr std::size_t some = sizeof(words) / sizeof(Word);
     const auto load = [&]<std::size_t... I>(int i, const auto& from, std::index_sequence<I...>) UMBRAGE_INLINE {
         const words together{word(from.at(i + static_cast<int>(I)))...};
@@ -5071,63 +5186,11 @@ struct block_filter<filters::pcf_2x2, Encoding> {
 
 namespace umbrage::detail {
 
-#if defined(__GNUC__) || defined(__clang__)
-#define UMBRAGE_HAS_VECTORS 1
-
-/// Floats and numbers as wide as a register. The compiler's own vectors: they need no header and know no machine.
-template <int Lanes>
-struct vectors;
-template <>
-struct vectors<4> {
-    typedef float floats __attribute__((vector_size(16)));
-    typedef float unaligned __attribute__((vector_size(16), aligned(4), may_alias));
-    typedef std::int32_t ints __attribute__((vector_size(16)));
-};
-template <>
-struct vectors<8> {
-    typedef float floats __attribute__((vector_size(32)));
-    typedef float unaligned __attribute__((vector_size(32), aligned(4), may_alias));
-    typedef std::int32_t ints __attribute__((vector_size(32)));
-};
-
-/// less_equal for texels that lie side by side: all bits of a lane, or none.
-template <int Lanes>
-UMBRAGE_INLINE inline void compare_lanes(const float* texels, float receiver, typename vectors<Lanes>::ints& lit) {
-    const typename vectors<Lanes>::floats stored = *reinterpret_cast<const typename vectors<Lanes>::unaligned*>(texels);
-    lit = receiver <= stored;
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-    lit &= ((typename vectors<Lanes>::ints)stored & 0x7FFFFFFF) <= 0x7F800000;
-#endif
-}
-
-/// The sum of each of two vectors of numbers between 0 and 127.
-template <int Lanes>
-UMBRAGE_INLINE inline void sum_two(const typename vectors<Lanes>::ints& first, const typename vectors<Lanes>::ints& second,
-                                   std::int32_t* sums) {
-    const auto four = [](const auto& numbers) UMBRAGE_INLINE {
-        vectors<4>::ints parts[Lanes / 4], sum{};
-        std::memcpy(parts, &numbers, sizeof parts);
-        for (const vectors<4>::ints& part : parts) sum += part;
-        return sum;
-    };
-    const vectors<4>::ints a = four(first), b = four(second);
-#if UMBRAGE_HAS_DISPATCH
-    typedef char chars __attribute__((vector_size(16)));
-    const auto halves = (chars)__builtin_ia32_packssdw128(a, b);
-    const auto wide = (vectors<4>::ints)__builtin_ia32_psadbw128(halves, chars{});  // adds bytes, eight at a time
-    const auto both = __builtin_ia32_packssdw128(wide, wide);
-    std::memcpy(sums, &both, 2 * sizeof *sums);
-#else
-    sums[0] = a[0] + a[1] + a[2] + a[3];
-    sums[1] = b[0] + b[1] + b[2] + b[3];
-#endif
-}
-
 /// Lit texels of boxes that lie inside a map at least as wide as a register.
 /// @tparam Lanes   of a register;   Whole  registers that a row of the box fills;   Width  of the box, 0 if not known here
 template <int Lanes, int Whole, int Width = 0>
 struct box_rows {
-    using ints = typename vectors<Lanes>::ints;
+    using ints = lanes_of<std::int32_t, Lanes>;
     static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
     std::ptrdiff_t stride;
     int width;
@@ -5143,7 +5206,7 @@ struct box_rows {
         ints lit;
         std::int32_t sums[2];
         count_lanes(row, moved, receiver, lit);
-        sum_two<Lanes>(lit, lit, sums);
+        sum_two_lanes<Lanes>(lit, lit, sums);
         return sums[0];
     }
 
@@ -5152,7 +5215,7 @@ struct box_rows {
         ints first, second;
         count_lanes(rows[0], 0, receivers[0], first);
         count_lanes(rows[1], 0, receivers[1], second);
-        sum_two<Lanes>(first, second, counts);
+        sum_two_lanes<Lanes>(first, second, counts);
     }
 
 private:
@@ -5161,12 +5224,15 @@ private:
         ints rest{};
         const auto add_row = [&]() UMBRAGE_INLINE {
             const float* texels = reinterpret_cast<const float*>(row);
+            lanes_of<float, Lanes> stored;
             ints lanes;
             for (int i = 0; i < Whole; ++i) {
-                compare_lanes<Lanes>(texels + i * Lanes, receiver, lanes);
+                load_lanes(texels + i * Lanes, stored);
+                lit_lanes<Lanes>(receiver, stored, lanes);
                 lit -= lanes;
             }
-            compare_lanes<Lanes>(texels + Whole * Lanes - moved, receiver, lanes);
+            load_lanes(texels + Whole * Lanes - moved, stored);
+            lit_lanes<Lanes>(receiver, stored, lanes);
             rest -= lanes;
             row += stride;
         };
@@ -5180,26 +5246,6 @@ private:
         lit += rest & wanted;
     }
 };
-#else
-#define UMBRAGE_HAS_VECTORS 0
-
-/// The same texel by texel.
-struct box_texels {
-    static constexpr int reach = 1;
-    std::ptrdiff_t stride;
-    int width;
-
-    [[nodiscard]] std::int32_t count(const std::byte* row, std::ptrdiff_t, float receiver) const {
-        std::int32_t lit = 0;
-        for (int j = 0; j < width; ++j, row += stride)
-            for (int i = 0; i < width; ++i) lit += is_lit(receiver, reinterpret_cast<const float*>(row)[i]);
-        return lit;
-    }
-    void count_two(const std::byte* const rows[2], const float* receivers, std::int32_t* counts) const {
-        for (int k = 0; k < 2; ++k) counts[k] = count(rows[k], 0, receivers[k]);
-    }
-};
-#endif
 
 /// The part of a map that a block's boxes lie in. Rows of a map that lie a multiple of 2048 bytes apart share their places
 /// in a first-level cache, which has few for each: high boxes push their own rows out of it. Here they do not.
@@ -5265,7 +5311,6 @@ struct block_filter<filters::box, depth32f> {
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
         const int width = 2 * radius() + 1;
-#if UMBRAGE_HAS_VECTORS
         constexpr int lanes = Isa::value == isa::base ? 4 : 8;
         if constexpr (lanes == 8) {
             if (width == 3) return count_with<box_rows<8, 0, 3>>(at, count, visibility);
@@ -5279,9 +5324,6 @@ struct block_filter<filters::box, depth32f> {
             if (width / lanes == 3) return count_with<box_rows<4, 3>>(at, count, visibility);
             count_with<box_rows<4, 4>>(at, count, visibility);
         }
-#else
-        count_with<box_texels>(at, count, visibility);
-#endif
     }
 
 private:

@@ -17,6 +17,7 @@
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rgb24.hpp>
 #include <umbrage/image.hpp>
+#include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/memory.hpp>

@@ -7,15 +7,17 @@
 //
 #pragma once
 
-#include <bit>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
 #include <umbrage/image.hpp>
-#include <umbrage/simd/dispatch.hpp>
 #include <umbrage/images/parallel.hpp>
+#include <umbrage/simd/bits.hpp>
+#include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/memory.hpp>
 
 namespace umbrage {
 
@@ -26,22 +28,6 @@ struct depth_bounds {
 };
 
 namespace detail {
-
-/// Floats as integers in the same order, -0 below +0, NaN below everything; and back.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t order_key(float v) {
-    const auto bits = detail::bit_cast<std::int32_t>(v);
-    const std::int32_t number = -std::int32_t((bits & 0x7FFFFFFF) <= 0x7F800000);
-    return ((bits ^ (bits >> 31 & 0x7FFFFFFF)) & number) | (INT32_MIN & ~number);
-}
-[[nodiscard]] UMBRAGE_INLINE inline float from_order_key(std::int32_t key) {
-    return detail::bit_cast<float>(key ^ (key >> 31 & 0x7FFFFFFF));
-}
-struct least_of {
-    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a < b ? a : b; }
-};
-struct greatest_of {
-    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a > b ? a : b; }
-};
 
 /// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it. The two images may be one.
 template <class ParallelFor>

@@ -37,6 +37,7 @@
 #include <umbrage/image.hpp>
 #include <umbrage/simd/raster/clip.hpp>
 #include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/memory.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/raster/projected_mesh.hpp>
 #include <umbrage/simd/strict_math.hpp>
@@ -99,7 +100,7 @@ public:
     UMBRAGE_INLINE void expect(const triangle_batch& batch, int i) const {
         const auto bounds = batch.bounds(i);
         for (int y = bounds.first.y; y < std::min(bounds.last.y, bounds.first.y + 16); ++y)
-            UMBRAGE_PREFETCH(row(y) + bounds.first.x);
+            prefetch_line(row(y) + bounds.first.x);
     }
 
     UMBRAGE_INLINE void draw(const triangle_batch& batch, int i) const {

@@ -20,8 +20,9 @@
 #include <glm/vec2.hpp>
 
 #include <umbrage/image.hpp>
-#include <umbrage/simd/dispatch.hpp>
 #include <umbrage/images/parallel.hpp>
+#include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/lanes.hpp>
 #include <umbrage/simd/memory.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
@@ -29,64 +30,9 @@ UMBRAGE_STRICT_MATH
 namespace umbrage {
 namespace detail {
 
-#if defined(__GNUC__) && __GNUC__ >= 12  // clang 14 is slower with eight lanes than with four
-#define UMBRAGE_HAS_EIGHT_LANES 1
-#else
-#define UMBRAGE_HAS_EIGHT_LANES 0
-#endif
-#if defined(__clang__) || UMBRAGE_HAS_EIGHT_LANES
-#define UMBRAGE_HAS_SHUFFLES 1
-#else
-#define UMBRAGE_HAS_SHUFFLES 0
-#endif
-
-/// Neighbours in a row, and the steps of a running sum over them.
-template <class T, int Lanes>
-struct group {
-#if defined(__GNUC__) || defined(__clang__)
-    typedef T lanes __attribute__((vector_size(Lanes * sizeof(T))));
-#else
-    struct lanes {
-        T at[Lanes];
-        T& operator[](int i) { return at[i]; }
-        friend lanes operator+(lanes a, const lanes& b) {
-            for (int i = 0; i < Lanes; ++i) a[i] += b.at[i];
-            return a;
-        }
-    };
-#endif
-    static UMBRAGE_INLINE void load(const T* from, lanes& v) { std::memcpy(&v, from, sizeof v); }
-    static UMBRAGE_INLINE void store(const lanes& v, T* to) { std::memcpy(to, &v, sizeof v); }
-
-    /// Each plus those before it.
-    static UMBRAGE_INLINE void running_sum(lanes& v) {
-#if UMBRAGE_HAS_SHUFFLES
-        if constexpr (Lanes == 8) {
-            v = v + __builtin_shufflevector(lanes{}, v, 0, 8, 9, 10, 11, 12, 13, 14);
-            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 8, 9, 10, 11, 12, 13);
-            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 2, 3, 8, 9, 10, 11);
-        } else {
-            v = v + __builtin_shufflevector(lanes{}, v, 0, 4, 5, 6);
-            v = v + __builtin_shufflevector(lanes{}, v, 0, 1, 4, 5);
-        }
-#else
-        v = v + lanes{T(0), v[0], v[1], v[2]};
-        v = v + lanes{T(0), T(0), v[0], v[1]};
-#endif
-    }
-    static UMBRAGE_INLINE void all_last(lanes& v) {
-#if UMBRAGE_HAS_SHUFFLES
-        if constexpr (Lanes == 8) v = __builtin_shufflevector(v, v, 7, 7, 7, 7, 7, 7, 7, 7);
-        else v = __builtin_shufflevector(v, v, 3, 3, 3, 3);
-#else
-        v = lanes{v[3], v[3], v[3], v[3]};
-#endif
-    }
-};
-
 /// Floats are always added in fours, in the order that summed_area states; integers in any.
 template <class T, isa Set>
-inline constexpr int group_lanes = std::is_integral_v<T> && UMBRAGE_HAS_EIGHT_LANES && Set != isa::base ? 8 : 4;
+inline constexpr int sum_lanes = std::is_integral_v<T> && Set != isa::base ? running_sum_lanes : 4;
 
 /// The running sums of a band, and what lies under it. Machines compare the last twelve bits of addresses first, and let a
 /// load wait for a store that looks like it: so these lie where rows of the image and of the table do not. The worst
@@ -118,21 +64,21 @@ enum class table_store { none, plain, streaming };
 /// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`.
 template <table_store Store, int Lanes, class From, class Sum>
 UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line, Sum* to, int count) {
-    using few = group<Sum, Lanes>;
-    typename few::lanes carry{};
+    using few = lanes_of<Sum, Lanes>;
+    few carry{};
     const auto sum_few = [&](const Sum* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
-        typename few::lanes sums, there, together;
-        few::load(values, together);
-        few::load(lines, there);
-        few::running_sum(together);
+        few sums, there, together;
+        load_lanes(values, together);
+        load_lanes(lines, there);
+        running_sum<Lanes>(together);
         sums = (carry + together) + there;
-        few::all_last(together);
+        all_last<Lanes>(together);
         carry = carry + together;
-        few::store(sums, lines);
+        store_lanes(sums, lines);
         if constexpr (Store == table_store::none) return;
-        few::load(under, there);
+        load_lanes(under, there);
         sums = sums + there;
-        if constexpr (Store == table_store::plain) few::store(sums, result);
+        if constexpr (Store == table_store::plain) store_lanes(sums, result);
         if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
     };
     int x = 0;
@@ -169,7 +115,7 @@ void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, in
     const int width = sums.size.x;
     const bool is_large = past_cache(sums);
     on_best_isa([&](auto set) UMBRAGE_INLINE {
-        constexpr int lanes = group_lanes<Sum, decltype(set)::value>;
+        constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
         for (int y = first; y < last; ++y) {
             const From* from = values.row(y);
             Sum* to = sums.row(y);
@@ -200,7 +146,7 @@ void total_of_rows(image_view<const From> values, int first, int last, Sum* line
             for (int x = 1; x < width; ++x) line[x] += line[x - 1];
         } else {
             for (int y = first; y < last; ++y)
-                sum_row<table_store::none, group_lanes<Sum, decltype(set)::value>>(values.row(y), line, line, line, width);
+                sum_row<table_store::none, sum_lanes<Sum, decltype(set)::value>>(values.row(y), line, line, line, width);
         }
     });
 }

@@ -12,19 +12,9 @@
 // changes a bit of a result of tier A. It has to be the same in all files of a program.
 #pragma once
 
-#include <bit>
-#include <cstdint>
-#include <cstring>
 #include <type_traits>
 
 #include <umbrage/config.hpp>
-
-// UMBRAGE_PREFETCH only in functions that are UMBRAGE_INLINE or do more: GCC leaves out calls of one that only fetches.
-#if defined(__GNUC__) || defined(__clang__)
-#define UMBRAGE_PREFETCH(address) __builtin_prefetch(address)
-#else
-#define UMBRAGE_PREFETCH(address) static_cast<void>(address)
-#endif
 
 // Before a loop that writes memory which nothing it reads lies in: GCC does not check that at run time at -O2.
 #if defined(__GNUC__) && !defined(__clang__)
@@ -33,71 +23,61 @@
 #define UMBRAGE_NO_OVERLAP
 #endif
 
-#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
-#define UMBRAGE_HAS_DISPATCH 1
-#define UMBRAGE_AVX2 __attribute__((target("avx2"), noinline))
-#define UMBRAGE_AVX512 __attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"), noinline))
-#else
-#define UMBRAGE_HAS_DISPATCH 0
-#endif
-
-#ifndef UMBRAGE_FORCE_ISA
-#define UMBRAGE_FORCE_ISA avx512
-#endif
-
-namespace umbrage {
+namespace umbrage::detail {
 
 enum class isa { base, avx2, avx512 };
 
+template <isa Set>
+using isa_constant = std::integral_constant<isa, Set>;
+
+#if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
+inline constexpr bool has_dispatch = true;
+
 /// The best instruction set of this machine, of those that get a path of their own.
 [[nodiscard]] inline isa best_isa() {
-#if UMBRAGE_HAS_DISPATCH
     __builtin_cpu_init();
     if (!__builtin_cpu_supports("avx2")) return isa::base;
     const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
                       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
     return wide ? isa::avx512 : isa::avx2;
-#else
-    return isa::base;
-#endif
 }
 
-namespace detail {
-
-/// What image functions use; tests set it to see every path.
-inline isa isa_in_use = best_isa() < isa::UMBRAGE_FORCE_ISA ? best_isa() : isa::UMBRAGE_FORCE_ISA;
-
-template <isa Set>
-using isa_constant = std::integral_constant<isa, Set>;
-
-#if UMBRAGE_HAS_DISPATCH
 template <class Body>
-UMBRAGE_AVX2 void on_avx2(const Body& body) {
+__attribute__((target("avx2"), noinline)) void on_avx2(const Body& body) {
     body(isa_constant<isa::avx2>{});
 }
 template <class Body>
-UMBRAGE_AVX512 void on_avx512(const Body& body) {
+__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"), noinline)) void on_avx512(const Body& body) {
     body(isa_constant<isa::avx512>{});
 }
+#else
+inline constexpr bool has_dispatch = false;
+[[nodiscard]] inline isa best_isa() { return isa::base; }
+#endif
+
+/// What image functions use; tests set it to see every path.
+#if defined(UMBRAGE_FORCE_ISA)
+inline isa isa_in_use = best_isa() < isa::UMBRAGE_FORCE_ISA ? best_isa() : isa::UMBRAGE_FORCE_ISA;
+#else
+inline isa isa_in_use = best_isa();
 #endif
 
 /// Runs the body, compiled for the instruction set in use, which it gets as a constant. Only for results that no
 /// contraction to FMA can change.
 template <class Body>
 void on_best_isa(const Body& body) {
-#if UMBRAGE_HAS_DISPATCH
-    if (isa_in_use == isa::avx512) return on_avx512(body);
-    if (isa_in_use == isa::avx2) return on_avx2(body);
-#endif
+    if constexpr (has_dispatch) {
+        if (isa_in_use == isa::avx512) return on_avx512(body);
+        if (isa_in_use == isa::avx2) return on_avx2(body);
+    }
     body(isa_constant<isa::base>{});
 }
 
 /// The same for sums of products that round: AVX-512 brings FMA along, with which compilers change the result.
 template <class Body>
 void on_best_isa_without_fma(const Body& body) {
-#if UMBRAGE_HAS_DISPATCH
-    if (isa_in_use != isa::base) return on_avx2(body);
-#endif
+    if constexpr (has_dispatch)
+        if (isa_in_use != isa::base) return on_avx2(body);
     body(isa_constant<isa::base>{});
 }
 
@@ -105,21 +85,4 @@ void on_best_isa_without_fma(const Body& body) {
 /// a stack is chance, a loop over them can take several times as long.
 inline constexpr int block = 64;
 
-/// saturate() on the bits: the magnitude up to `highest`, or 0 for what is negative and not a NaN.
-[[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v, float highest = 1.0f) {
-    constexpr auto minus_infinity = static_cast<std::int32_t>(0xFF800000u);
-    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
-    const std::int32_t magnitude = bits & 0x7FFFFFFF, kept = -std::int32_t(bits > minus_infinity);
-    return detail::bit_cast<float>((magnitude < top ? magnitude : top) & kept);
-}
-
-/// Most blocks are whole, and then the compiler knows how much there is to copy.
-UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
-    if (count == block)
-        std::memcpy(to, from, block * sizeof(float));
-    else
-        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
-}
-
-}  // namespace detail
-}  // namespace umbrage
+}  // namespace umbrage::detail

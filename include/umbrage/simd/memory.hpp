@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How large images get to memory: past the cache, and asked for before they are needed.
+// How large images get to memory: with non-temporal stores, and prefetched.
 //
 //     const bool large = umbrage::detail::past_cache(out);
 //     if (large) umbrage::detail::stream_block(to, from);
@@ -14,11 +14,12 @@
 
 #include <umbrage/image.hpp>
 #include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/lanes.hpp>
 
 namespace umbrage::detail {
 
-/// Whether an image is so large that writing it would only push out of the cache what is read meanwhile, and fetch what
-/// is overwritten anyway.
+/// Whether an image is so large that non-temporal stores pay: others would read each cache line before it is overwritten,
+/// and evict what is read meanwhile.
 template <class T>
 [[nodiscard]] inline bool past_cache(const image_view<T>& image) {
     constexpr double large = 4.0 * (1 << 20);  // bytes
@@ -30,16 +31,16 @@ template <class T>
     return reinterpret_cast<std::uintptr_t>(to) % 16 == 0;
 }
 
-/// Stores past the cache. Wants multiples of 16 bytes, and finish_streaming() before anybody else looks.
+/// Non-temporal stores of a multiple of 16 bytes. Other threads see them after finish_streaming().
 template <std::size_t Bytes>
 UMBRAGE_INLINE inline void stream(void* to, const void* from) {
 #if (defined(__GNUC__) && defined(__x86_64__)) || defined(__clang__)
-    typedef float four __attribute__((vector_size(16), may_alias));
+    typedef lanes_of<float, 4> four __attribute__((may_alias));
     static_assert(Bytes % sizeof(four) == 0);
 #pragma GCC unroll 16
     for (std::size_t i = 0; i < Bytes; i += sizeof(four)) {
         four part;
-        std::memcpy(&part, static_cast<const std::byte*>(from) + i, sizeof part);
+        load_lanes(static_cast<const std::byte*>(from) + i, part);
 #if defined(__clang__)
         __builtin_nontemporal_store(part, reinterpret_cast<four*>(static_cast<std::byte*>(to) + i));
 #else
@@ -57,19 +58,35 @@ inline void finish_streaming() {
 #endif
 }
 
-/// A block of texels past the cache, or through it where stream() cannot store.
+/// A block of texels by non-temporal stores, where stream() can.
 template <class T>
 UMBRAGE_INLINE inline void stream_block(T* to, const T* from) {
     if (streams_to(to)) stream<block * sizeof(T)>(to, from);
     else std::memcpy(static_cast<void*>(to), from, block * sizeof(T));
 }
 
-/// Starts to fetch what lies there, which may be behind the end of an array.
+/// Up to a block of floats; most are whole, and then the compiler knows how much there is to copy.
+UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
+    if (count == block)
+        std::memcpy(to, from, block * sizeof(float));
+    else
+        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
+}
+
+/// Prefetches a cache line. Callers must be UMBRAGE_INLINE or do more than that: for GCC a function that only prefetches
+/// has no effect, and a call of it is left out.
+UMBRAGE_INLINE inline void prefetch_line([[maybe_unused]] const void* at) {
+#if defined(__GNUC__) || defined(__clang__)
+    __builtin_prefetch(at);
+#endif
+}
+
+/// Prefetches `count` bytes, `ahead` bytes from there; they may lie behind the end of an array.
 UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead, int count) {
     const std::uintptr_t first = reinterpret_cast<std::uintptr_t>(from) + static_cast<std::uintptr_t>(ahead);
 #pragma GCC unroll 16
     for (int line = 0; line < count; line += 64)
-        UMBRAGE_PREFETCH(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
+        prefetch_line(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
 }
 
 }  // namespace umbrage::detail

@@ -63,9 +63,9 @@ void check() {
             CAPTURE(size.x);
             CAPTURE(kernel.weights.size());
             const image<T> wanted = plain(plain(from, kernel, {0, 1}), kernel, {1, 0});
-            const umbrage::isa best = umbrage::detail::isa_in_use;
-            for (umbrage::isa set : {umbrage::isa::base, umbrage::isa::avx2, umbrage::isa::avx512}) {
-                if (umbrage::best_isa() < set) continue;
+            const umbrage::detail::isa best = umbrage::detail::isa_in_use;
+            for (umbrage::detail::isa set : {umbrage::detail::isa::base, umbrage::detail::isa::avx2, umbrage::detail::isa::avx512}) {
+                if (umbrage::detail::best_isa() < set) continue;
                 umbrage::detail::isa_in_use = set;
                 for (int pieces : {1, 3, size.y}) {
                     std::vector<T> memory(static_cast<std::size_t>((size.x + 3) * size.y), T(7));  // rows with a gap behind

@@ -32,9 +32,9 @@ TEST_CASE("make_min_max_pyramid: bounds of every square, any size of map") {
             const float odd[] = {nan, -nan, infinity, -infinity, -1.5f};
             d = engine() % 9 == 0 ? odd[engine() % 5] : static_cast<float>(engine() % 4096) / 4096.0f + 0.25f;
         }
-        const umbrage::isa best = umbrage::detail::isa_in_use;
-        for (umbrage::isa set : {umbrage::isa::base, umbrage::isa::avx2, umbrage::isa::avx512}) {
-            if (umbrage::best_isa() < set) continue;
+        const umbrage::detail::isa best = umbrage::detail::isa_in_use;
+        for (umbrage::detail::isa set : {umbrage::detail::isa::base, umbrage::detail::isa::avx2, umbrage::detail::isa::avx512}) {
+            if (umbrage::detail::best_isa() < set) continue;
             umbrage::detail::isa_in_use = set;
             const auto pyramid = umbrage::make_min_max_pyramid(std::as_const(map).view(), 4, last_row_first{});
             REQUIRE(pyramid.size() == 4);

@@ -20,6 +20,8 @@
 #include <umbrage/images/rasterize.hpp>
 
 using namespace umbrage;
+using detail::best_isa;
+using detail::isa;
 
 namespace {
 

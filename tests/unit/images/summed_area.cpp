@@ -42,9 +42,9 @@ struct gapped {
 
 template <class Use>
 void for_each_isa(Use&& use) {
-    const umbrage::isa best = umbrage::detail::isa_in_use;
-    for (umbrage::isa set : {umbrage::isa::base, umbrage::isa::avx2, umbrage::isa::avx512}) {
-        if (umbrage::best_isa() < set) continue;
+    const umbrage::detail::isa best = umbrage::detail::isa_in_use;
+    for (umbrage::detail::isa set : {umbrage::detail::isa::base, umbrage::detail::isa::avx2, umbrage::detail::isa::avx512}) {
+        if (umbrage::detail::best_isa() < set) continue;
         CAPTURE(static_cast<int>(set));
         umbrage::detail::isa_in_use = set;
         use();

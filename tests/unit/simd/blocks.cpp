@@ -19,13 +19,13 @@
 namespace {
 
 using umbrage::image;
-using umbrage::isa;
+using umbrage::detail::isa;
 
 template <class Use>
 void for_each_path(Use&& use) {
     const isa best = umbrage::detail::isa_in_use;
     for (isa set : {isa::base, isa::avx2, isa::avx512}) {
-        if (umbrage::best_isa() < set) continue;
+        if (umbrage::detail::best_isa() < set) continue;
         for (int rounding : {FE_TONEAREST, FE_TOWARDZERO, FE_UPWARD, FE_DOWNWARD}) {
             CAPTURE(static_cast<int>(set));
             CAPTURE(rounding);

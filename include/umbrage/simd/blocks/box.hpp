@@ -15,66 +15,15 @@
 
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/simd/blocks/texels.hpp>
+#include <umbrage/simd/lanes.hpp>
 
 namespace umbrage::detail {
-
-#if defined(__GNUC__) || defined(__clang__)
-#define UMBRAGE_HAS_VECTORS 1
-
-/// Floats and numbers as wide as a register. The compiler's own vectors: they need no header and know no machine.
-template <int Lanes>
-struct vectors;
-template <>
-struct vectors<4> {
-    typedef float floats __attribute__((vector_size(16)));
-    typedef float unaligned __attribute__((vector_size(16), aligned(4), may_alias));
-    typedef std::int32_t ints __attribute__((vector_size(16)));
-};
-template <>
-struct vectors<8> {
-    typedef float floats __attribute__((vector_size(32)));
-    typedef float unaligned __attribute__((vector_size(32), aligned(4), may_alias));
-    typedef std::int32_t ints __attribute__((vector_size(32)));
-};
-
-/// less_equal for texels that lie side by side: all bits of a lane, or none.
-template <int Lanes>
-UMBRAGE_INLINE inline void compare_lanes(const float* texels, float receiver, typename vectors<Lanes>::ints& lit) {
-    const typename vectors<Lanes>::floats stored = *reinterpret_cast<const typename vectors<Lanes>::unaligned*>(texels);
-    lit = receiver <= stored;
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-    lit &= ((typename vectors<Lanes>::ints)stored & 0x7FFFFFFF) <= 0x7F800000;
-#endif
-}
-
-/// The sum of each of two vectors of numbers between 0 and 127.
-template <int Lanes>
-UMBRAGE_INLINE inline void sum_two(const typename vectors<Lanes>::ints& first, const typename vectors<Lanes>::ints& second,
-                                   std::int32_t* sums) {
-    const auto four = [](const auto& numbers) UMBRAGE_INLINE {
-        vectors<4>::ints parts[Lanes / 4], sum{};
-        std::memcpy(parts, &numbers, sizeof parts);
-        for (const vectors<4>::ints& part : parts) sum += part;
-        return sum;
-    };
-    const vectors<4>::ints a = four(first), b = four(second);
-#if UMBRAGE_HAS_DISPATCH
-    typedef char chars __attribute__((vector_size(16)));
-    const auto halves = (chars)__builtin_ia32_packssdw128(a, b);
-    const auto wide = (vectors<4>::ints)__builtin_ia32_psadbw128(halves, chars{});  // adds bytes, eight at a time
-    const auto both = __builtin_ia32_packssdw128(wide, wide);
-    std::memcpy(sums, &both, 2 * sizeof *sums);
-#else
-    sums[0] = a[0] + a[1] + a[2] + a[3];
-    sums[1] = b[0] + b[1] + b[2] + b[3];
-#endif
-}
 
 /// Lit texels of boxes that lie inside a map at least as wide as a register.
 /// @tparam Lanes   of a register;   Whole  registers that a row of the box fills;   Width  of the box, 0 if not known here
 template <int Lanes, int Whole, int Width = 0>
 struct box_rows {
-    using ints = typename vectors<Lanes>::ints;
+    using ints = lanes_of<std::int32_t, Lanes>;
     static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
     std::ptrdiff_t stride;
     int width;
@@ -90,7 +39,7 @@ struct box_rows {
         ints lit;
         std::int32_t sums[2];
         count_lanes(row, moved, receiver, lit);
-        sum_two<Lanes>(lit, lit, sums);
+        sum_two_lanes<Lanes>(lit, lit, sums);
         return sums[0];
     }
 
@@ -99,7 +48,7 @@ struct box_rows {
         ints first, second;
         count_lanes(rows[0], 0, receivers[0], first);
         count_lanes(rows[1], 0, receivers[1], second);
-        sum_two<Lanes>(first, second, counts);
+        sum_two_lanes<Lanes>(first, second, counts);
     }
 
 private:
@@ -108,12 +57,15 @@ private:
         ints rest{};
         const auto add_row = [&]() UMBRAGE_INLINE {
             const float* texels = reinterpret_cast<const float*>(row);
+            lanes_of<float, Lanes> stored;
             ints lanes;
             for (int i = 0; i < Whole; ++i) {
-                compare_lanes<Lanes>(texels + i * Lanes, receiver, lanes);
+                load_lanes(texels + i * Lanes, stored);
+                lit_lanes<Lanes>(receiver, stored, lanes);
                 lit -= lanes;
             }
-            compare_lanes<Lanes>(texels + Whole * Lanes - moved, receiver, lanes);
+            load_lanes(texels + Whole * Lanes - moved, stored);
+            lit_lanes<Lanes>(receiver, stored, lanes);
             rest -= lanes;
             row += stride;
         };
@@ -127,26 +79,6 @@ private:
         lit += rest & wanted;
     }
 };
-#else
-#define UMBRAGE_HAS_VECTORS 0
-
-/// The same texel by texel.
-struct box_texels {
-    static constexpr int reach = 1;
-    std::ptrdiff_t stride;
-    int width;
-
-    [[nodiscard]] std::int32_t count(const std::byte* row, std::ptrdiff_t, float receiver) const {
-        std::int32_t lit = 0;
-        for (int j = 0; j < width; ++j, row += stride)
-            for (int i = 0; i < width; ++i) lit += is_lit(receiver, reinterpret_cast<const float*>(row)[i]);
-        return lit;
-    }
-    void count_two(const std::byte* const rows[2], const float* receivers, std::int32_t* counts) const {
-        for (int k = 0; k < 2; ++k) counts[k] = count(rows[k], 0, receivers[k]);
-    }
-};
-#endif
 
 /// The part of a map that a block's boxes lie in. Rows of a map that lie a multiple of 2048 bytes apart share their places
 /// in a first-level cache, which has few for each: high boxes push their own rows out of it. Here they do not.
@@ -212,7 +144,6 @@ struct block_filter<filters::box, depth32f> {
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
         const int width = 2 * radius() + 1;
-#if UMBRAGE_HAS_VECTORS
         constexpr int lanes = Isa::value == isa::base ? 4 : 8;
         if constexpr (lanes == 8) {
             if (width == 3) return count_with<box_rows<8, 0, 3>>(at, count, visibility);
@@ -226,9 +157,6 @@ struct block_filter<filters::box, depth32f> {
             if (width / lanes == 3) return count_with<box_rows<4, 3>>(at, count, visibility);
             count_with<box_rows<4, 4>>(at, count, visibility);
         }
-#else
-        count_with<box_texels>(at, count, visibility);
-#endif
     }
 
 private:

@@ -24,7 +24,9 @@
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/images/encode.hpp>
 #include <umbrage/filter/filters.hpp>
+#include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/lanes.hpp>
 #include <umbrage/simd/memory.hpp>
 
 namespace umbrage::detail {
@@ -63,47 +65,6 @@ struct receiver_block {
     }
 };
 
-/// less_equal as a number. -ffast-math makes compilers forget what NaN does to <=; then the bits say it.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-    const auto number = [](float v) UMBRAGE_INLINE {
-        return std::int32_t((detail::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000);
-    };
-    return std::int32_t(receiver <= stored) & number(receiver) & number(stored);
-#else
-    return std::int32_t(receiver <= stored);
-#endif
-}
-
-/// inside_texel_space as a mask: all bits, or none.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t texel_space_mask(float x, float y) {
-    constexpr auto limit = detail::bit_cast<std::int32_t>(32768.0f);
-    return -(std::int32_t((detail::bit_cast<std::int32_t>(x) & 0x7FFFFFFF) < limit) &
-             std::int32_t((detail::bit_cast<std::int32_t>(y) & 0x7FFFFFFF) < limit));
-}
-[[nodiscard]] UMBRAGE_INLINE inline float masked(float v, std::int32_t mask) {
-    return detail::bit_cast<float>(detail::bit_cast<std::int32_t>(v) & mask);
-}
-[[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
-    return detail::bit_cast<float>((detail::bit_cast<std::int32_t>(a) & mask) | (detail::bit_cast<std::int32_t>(b) & ~mask));
-}
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_int(float v) {  // |v| < 2^31
-    const auto toward_zero = static_cast<std::int32_t>(v);
-    return toward_zero - std::int32_t(static_cast<float>(toward_zero) > v);
-}
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t clamp_int(std::int32_t v, std::int32_t highest) {
-    v = v > 0 ? v : 0;
-    return v < highest ? v : highest;
-}
-
-/// floor of v clamped to 0 .. highest <= 2^24; NaN gives one of the ends. In bits: a float that is not negative truncates
-/// to its floor, and is ordered as its bits are.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_within(float v, float highest) {
-    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
-    const std::int32_t positive = bits > 0 ? bits : 0;
-    return static_cast<std::int32_t>(detail::bit_cast<float>(positive < top ? positive : top));
-}
-
 /// Where a block of words comes from, at(i), and where it goes.
 template <class At>
 struct gathered {
@@ -122,13 +83,7 @@ UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
         std::memcpy(&w, from, sizeof w);
         return w;
     };
-#if defined(__GNUC__) || defined(__clang__)
-    typedef Word words __attribute__((vector_size(16)));
-#else
-    struct words {
-        Word w;
-    };
-#endif
+    using words = lanes_of<Word, 16 / sizeof(Word)>;
     constexpr std::size_t some = sizeof(words) / sizeof(Word);
     const auto load = [&]<std::size_t... I>(int i, const auto& from, std::index_sequence<I...>) UMBRAGE_INLINE {
         const words together{word(from.at(i + static_cast<int>(I)))...};

@@ -20,6 +20,7 @@
 #include <umbrage/clip_space.hpp>
 #include <umbrage/simd/raster/clip.hpp>
 #include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/memory.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/strict_math.hpp>
 #include <umbrage/simd/raster/triangle_batch.hpp>
@@ -78,10 +79,10 @@ public:
     /// for GCC a function that only fetches has no effect, and a call of it is left out.
     UMBRAGE_INLINE void expect(std::span<const unsigned> list, std::size_t k) const {
         constexpr std::size_t soon = 16, later = 32;
-        if (k + later < list.size()) UMBRAGE_PREFETCH(&mesh_.triangles[list[k + later]]);
+        if (k + later < list.size()) prefetch_line(&mesh_.triangles[list[k + later]]);
         if (k + soon < list.size())
             for (int corner = 0; corner < 3; ++corner)
-                UMBRAGE_PREFETCH(&vertices_[mesh_.triangles[list[k + soon]][corner]]);
+                prefetch_line(&vertices_[mesh_.triangles[list[k + soon]][corner]]);
     }
 
     [[nodiscard]] unsigned triangle_count() const { return static_cast<unsigned>(mesh_.triangles.size()); }

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -62,10 +63,8 @@ namespace detail {
 /// Towards zero; |v| < 2^63.
 template <isa Set>
 [[nodiscard]] UMBRAGE_INLINE inline double truncate(double v) {
-#if UMBRAGE_HAS_DISPATCH
-    if constexpr (Set == isa::avx2) return __builtin_trunc(v);
-#endif
-    return static_cast<double>(static_cast<std::int64_t>(v));
+    if constexpr (Set == isa::avx2) return std::trunc(v);
+    else return static_cast<double>(static_cast<std::int64_t>(v));
 }
 
 }  // namespace detail
@@ -216,7 +215,7 @@ private:
         }
     }
 
-    template <isa Set>
+    template <detail::isa Set>
     UMBRAGE_INLINE void set_up_planes() {
         using bits = std::int64_t;
         constexpr bits exponent = 0x7FF0000000000000, magnitude = 0x7FFFFFFFFFFFFFFF, short_digits = ~bits(0x3FFFFFF);

@@ -9,6 +9,8 @@
 #include <umbrage/simd/raster/clip.hpp>
 
 using namespace umbrage;
+using detail::best_isa;
+using detail::isa;
 
 namespace {
 

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+//
+// Comparisons, selections and conversions of floats as operations on their bits: without a branch, so that loops over
+// blocks vectorise, and with NaN where -ffast-math forgets it. Masks are all bits of a number, or none.
+//
+//     visibility[i] = select(texel_space_mask(x, y), sum, 1.0f);
+//
+#pragma once
+
+#include <cstdint>
+
+#include <umbrage/config.hpp>
+#include <umbrage/simd/strict_math.hpp>
+
+namespace umbrage::detail {
+
+/// Mask of the floats that are not NaN.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t number_mask(float v) {
+    return -std::int32_t((detail::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000);
+}
+
+/// inside_texel_space as a mask.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t texel_space_mask(float x, float y) {
+    constexpr auto limit = detail::bit_cast<std::int32_t>(32768.0f);
+    return -(std::int32_t((detail::bit_cast<std::int32_t>(x) & 0x7FFFFFFF) < limit) &
+             std::int32_t((detail::bit_cast<std::int32_t>(y) & 0x7FFFFFFF) < limit));
+}
+
+[[nodiscard]] UMBRAGE_INLINE inline float masked(float v, std::int32_t mask) {
+    return detail::bit_cast<float>(detail::bit_cast<std::int32_t>(v) & mask);
+}
+[[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
+    return detail::bit_cast<float>((detail::bit_cast<std::int32_t>(a) & mask) | (detail::bit_cast<std::int32_t>(b) & ~mask));
+}
+
+/// less_equal as 0 or 1, NaN 0 whatever the compiler believes.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
+    if constexpr (finite_math_only)
+        return std::int32_t(receiver <= stored) & number_mask(receiver) & number_mask(stored);
+    else
+        return std::int32_t(receiver <= stored);
+}
+
+/// saturate: the magnitude up to `highest`, or 0 for what is negative and not a NaN.
+[[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v, float highest = 1.0f) {
+    constexpr auto minus_infinity = static_cast<std::int32_t>(0xFF800000u);
+    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
+    const std::int32_t magnitude = bits & 0x7FFFFFFF, kept = -std::int32_t(bits > minus_infinity);
+    return detail::bit_cast<float>((magnitude < top ? magnitude : top) & kept);
+}
+
+/// floor; |v| < 2^31.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_int(float v) {
+    const auto toward_zero = static_cast<std::int32_t>(v);
+    return toward_zero - std::int32_t(static_cast<float>(toward_zero) > v);
+}
+
+/// v clamped to 0 .. highest.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t clamp_int(std::int32_t v, std::int32_t highest) {
+    v = v > 0 ? v : 0;
+    return v < highest ? v : highest;
+}
+
+/// floor of v clamped to 0 .. highest <= 2^24; NaN gives one of the ends. A float that is not negative truncates to its
+/// floor, and is ordered as its bits are.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_within(float v, float highest) {
+    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
+    const std::int32_t positive = bits > 0 ? bits : 0;
+    return static_cast<std::int32_t>(detail::bit_cast<float>(positive < top ? positive : top));
+}
+
+/// Floats as integers in the same order, -0 below +0, NaN below everything; and back.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t order_key(float v) {
+    const auto bits = detail::bit_cast<std::int32_t>(v);
+    const std::int32_t number = number_mask(v);
+    return ((bits ^ (bits >> 31 & 0x7FFFFFFF)) & number) | (INT32_MIN & ~number);
+}
+[[nodiscard]] UMBRAGE_INLINE inline float from_order_key(std::int32_t key) {
+    return detail::bit_cast<float>(key ^ (key >> 31 & 0x7FFFFFFF));
+}
+struct least_of {
+    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a < b ? a : b; }
+};
+struct greatest_of {
+    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a > b ? a : b; }
+};
+
+}  // namespace umbrage::detail

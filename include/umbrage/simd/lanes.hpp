@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+//
+// Registers: several values side by side, an operation on all of them at once.
+//
+//     lanes_of<float, 8> depths;
+//     load_lanes(texels, depths);  // with + - & and [] of the language
+//
+// The compiler's own vectors: they need no header and know no machine. Where it has none, or for a test, plain_lanes gives
+// the same bits. Vectors go by reference: by value, the calling convention depends on the instruction set.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#include <umbrage/config.hpp>
+#include <umbrage/simd/bits.hpp>
+#include <umbrage/simd/strict_math.hpp>
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+template <class T, int Count>
+struct plain_lanes {
+    T at[Count];
+
+    T& operator[](int i) { return at[i]; }
+    const T& operator[](int i) const { return at[i]; }
+
+    plain_lanes& operator+=(const plain_lanes& b) {
+        for (int i = 0; i < Count; ++i) at[i] += b.at[i];
+        return *this;
+    }
+    plain_lanes& operator-=(const plain_lanes& b) {
+        for (int i = 0; i < Count; ++i) at[i] -= b.at[i];
+        return *this;
+    }
+    plain_lanes& operator&=(const plain_lanes& b) {
+        for (int i = 0; i < Count; ++i) at[i] &= b.at[i];
+        return *this;
+    }
+    friend plain_lanes operator+(plain_lanes a, const plain_lanes& b) { return a += b; }
+    friend plain_lanes operator-(plain_lanes a, const plain_lanes& b) { return a -= b; }
+    friend plain_lanes operator&(plain_lanes a, const plain_lanes& b) { return a &= b; }
+};
+
+#if defined(__GNUC__) || defined(__clang__)
+template <class T, int Count>
+struct compiler_lanes {
+    typedef T type __attribute__((vector_size(Count * sizeof(T))));
+};
+template <class T, int Count>
+using lanes_of = typename compiler_lanes<T, Count>::type;
+#else
+template <class T, int Count>
+using lanes_of = plain_lanes<T, Count>;
+#endif
+
+/// From memory of any alignment, and back.
+template <class Lanes>
+UMBRAGE_INLINE inline void load_lanes(const void* from, Lanes& v) {
+    std::memcpy(&v, from, sizeof v);
+}
+template <class Lanes>
+UMBRAGE_INLINE inline void store_lanes(const Lanes& v, void* to) {
+    std::memcpy(to, &v, sizeof v);
+}
+
+/// Lane i of the result is lane From[i] of a, then b, counted through; lanes of 32 bits.
+template <int... From, class T, int Count>
+inline void shuffle(const plain_lanes<T, Count>& a, const plain_lanes<T, Count>& b, plain_lanes<T, Count>& result) {
+    result = {{(From < Count ? a[From % Count] : b[From % Count])...}};
+}
+
+/// is_lit as a mask for each lane; the receiver is not NaN.
+template <int Count>
+inline void lit_lanes(float receiver, const plain_lanes<float, Count>& stored, plain_lanes<std::int32_t, Count>& lit) {
+    for (int i = 0; i < Count; ++i) lit[i] = -is_lit(receiver, stored[i]);
+}
+
+/// The sum of each of two registers of 4 or 8 numbers between 0 and 127.
+template <int Count>
+inline void sum_two_lanes(const plain_lanes<std::int32_t, Count>& first, const plain_lanes<std::int32_t, Count>& second,
+                          std::int32_t* sums) {
+    sums[0] = sums[1] = 0;
+    for (int i = 0; i < Count; ++i) {
+        sums[0] += first[i];
+        sums[1] += second[i];
+    }
+}
+
+#if defined(__GNUC__) || defined(__clang__)
+template <int... From, class Lanes>
+UMBRAGE_INLINE inline void shuffle(const Lanes& a, const Lanes& b, Lanes& result) {
+#if defined(__clang__)
+    result = __builtin_shufflevector(a, b, From...);
+#else
+    result = __builtin_shuffle(a, b, lanes_of<std::int32_t, sizeof...(From)>{From...});
+#endif
+}
+
+template <int Count>
+UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count>& stored,
+                                     lanes_of<std::int32_t, Count>& lit) {
+    lit = receiver <= stored;
+    if constexpr (finite_math_only) lit &= ((lanes_of<std::int32_t, Count>)stored & 0x7FFFFFFF) <= 0x7F800000;
+}
+
+template <int Count>
+UMBRAGE_INLINE inline void sum_two_lanes(const lanes_of<std::int32_t, Count>& first,
+                                         const lanes_of<std::int32_t, Count>& second, std::int32_t* sums) {
+    using four = lanes_of<std::int32_t, 4>;
+    const auto to_four = [](const auto& numbers) UMBRAGE_INLINE {
+        four parts[Count / 4], sum{};
+        std::memcpy(parts, &numbers, sizeof parts);
+        for (const four& part : parts) sum += part;
+        return sum;
+    };
+    const four a = to_four(first), b = to_four(second);
+#if defined(__x86_64__)
+    using bytes = compiler_lanes<char, 16>::type;
+    const auto halves = (bytes)__builtin_ia32_packssdw128(a, b);
+    const auto wide = (four)__builtin_ia32_psadbw128(halves, bytes{});  // adds bytes, eight at a time
+    const auto both = __builtin_ia32_packssdw128(wide, wide);
+    std::memcpy(sums, &both, 2 * sizeof *sums);
+#else
+    sums[0] = a[0] + a[1] + a[2] + a[3];
+    sums[1] = b[0] + b[1] + b[2] + b[3];
+#endif
+}
+#endif
+
+/// Each lane plus those before it: of four as v0, v0+v1, (v1+v2)+v0, (v2+v3)+(v0+v1).
+template <int Count, class Lanes>
+UMBRAGE_INLINE inline void running_sum(Lanes& v) {
+    const auto add_moved = [&]<int... From>() UMBRAGE_INLINE {
+        Lanes moved;
+        shuffle<From...>(Lanes{}, v, moved);
+        v = v + moved;
+    };
+    static_assert(Count == 4 || Count == 8);
+    if constexpr (Count == 8) {
+        add_moved.template operator()<0, 8, 9, 10, 11, 12, 13, 14>();
+        add_moved.template operator()<0, 1, 8, 9, 10, 11, 12, 13>();
+        add_moved.template operator()<0, 1, 2, 3, 8, 9, 10, 11>();
+    } else {
+        add_moved.template operator()<0, 4, 5, 6>();
+        add_moved.template operator()<0, 1, 4, 5>();
+    }
+}
+
+/// The last lane in all of them.
+template <int Count, class Lanes>
+UMBRAGE_INLINE inline void all_last(Lanes& v) {
+    Lanes last;
+    if constexpr (Count == 8) shuffle<7, 7, 7, 7, 7, 7, 7, 7>(v, v, last);
+    else shuffle<3, 3, 3, 3>(v, v, last);
+    v = last;
+}
+
+/// Lanes of a running sum where registers have eight: clang 14 is slower with them than with four.
+#if defined(__GNUC__) && !defined(__clang__)
+inline constexpr int running_sum_lanes = 8;
+#else
+inline constexpr int running_sum_lanes = 4;
+#endif
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+//
+// Registers: the compiler's vectors and plain_lanes give the same bits.
+//
+#include <umbrage/simd/lanes.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+using namespace umbrage::detail;
+
+namespace {
+
+template <class Lanes, class T, int Count>
+void check_running_sum_of(const T (&values)[Count], const T (&expected)[Count]) {
+    Lanes lanes;
+    T results[Count];
+    load_lanes(values, lanes);
+    running_sum<Count>(lanes);
+    store_lanes(lanes, results);
+    CHECK(std::memcmp(results, expected, sizeof results) == 0);
+    all_last<Count>(lanes);
+    store_lanes(lanes, results);
+    for (T last : results) CHECK(last == expected[Count - 1]);
+}
+template <class T, int Count>
+void check_running_sum(const T (&values)[Count], const T (&expected)[Count]) {
+    check_running_sum_of<lanes_of<T, Count>>(values, expected);
+    check_running_sum_of<plain_lanes<T, Count>>(values, expected);
+}
+
+template <template <class, int> class Lanes, int Count>
+void check_lit() {
+    const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+    const float stored[]{0.25f, 0.5f, 0.75f, nan, -infinity, infinity, -nan, -0.0f};
+    const bool lit[]{false, true, true, false, false, true, false, false};
+    for (int first = 0; first < 8; first += Count) {
+        Lanes<float, Count> depths;
+        Lanes<std::int32_t, Count> mask;
+        load_lanes(stored + first, depths);
+        lit_lanes<Count>(0.5f, depths, mask);
+        std::int32_t results[Count];
+        store_lanes(mask, results);
+        for (int i = 0; i < Count; ++i) CHECK(results[i] == (lit[first + i] ? -1 : 0));
+    }
+}
+
+template <template <class, int> class Lanes, int Count>
+void check_sum_two() {
+    Lanes<std::int32_t, Count> first{}, second{};
+    for (int i = 0; i < Count; ++i) {
+        first[i] = 127;
+        second[i] = i;
+    }
+    std::int32_t sums[2];
+    sum_two_lanes<Count>(first, second, sums);
+    CHECK(sums[0] == 127 * Count);
+    CHECK(sums[1] == Count * (Count - 1) / 2);
+}
+
+}  // namespace
+
+TEST_CASE("lanes: a running sum, and its last in all lanes") {
+    check_running_sum<std::uint32_t, 4>({1, 2, 0xFFFFFFFF, 7}, {1, 3, 2, 9});
+    check_running_sum<std::uint32_t, 8>({1, 2, 3, 4, 5, 6, 7, 8}, {1, 3, 6, 10, 15, 21, 28, 36});
+}
+
+TEST_CASE("lanes: floats are summed in the order that is stated") {
+    // (v1 + v2) + v0 keeps the 1 that (v0 + v1) + v2 loses.
+    check_running_sum<float, 4>({0x1p24f, 1.0f, 1.0f, 2.0f}, {0x1p24f, 0x1p24f, 0x1p24f + 2.0f, 0x1p24f + 4.0f});
+}
+
+TEST_CASE("lanes: a lane is lit where its depth is not nearer, and NaN never is") {
+    check_lit<lanes_of, 4>();
+    check_lit<lanes_of, 8>();
+    check_lit<plain_lanes, 4>();
+    check_lit<plain_lanes, 8>();
+}
+
+TEST_CASE("lanes: sums of two registers") {
+    check_sum_two<lanes_of, 4>();
+    check_sum_two<lanes_of, 8>();
+    check_sum_two<plain_lanes, 4>();
+    check_sum_two<plain_lanes, 8>();
+}
+
+TEST_CASE("lanes: arithmetic of plain lanes is the language's, lane by lane") {
+    using four = plain_lanes<std::int32_t, 4>;
+    const four a{{1, 2, 3, 4}}, b{{16, 6, 1, 5}};
+    for (int i = 0; i < 4; ++i) {
+        CHECK((a + b)[i] == a[i] + b[i]);
+        CHECK((a - b)[i] == a[i] - b[i]);
+        CHECK((a & b)[i] == (a[i] & b[i]));
+    }
+}
