@@ -15,7 +15,7 @@ build_packages := cmake g++ libglm-dev ninja-build pkg-config
 demo_packages := $(build_packages) libassimp-dev libboost-dev libcli11-dev libstb-dev
 gallery_packages := $(demo_packages) libegl-dev libepoxy-dev libgl1-mesa-dri libglfw3-dev # the latter for OpenGL
 node_packages := $(if $(shell command -v npm),,nodejs npm) # npm from wherever it is
-test_packages := $(demo_packages) clang-14 doctest-dev glslang-tools libegl-dev libgl-dev libgl1-mesa-dri libgles-dev \
+test_packages := $(demo_packages) clang-14 libc++-13-dev libc++abi-13-dev doctest-dev glslang-tools libegl-dev libgl-dev libgl1-mesa-dri libgles-dev \
     libvulkan-dev mesa-vulkan-drivers spirv-tools \
     libepoxy-dev libglfw3-dev xauth xvfb \
     g++-aarch64-linux-gnu qemu-user \
@@ -56,15 +56,22 @@ define browser
     || echo "npm has no playwright-core for us: the tests in WebGL report themselves skipped."
 endef
 
-.PHONY: test demo gallery bench bench-compare prove asan bench-packing bench-shaders single-header readme compile-time clean
+# The newest clang that the packages offer, asked for when their lists have been fetched.
+newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
+
+.PHONY: test newest-clang demo gallery bench bench-compare prove asan bench-packing bench-shaders single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
+	@$(MAKE) --no-print-directory newest-clang
 	$(browser)
 	cmake --workflow --preset dev
 	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang; \
 	else echo "No clang++-14 here: the pass with it is left out."; fi
 	@build/dev/tests/readme/readme --print build/dev/tests/parity
+
+newest-clang:
+	$(if $(newest_clang),$(call install,$(newest_clang)))
 
 demo:
 	$(call install,$(demo_packages))

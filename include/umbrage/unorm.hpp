@@ -29,9 +29,9 @@ template <real T>
 [[nodiscard]] constexpr T to_unorm(T k) {
     return k * T(257.0 / 65536.0) + T(64.0 / 65536.0);
 }
-template <int L, real T>
+template <glm::length_t L, real T>
 [[nodiscard]] constexpr glm::vec<L, T> to_unorm(glm::vec<L, T> k) {
-    for (int i = 0; i < L; ++i) k[i] = to_unorm(k[i]);
+    for (glm::length_t i = 0; i < L; ++i) k[i] = to_unorm(k[i]);
     return k;
 }
 
@@ -45,9 +45,9 @@ template <real T>
 [[nodiscard]] T from_unorm(T c) {
     return std::floor(c * T(255) + T(0.5));
 }
-template <int L, real T>
+template <glm::length_t L, real T>
 [[nodiscard]] glm::vec<L, T> from_unorm(glm::vec<L, T> c) {
-    for (int i = 0; i < L; ++i) c[i] = from_unorm(c[i]);
+    for (glm::length_t i = 0; i < L; ++i) c[i] = from_unorm(c[i]);
     return c;
 }
 
@@ -61,18 +61,18 @@ template <real T>
     const T scaled = saturate(c) * T(255);
     return static_cast<std::uint8_t>(mode == unorm_store::rounds ? scaled + T(0.5) : scaled);
 }
-template <int L, real T>
+template <glm::length_t L, real T>
 [[nodiscard]] constexpr glm::vec<L, std::uint8_t> store_unorm8(glm::vec<L, T> c, unorm_store mode = unorm_store::rounds) {
     glm::vec<L, std::uint8_t> bytes(0);
-    for (int i = 0; i < L; ++i) bytes[i] = store_unorm8(c[i], mode);
+    for (glm::length_t i = 0; i < L; ++i) bytes[i] = store_unorm8(c[i], mode);
     return bytes;
 }
 
 /// What sampling gives back of stored bytes.
-template <real T = float, int L>
+template <real T = float, glm::length_t L>
 [[nodiscard]] constexpr glm::vec<L, T> load_unorm8(glm::vec<L, std::uint8_t> bytes) {
     glm::vec<L, T> c(0);
-    for (int i = 0; i < L; ++i) c[i] = T(bytes[i]) / T(255);
+    for (glm::length_t i = 0; i < L; ++i) c[i] = T(bytes[i]) / T(255);
     return c;
 }
 

@@ -684,9 +684,9 @@ template <real T>
 [[nodiscard]] constexpr T to_unorm(T k) {
     return k * T(257.0 / 65536.0) + T(64.0 / 65536.0);
 }
-template <int L, real T>
+template <glm::length_t L, real T>
 [[nodiscard]] constexpr glm::vec<L, T> to_unorm(glm::vec<L, T> k) {
-    for (int i = 0; i < L; ++i) k[i] = to_unorm(k[i]);
+    for (glm::length_t i = 0; i < L; ++i) k[i] = to_unorm(k[i]);
     return k;
 }
 
@@ -700,9 +700,9 @@ template <real T>
 [[nodiscard]] T from_unorm(T c) {
     return std::floor(c * T(255) + T(0.5));
 }
-template <int L, real T>
+template <glm::length_t L, real T>
 [[nodiscard]] glm::vec<L, T> from_unorm(glm::vec<L, T> c) {
-    for (int i = 0; i < L; ++i) c[i] = from_unorm(c[i]);
+    for (glm::length_t i = 0; i < L; ++i) c[i] = from_unorm(c[i]);
     return c;
 }
 
@@ -716,18 +716,18 @@ template <real T>
     const T scaled = saturate(c) * T(255);
     return static_cast<std::uint8_t>(mode == unorm_store::rounds ? scaled + T(0.5) : scaled);
 }
-template <int L, real T>
+template <glm::length_t L, real T>
 [[nodiscard]] constexpr glm::vec<L, std::uint8_t> store_unorm8(glm::vec<L, T> c, unorm_store mode = unorm_store::rounds) {
     glm::vec<L, std::uint8_t> bytes(0);
-    for (int i = 0; i < L; ++i) bytes[i] = store_unorm8(c[i], mode);
+    for (glm::length_t i = 0; i < L; ++i) bytes[i] = store_unorm8(c[i], mode);
     return bytes;
 }
 
 /// What sampling gives back of stored bytes.
-template <real T = float, int L>
+template <real T = float, glm::length_t L>
 [[nodiscard]] constexpr glm::vec<L, T> load_unorm8(glm::vec<L, std::uint8_t> bytes) {
     glm::vec<L, T> c(0);
-    for (int i = 0; i < L; ++i) c[i] = T(bytes[i]) / T(255);
+    for (glm::length_t i = 0; i < L; ++i) c[i] = T(bytes[i]) / T(255);
     return c;
 }
 
@@ -835,7 +835,7 @@ namespace umbrage {
 /// @param v       any value; infinities, NaN and its payload survive
 /// @return        integer channels 0..255, R least significant
 /// @exactness     A: no arithmetic. Hardware that flushes denormals may deliver them as zero before we see them.
-[[nodiscard]] constexpr glm::u8vec4 encode_float_bits(float v) {
+[[nodiscard]] inline glm::u8vec4 encode_float_bits(float v) {
     const auto bits = detail::bit_cast<std::uint32_t>(v);
     return {static_cast<std::uint8_t>(bits & 0xFF), static_cast<std::uint8_t>(bits >> 8 & 0xFF),
             static_cast<std::uint8_t>(bits >> 16 & 0xFF), static_cast<std::uint8_t>(bits >> 24)};
@@ -852,7 +852,7 @@ namespace umbrage {
 /// @exactness     A
 [[nodiscard]] inline float decode_float_bits(glm::vec4 c) {
     glm::u8vec4 texel(0);
-    for (int i = 0; i < 4; ++i) texel[i] = static_cast<std::uint8_t>(from_unorm(saturate(c[i])));
+    for (glm::length_t i = 0; i < 4; ++i) texel[i] = static_cast<std::uint8_t>(from_unorm(saturate(c[i])));
     return decode_float_bits(texel);
 }
 
@@ -863,7 +863,7 @@ struct float_bits {
     static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
     static constexpr double max_error = 0.0;
 
-    [[nodiscard]] constexpr texel encode(float depth) const { return encode_float_bits(depth); }
+    [[nodiscard]] texel encode(float depth) const { return encode_float_bits(depth); }
     [[nodiscard]] constexpr float decode(texel t) const { return decode_float_bits(t); }
 };
 
@@ -1706,7 +1706,9 @@ template <int Bits, class Texel = glm::u8vec2>
 
 /// Width and height of the table as a texture.
 template <int Bits>
-inline constexpr glm::ivec2 rg_table_size = Bits <= 11 ? glm::ivec2(1 << Bits, 1) : glm::ivec2(2048, 1 << (Bits - 11));
+inline constexpr int rg_table_width = Bits <= 11 ? 1 << Bits : 2048;
+template <int Bits>
+inline const glm::ivec2 rg_table_size{rg_table_width<Bits>, (1 << Bits) / rg_table_width<Bits>};
 
 /// Depth to channels by one nearest fetch from the table: the texel encode_rg<Bits> computes.
 ///
@@ -1738,8 +1740,8 @@ UMBRAGE_HIGHP vec2 umbrage_encode_rg$b_table(UMBRAGE_MAP table, UMBRAGE_HIGHP fl
                                                                 {{'b', Bits},
                                                                  {'n', 1 << Bits},
                                                                  {'l', (1 << Bits) - 1},
-                                                                 {'w', unsigned(rg_table_size<Bits>.x)},
-                                                                 {'h', unsigned(rg_table_size<Bits>.y)}});
+                                                                 {'w', rg_table_width<Bits>},
+                                                                 {'h', (1 << Bits) / rg_table_width<Bits>}});
 template <int Bits>
 inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view(),
                                          .summary = "depth to two channels through a look-up texture",
@@ -2114,7 +2116,7 @@ template <real T>
 
 /// The taps of the 2002 sample: half a texel off in both directions.
 template <real T>
-inline constexpr std::array<glm::vec<2, T>, 4> default_taps{
+inline const std::array<glm::vec<2, T>, 4> default_taps{
     {{T(-0.5), T(-0.5)}, {T(0.5), T(-0.5)}, {T(-0.5), T(0.5)}, {T(0.5), T(0.5)}}};
 
 /// One texture matrix per tap, for hardware and shaders that cannot move a projective coordinate afterwards.
@@ -3670,7 +3672,7 @@ struct contrast_stretch {
 
     [[nodiscard]] float operator()(float v) const {
         if (is_nan(v) || v >= high) return 1.0f;
-        return v > low ? static_cast<float>((double(v) - low) / (double(high) - low)) : 0.0f;
+        return v > low ? static_cast<float>((double(v) - double(low)) / (double(high) - double(low))) : 0.0f;
     }
 };
 

@@ -23,7 +23,7 @@ namespace umbrage {
 /// @param v       any value; infinities, NaN and its payload survive
 /// @return        integer channels 0..255, R least significant
 /// @exactness     A: no arithmetic. Hardware that flushes denormals may deliver them as zero before we see them.
-[[nodiscard]] constexpr glm::u8vec4 encode_float_bits(float v) {
+[[nodiscard]] inline glm::u8vec4 encode_float_bits(float v) {
     const auto bits = detail::bit_cast<std::uint32_t>(v);
     return {static_cast<std::uint8_t>(bits & 0xFF), static_cast<std::uint8_t>(bits >> 8 & 0xFF),
             static_cast<std::uint8_t>(bits >> 16 & 0xFF), static_cast<std::uint8_t>(bits >> 24)};
@@ -40,7 +40,7 @@ namespace umbrage {
 /// @exactness     A
 [[nodiscard]] inline float decode_float_bits(glm::vec4 c) {
     glm::u8vec4 texel(0);
-    for (int i = 0; i < 4; ++i) texel[i] = static_cast<std::uint8_t>(from_unorm(saturate(c[i])));
+    for (glm::length_t i = 0; i < 4; ++i) texel[i] = static_cast<std::uint8_t>(from_unorm(saturate(c[i])));
     return decode_float_bits(texel);
 }
 
@@ -51,7 +51,7 @@ struct float_bits {
     static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
     static constexpr double max_error = 0.0;
 
-    [[nodiscard]] constexpr texel encode(float depth) const { return encode_float_bits(depth); }
+    [[nodiscard]] texel encode(float depth) const { return encode_float_bits(depth); }
     [[nodiscard]] constexpr float decode(texel t) const { return decode_float_bits(t); }
 };
 

@@ -33,7 +33,9 @@ template <int Bits, class Texel = glm::u8vec2>
 
 /// Width and height of the table as a texture.
 template <int Bits>
-inline constexpr glm::ivec2 rg_table_size = Bits <= 11 ? glm::ivec2(1 << Bits, 1) : glm::ivec2(2048, 1 << (Bits - 11));
+inline constexpr int rg_table_width = Bits <= 11 ? 1 << Bits : 2048;
+template <int Bits>
+inline const glm::ivec2 rg_table_size{rg_table_width<Bits>, (1 << Bits) / rg_table_width<Bits>};
 
 /// Depth to channels by one nearest fetch from the table: the texel encode_rg<Bits> computes.
 ///
@@ -65,8 +67,8 @@ UMBRAGE_HIGHP vec2 umbrage_encode_rg$b_table(UMBRAGE_MAP table, UMBRAGE_HIGHP fl
                                                                 {{'b', Bits},
                                                                  {'n', 1 << Bits},
                                                                  {'l', (1 << Bits) - 1},
-                                                                 {'w', unsigned(rg_table_size<Bits>.x)},
-                                                                 {'h', unsigned(rg_table_size<Bits>.y)}});
+                                                                 {'w', rg_table_width<Bits>},
+                                                                 {'h', (1 << Bits) / rg_table_width<Bits>}});
 template <int Bits>
 inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view(),
                                          .summary = "depth to two channels through a look-up texture",

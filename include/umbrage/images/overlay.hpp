@@ -32,7 +32,7 @@ struct contrast_stretch {
 
     [[nodiscard]] float operator()(float v) const {
         if (is_nan(v) || v >= high) return 1.0f;
-        return v > low ? static_cast<float>((double(v) - low) / (double(high) - low)) : 0.0f;
+        return v > low ? static_cast<float>((double(v) - double(low)) / (double(high) - double(low))) : 0.0f;
     }
 };
 

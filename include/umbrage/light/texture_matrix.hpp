@@ -50,7 +50,7 @@ template <real T>
 
 /// The taps of the 2002 sample: half a texel off in both directions.
 template <real T>
-inline constexpr std::array<glm::vec<2, T>, 4> default_taps{
+inline const std::array<glm::vec<2, T>, 4> default_taps{
     {{T(-0.5), T(-0.5)}, {T(0.5), T(-0.5)}, {T(-0.5), T(0.5)}, {T(0.5), T(0.5)}}};
 
 /// One texture matrix per tap, for hardware and shaders that cannot move a projective coordinate afterwards.
