@@ -39,7 +39,8 @@ int main(int argc, char** argv) try {
             inputs += j.count;
         };
         if (e.maps.empty()) take(make_job(e, nullptr, 0, count, 0));
-        for (const texels& map : e.maps) take(make_job(e, &map, 0, count, static_cast<std::uint64_t>(&map - e.maps.data())));
+        for (const texels& map : e.maps)
+            take(make_job(e, &map, 0, count, static_cast<std::uint64_t>(&map - e.maps.data())));
         if (e.whole.count) take(make_whole_job(e, 0, std::min<std::size_t>(count, e.whole.count), 0));
         std::printf("%s\t%zu\t%016" PRIx64 "\n", e.name().c_str(), inputs, sum.unsigned_zeros);
     }

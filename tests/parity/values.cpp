@@ -133,6 +133,19 @@ std::vector<input_class> receivers() {
             {"infinity", one_of_three([](std::uint64_t i, random&) { return infinity(i); })}};
 }
 
+std::vector<input_class> whole_texels() {
+    return {{"random", [](auto, random& r, sample& s) {
+                 for (int c = 0; c < 2; ++c) s.x[0][c] = static_cast<float>(r.below(s.map.size[c]));
+             }},
+            {"texel edges", [](std::uint64_t i, random& r, sample& s) {
+                 for (int c = 0; c < 2; ++c)
+                     s.x[0][c] = static_cast<float>(((i >> c & 1) ? s.map.size[c] : 0) + r.below(5) - 2);
+             }},
+            {"out of range", [](auto, random& r, sample& s) {
+                 for (int c = 0; c < 2; ++c) s.x[0][c] = std::floor(r.between(-32768.0f, 32768.0f));
+             }}};
+}
+
 namespace {
 
 std::vector<texels> maps(float (*value)(random&)) {

@@ -43,6 +43,9 @@ struct range {
 /// A receiver before a map: x0.x, x0.y in texels, x0.z depth, x0.w a whole number from -1 to 9.
 [[nodiscard]] std::vector<input_class> receivers();
 
+/// Whole texel numbers in x0.xy: inside, around the border, far off.
+[[nodiscard]] std::vector<input_class> whole_texels();
+
 /// A square map, one of odd size, a tiny one; depths on a lattice of 1/16, some of them 0, 1, NaN, denormal.
 [[nodiscard]] std::vector<texels> depth_maps();
 

@@ -1,20 +1,35 @@
 // SPDX-License-Identifier: MIT
 //
-// The families of entries. A new family is one function here, one file beside it, one line in all.cpp.
+// A file here for each header that defines snippets, of the same path: box.cpp of <umbrage/filter/pcf/box.hpp> stands
+// in filter/pcf and defines add_filter_pcf_box, which the build finds.
 #pragma once
 
 #include "../values.hpp"
 
 namespace parity {
 
-void add_scalar(std::vector<entry>& all);
-void add_depth_kinds(std::vector<entry>& all);
-void add_depth_rg(std::vector<entry>& all);
-void add_depth_rgba(std::vector<entry>& all);
-void add_depth_foreign(std::vector<entry>& all);
-void add_light(std::vector<entry>& all);
-void add_fetch(std::vector<entry>& all);
-void add_filter(std::vector<entry>& all);
-void add_shade(std::vector<entry>& all);
+/// What a user defines for reversed Z.
+inline const std::string reversed = "#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)\n";
+
+/// The coordinate that receivers() fills.
+[[nodiscard]] inline vec2 at(const sample& s) {
+    return vec2(s.x[0]);
+}
+
+/// The texel that whole_texels() fills.
+[[nodiscard]] inline ivec2 texel_of(const sample& s) {
+    return ivec2(at(s));
+}
+
+/// A filter called with map, size, receivers() and what else it takes, e.g. ", 0.5".
+[[nodiscard]] inline entry filter(const snippet& s, const std::string& arguments,
+                                  std::function<vec4(const sample&)> twin, enumeration whole = {}) {
+    return {.primitive = &s,
+            .classes = receivers(),
+            .whole = std::move(whole),
+            .twin = std::move(twin),
+            .call = "vec4(umbrage_" + std::string(s.name) + "(map, map_size, vec2(x0.x, x0.y), x0.z" + arguments + "))",
+            .maps = depth_maps()};
+}
 
 }  // namespace parity

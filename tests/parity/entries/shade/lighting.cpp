@@ -4,9 +4,8 @@
 #include <glm/geometric.hpp>
 
 #include <umbrage/shade/lighting.hpp>
-#include <umbrage/view/false_colour.hpp>
 
-#include "entries.hpp"
+#include "../entries.hpp"
 
 namespace parity {
 namespace {
@@ -27,10 +26,11 @@ std::vector<input_class> cones() {
 
 }  // namespace
 
-void add_shade(std::vector<entry>& all) {
+void add_shade_lighting(std::vector<entry>& all) {
     namespace glsl = umbrage::glsl;
 
-    all.push_back({.primitive = &glsl::spot_cone, .classes = cones(),
+    all.push_back({.primitive = &glsl::spot_cone,
+                   .classes = cones(),
                    .twin = [](const sample& s) { return vec4(spot_cone(vec3(s.x[0]), vec3(s.x[1]), s.x[0].w)); },
                    .call = "vec4(umbrage_spot_cone(vec3(x0.x, x0.y, x0.z), vec3(x1.x, x1.y, x1.z), x0.w))"});
     auto surfaces = spread({{0, 1}, {0, 1}, {0, 1}, {0, 1}, {-1, 1}, {0, 1}}, special_values());
@@ -39,14 +39,12 @@ void add_shade(std::vector<entry>& all) {
                             s.x[0] = vec4(r.unit(), r.unit(), 1.0f, 0.0f);
                             s.x[1] = vec4(std::array{0.0f, least, -least, 2.0f * least}[i % 4], 1.0f, 0.0f, 0.0f);
                         }});
-    all.push_back({.primitive = &glsl::diffuse_ambient, .classes = surfaces,
-                   .twin = [](const sample& s) {
-                       return vec4(diffuse_ambient(vec3(s.x[0]), s.x[0].w, s.x[1].x, s.x[1].y), 1.0f);
-                   },
-                   .call = "vec4(umbrage_diffuse_ambient(vec3(x0.x, x0.y, x0.z), x0.w, x1.x, x1.y), 1.0)"});
-    all.push_back({.primitive = &glsl::false_colour, .classes = spread({{0.0f, 1.0f}}, depth_values()),
-                   .twin = [](const sample& s) { return vec4(false_colour(s.x[0].x), 1.0f); },
-                   .call = "vec4(umbrage_false_colour(x0.x), 1.0)"});
+    all.push_back(
+        {.primitive = &glsl::diffuse_ambient,
+         .classes = surfaces,
+         .twin =
+             [](const sample& s) { return vec4(diffuse_ambient(vec3(s.x[0]), s.x[0].w, s.x[1].x, s.x[1].y), 1.0f); },
+         .call = "vec4(umbrage_diffuse_ambient(vec3(x0.x, x0.y, x0.z), x0.w, x1.x, x1.y), 1.0)"});
 }
 
 }  // namespace parity

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include <umbrage/compare.hpp>
+
+#include <cmath>
+
+#include "entries.hpp"
+
+namespace parity {
+namespace {
+
+using namespace umbrage;
+
+/// Pairs of depths in x0.x and x0.y, and an epsilon in x0.z; in "ties" the pair is equal, or an ulp or the epsilon
+/// apart.
+std::vector<input_class> pairs() {
+    auto classes = spread({{0.0f, 1.0f}, {0.0f, 1.0f}, {0.0f, 0.01f}}, depth_values());
+    classes.push_back(
+        {"ties", [](std::uint64_t i, random& r, sample& s) {
+             const float depth = r.unit(), epsilon = static_cast<float>(r.below(64)) / 4096.0f;
+             const float other[] = {depth, std::nextafter(depth, 2.0f), std::nextafter(depth, -1.0f), depth + epsilon};
+             s.x[0] = {other[i % 4], depth, epsilon, 0.0f};
+         }});
+    return classes;
+}
+
+}  // namespace
+
+void add_compare(std::vector<entry>& all) {
+    namespace glsl = umbrage::glsl;
+
+    all.push_back({.primitive = &glsl::compare,
+                   .classes = pairs(),
+                   .twin = [](const sample& s) { return vec4(compare(s.x[0].x, s.x[0].y)); },
+                   .call = "vec4(umbrage_compare(x0.x, x0.y))"});
+    all.push_back({.primitive = &glsl::compare,
+                   .variant = "reversed",
+                   .classes = pairs(),
+                   .twin = [](const sample& s) { return vec4(compare(s.x[0].x, s.x[0].y, greater_equal{})); },
+                   .call = "vec4(umbrage_compare(x0.x, x0.y))",
+                   .preamble = reversed});
+    all.push_back({.primitive = &glsl::compare_dx_sdk,
+                   .classes = pairs(),
+                   .twin = [](const sample& s) { return vec4(compare_dx_sdk(s.x[0].x, s.x[0].y, s.x[0].z)); },
+                   .call = "vec4(umbrage_compare_dx_sdk(x0.x, x0.y, x0.z))"});
+    all.push_back({.primitive = &glsl::compare_exercise,
+                   .classes = pairs(),
+                   .twin = [](const sample& s) { return vec4(compare_exercise(s.x[0].x, s.x[0].y, s.x[0].z)); },
+                   .call = "vec4(umbrage_compare_exercise(x0.x, x0.y, x0.z))"});
+}
+
+}  // namespace parity
