@@ -9,6 +9,7 @@
 
 #include <umbrage/images/blur.hpp>
 #include <umbrage/images/encode.hpp>
+#include <umbrage/images/mesh.hpp>
 #include <umbrage/images/min_max.hpp>
 #include <umbrage/images/overlay.hpp>
 #include <umbrage/images/parallel.hpp>

@@ -2933,6 +2933,9 @@ namespace umbrage::detail {
 [[nodiscard]] UMBRAGE_INLINE inline float masked(float v, std::int32_t mask) {
     return detail::bit_cast<float>(detail::bit_cast<std::int32_t>(v) & mask);
 }
+[[nodiscard]] UMBRAGE_INLINE inline double masked(double v, std::int64_t mask) {
+    return detail::bit_cast<double>(detail::bit_cast<std::int64_t>(v) & mask);
+}
 [[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
     return detail::bit_cast<float>((detail::bit_cast<std::int32_t>(a) & mask) | (detail::bit_cast<std::int32_t>(b) & ~mask));
 }
@@ -3566,6 +3569,25 @@ void decode(image_view<const typename Encoding::texel> texels, image_view<float>
 
 }  // namespace umbrage
 
+// ---- umbrage/images/mesh.hpp
+// What the depth pass draws.
+//
+//     umbrage::mesh_view mesh{positions, triangles};
+//
+
+namespace umbrage {
+
+/// Triangles that somebody else owns: three indices into the positions each.
+struct mesh_view {
+    std::span<const glm::vec3> positions;
+    std::span<const glm::uvec3> triangles;
+};
+
+/// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up.
+enum class cull_mode { none, front, back };
+
+}  // namespace umbrage
+
 // ---- umbrage/images/min_max.hpp
 // Least and greatest depth of every square of 2 x 2, 4 x 4, ... texels of a map.
 //
@@ -3732,18 +3754,18 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
 
 }  // namespace umbrage
 
-// ---- umbrage/simd/raster/clip.hpp
-// From world positions to vertices on the 1/256 texel grid: projection, clipping, snapping.
+// ---- umbrage/simd/raster/projection.hpp
+// From world positions to vertices on the 1/256 texel grid: projected and snapped, one at a time or in blocks.
 //
-//     umbrage::projection project(world_to_clip, clip, {1024, 1024});
-//     umbrage::clipped_polygon polygon = umbrage::clip_triangle(project, a, b, c);
+//     projection project(world_to_clip, clip, {1024, 1024});
+//     snapped_vertex vertex = project.snap(project.homogeneous(position));
 //
 // Texels are counted from the bottom in here (NDC y = -1), whatever the clip space says: the texture origin only
 // mirrors rows when texels are written, so that both origins give the same picture.
 //
 
 UMBRAGE_STRICT_MATH
-namespace umbrage {
+namespace umbrage::detail {
 
 /// Steps of the vertex grid in a texel.
 inline constexpr int subtexels = 256;
@@ -3779,9 +3801,9 @@ public:
     /// @throws std::invalid_argument  a side of `size` is negative or above guard_band
     projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size)
         : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
-        if (size.x < 0 || size.y < 0) detail::fail("umbrage::projection: negative size");
+        if (size.x < 0 || size.y < 0) detail::fail("umbrage::rasterize: negative size");
         if (size.x > guard_band || size.y > guard_band)
-            detail::fail("umbrage::projection: image side above 16384 texels");
+            detail::fail("umbrage::rasterize: image side above 16384 texels");
     }
 
     [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {
@@ -3842,23 +3864,23 @@ public:
 
     /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes become `outside_vertex`.
     /// @exactness  the bits of one by one
-    void snap(const glm::vec3 (&positions)[detail::block], snapped_vertex (&vertices)[detail::block]) const {
+    void snap(const glm::vec3 (&positions)[block], snapped_vertex (&vertices)[block]) const {
         using bits = std::int64_t;
         constexpr bits minus_zero = std::numeric_limits<bits>::min();
         const bool forward = clip_.direction == depth_direction::forward;
         const double z_share = clip_.range == depth_range::minus_one_to_one ? 0.5 : 1.0, w_share = 1.0 - z_share;
         const double near_z = forward ? 1.0 : -1.0, near_w = forward ? 0.0 : 1.0;
         const bits lowest = forward ? 0 : minus_zero;
-        const bits highest = forward ? std::numeric_limits<bits>::max() : detail::bit_cast<bits>(1.0);
-        detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
-            alignas(64) float x[detail::block], y[detail::block], z[detail::block];
-            alignas(64) double column[detail::block], row[detail::block], depth[detail::block];
-            alignas(64) bits outside[detail::block];
-            for (int i = 0; i < detail::block; ++i)
+        const bits highest = forward ? std::numeric_limits<bits>::max() : bit_cast<bits>(1.0);
+        on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+            alignas(64) float x[block], y[block], z[block];
+            alignas(64) double column[block], row[block], depth[block];
+            alignas(64) bits outside[block];
+            for (int i = 0; i < block; ++i)
                 x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
             const glm::dmat4 m = matrix_;
             const glm::dvec2 half_size = half_size_;
-            for (int i = 0; i < detail::block; ++i) {
+            for (int i = 0; i < block; ++i) {
                 const auto clip_row = [&](int r) UMBRAGE_INLINE {
                     return m[0][r] * double(x[i]) + m[1][r] * double(y[i]) + m[2][r] * double(z[i]) + m[3][r];
                 };
@@ -3866,30 +3888,30 @@ public:
                 const double hx = (clip_row(0) + w) * half_size.x, hy = (clip_row(1) + w) * half_size.y;
                 const double hz = z_share * clip_row(2) + w_share * w;
                 const auto bit = [](double distance, int plane) UMBRAGE_INLINE {
-                    const bits d = detail::bit_cast<bits>(distance);
+                    const bits d = bit_cast<bits>(distance);
                     return bits((d < 0) & (d != minus_zero)) << plane;
                 };
                 outside[i] = bit(w - smallest_w, 0) | bit(near_z * hz + near_w * w, 1) | bit(band + hx, 2) |
                              bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5);
                 const bits inside = -bits(outside[i] == 0);
-                column[i] = detail::bit_cast<double>(detail::bit_cast<bits>(hx / w * subtexels + 0.5) & inside);
-                row[i] = detail::bit_cast<double>(detail::bit_cast<bits>(hy / w * subtexels + 0.5) & inside);
-                bits d = detail::bit_cast<bits>(hz / w);
+                column[i] = bit_cast<double>(bit_cast<bits>(hx / w * subtexels + 0.5) & inside);
+                row[i] = bit_cast<double>(bit_cast<bits>(hy / w * subtexels + 0.5) & inside);
+                bits d = bit_cast<bits>(hz / w);
                 d = d < lowest ? lowest : d;
                 d = d > highest ? highest : d;
-                depth[i] = detail::bit_cast<double>(d & inside);
+                depth[i] = bit_cast<double>(d & inside);
             }
-            alignas(64) std::int32_t columns[detail::block], rows[detail::block];
+            alignas(64) std::int32_t columns[block], rows[block];
             const auto floors = [](const double* from, std::int32_t* to) UMBRAGE_INLINE {
-                for (int i = 0; i < detail::block; ++i) {
+                for (int i = 0; i < block; ++i) {
                     const auto whole = static_cast<std::int32_t>(from[i]);
                     to[i] = whole - std::int32_t(from[i] < whole);
                 }
             };
             floors(column, columns);
             floors(row, rows);
-            for (int i = 0; i < detail::block; ++i) vertices[i] = {columns[i], rows[i], depth[i]};
-            for (int i = 0; i < detail::block; ++i)
+            for (int i = 0; i < block; ++i) vertices[i] = {columns[i], rows[i], depth[i]};
+            for (int i = 0; i < block; ++i)
                 if (outside[i]) vertices[i] = outside_vertex(static_cast<unsigned>(outside[i]));
         });
     }
@@ -3907,13 +3929,25 @@ private:
 };
 
 /// True when no element is NaN or infinite.
-[[nodiscard]] inline bool is_finite(glm::vec3 p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
-[[nodiscard]] inline bool is_finite(const glm::mat4& m) {
+[[nodiscard]] inline bool all_finite(glm::vec3 p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
+[[nodiscard]] inline bool all_finite(const glm::mat4& m) {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
             if (!is_finite(m[column][row])) return false;
     return true;
 }
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/simd/raster/clip.hpp
+// The part of a triangle that can be drawn: in front of the near plane, within the guard band.
+//
+//     clipped_polygon polygon = clip_triangle(project, a, b, c);
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
 
 /// A convex polygon on the grid, its smallest vertex first: a fan around that vertex is the same whichever vertex
 /// of the triangle came first, and whichever way round they went.
@@ -3952,15 +3986,15 @@ struct clipped_polygon {
     return polygon;
 }
 
-}  // namespace umbrage
+}  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
 // ---- umbrage/simd/raster/triangle_batch.hpp
 // Triangles on the vertex grid, 64 at a time: edges and depth planes set up in loops that vectorise, then spans row by
 // row without a division.
 //
-//     umbrage::triangle_batch batch;
-//     batch.add(p, q, r, id, {{0, 0}, size}, umbrage::cull_mode::none);  // and more, until it is full()
+//     triangle_batch batch;
+//     batch.add(p, q, r, id, {{0, 0}, size}, cull_mode::none);  // and more, until it is full()
 //     batch.set_up();
 //     for (int i = 0; i < batch.count; ++i)
 //         batch.for_each_row(i, [&](int y, int first, int last) { ... });
@@ -3970,10 +4004,7 @@ UMBRAGE_END_STRICT_MATH
 // quotient and its remainder grow by constants, so that it stays exact.
 
 UMBRAGE_STRICT_MATH
-namespace umbrage {
-
-/// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up.
-enum class cull_mode { none, front, back };
+namespace umbrage::detail {
 
 /// Depth over a triangle, exact on its grid: z + dx * x + dy * y for texels x, y counted from `first`.
 struct depth_plane {
@@ -3995,12 +4026,10 @@ struct texel_bounds {
     glm::ivec2 first, last;
 };
 
-namespace detail {
-
 /// A whole number to an integer, anything else to one of its neighbours; |v| < 2^51. AVX2 has no conversion.
 [[nodiscard]] UMBRAGE_INLINE inline std::int64_t to_integer(double v) {
     constexpr double magic = 0x1.8p52;
-    return detail::bit_cast<std::int64_t>(v + magic) - detail::bit_cast<std::int64_t>(magic);
+    return bit_cast<std::int64_t>(v + magic) - bit_cast<std::int64_t>(magic);
 }
 
 /// Towards zero; |v| < 2^63.
@@ -4010,16 +4039,14 @@ template <isa Set>
     else return static_cast<double>(static_cast<std::int64_t>(v));
 }
 
-}  // namespace detail
-
 /// Up to 64 triangles, each coordinate an array of its own.
 class triangle_batch {
 public:
     int count = 0;
-    alignas(64) unsigned id[detail::block];
+    alignas(64) unsigned id[block];
 
     triangle_batch() {  // every lane is set up, used or not
-        for (int i = 0; i < detail::block; ++i) {
+        for (int i = 0; i < block; ++i) {
             id[i] = 0;
             first_[0][i] = first_[1][i] = last_[0][i] = last_[1][i] = 0;
             for (auto& depth : z_) depth[i] = 0.0;
@@ -4033,7 +4060,7 @@ public:
         return {(lowest + subtexels - centre) >> 8, ((highest - centre) >> 8) + 1};
     }
 
-    [[nodiscard]] bool full() const { return count == detail::block; }
+    [[nodiscard]] bool full() const { return count == block; }
 
     /// Takes a triangle unless it faces away, has no area or no sample in its bounds can be within `bounds`.
     /// There must be room.
@@ -4070,7 +4097,7 @@ public:
     ///             1/256 texel and m the sum of the depth's and the two slopes' magnitudes over the bounds, a sample is
     ///             within 2^-48 n m of the plane through the snapped vertices
     void set_up() {
-        detail::on_best_isa([this](auto set) UMBRAGE_INLINE {
+        on_best_isa([this](auto set) UMBRAGE_INLINE {
             for (int k = 0; k < 3; ++k) set_up_edges(k);
             set_up_planes<decltype(set)::value>();
         });
@@ -4123,8 +4150,8 @@ private:
         }
     };
     struct edges {
-        alignas(64) std::int64_t quotient[detail::block], remainder[detail::block], quotient_step[detail::block],
-            remainder_step[detail::block], divisor[detail::block];
+        alignas(64) std::int64_t quotient[block], remainder[block], quotient_step[block],
+            remainder_step[block], divisor[block];
     };
 
     [[nodiscard]] UMBRAGE_INLINE edge edge_at(int k, int i) const {
@@ -4136,16 +4163,16 @@ private:
     UMBRAGE_INLINE void set_up_edges(int k) {
         edges& e = edges_[k];
         const auto &ax = x_[k], &ay = y_[k], &bx = x_[k == 2 ? 0 : k + 1], &by = y_[k == 2 ? 0 : k + 1];
-        for (int i = 0; i < detail::block; ++i) {
+        for (int i = 0; i < block; ++i) {
             const std::int32_t up = by[i] - ay[i], level = up == 0, right = (bx[i] - ax[i]) & (level - 1);
             const std::int32_t from_a_x = first_[0][i] * subtexels + centre - ax[i];
             const std::int32_t from_a_y = first_[1][i] * subtexels + centre - ay[i];
             const double value = double(right) * from_a_y + double(-up) * from_a_x - double(up > 0);
             const double divisor = double((up < 0 ? -up : up) + level) * subtexels, step = double(right) * subtexels;
-            const std::int64_t d = detail::to_integer(divisor);
+            const std::int64_t d = to_integer(divisor);
             const auto divide = [&](double dividend, std::int64_t& quotient, std::int64_t& remainder) UMBRAGE_INLINE {
-                const std::int64_t q = detail::to_integer(dividend / divisor);  // or one off
-                const std::int64_t rest = detail::to_integer(dividend) - q * d;
+                const std::int64_t q = to_integer(dividend / divisor);  // or one off
+                const std::int64_t rest = to_integer(dividend) - q * d;
                 const std::int64_t below = -std::int64_t(rest < 0), above = -std::int64_t(rest >= d);
                 quotient = q + below - above;
                 remainder = rest + (d & below) - (d & above);
@@ -4158,21 +4185,18 @@ private:
         }
     }
 
-    template <detail::isa Set>
+    template <isa Set>
     UMBRAGE_INLINE void set_up_planes() {
         using bits = std::int64_t;
         constexpr bits exponent = 0x7FF0000000000000, magnitude = 0x7FFFFFFFFFFFFFFF, short_digits = ~bits(0x3FFFFFF);
-        constexpr bits tiny = detail::bit_cast<bits>(0x1p-200);
-        const auto masked = [](double v, bits mask) UMBRAGE_INLINE {
-            return detail::bit_cast<double>(detail::bit_cast<bits>(v) & mask);
-        };
+        constexpr bits tiny = bit_cast<bits>(0x1p-200);
         const auto power_of_two = [](double a, double b, double c) UMBRAGE_INLINE {  // the largest's, rounded down
-            const bits p = detail::bit_cast<bits>(a) & exponent, q = detail::bit_cast<bits>(b) & exponent;
-            const bits r = detail::bit_cast<bits>(c) & exponent;
+            const bits p = bit_cast<bits>(a) & exponent, q = bit_cast<bits>(b) & exponent;
+            const bits r = bit_cast<bits>(c) & exponent;
             const bits largest = p < q ? q : p, other = r < tiny ? tiny : r;
-            return detail::bit_cast<double>(largest < other ? other : largest);
+            return bit_cast<double>(largest < other ? other : largest);
         };
-        for (int i = 0; i < detail::block; ++i) {
+        for (int i = 0; i < block; ++i) {
             const double x1 = x_[1][i] - x_[0][i], y1 = y_[1][i] - y_[0][i];
             const double x2 = x_[2][i] - x_[0][i], y2 = y_[2][i] - y_[0][i];
             const std::int32_t left = std::min(std::min(x_[0][i], x_[1][i]), x_[2][i]);
@@ -4186,9 +4210,9 @@ private:
             const double side = std::max(right - left, top - bottom);
             double unit = power_of_two(z_[0][i], z_[1][i], z_[2][i]) * masked(side, exponent) * 0x1p-49;
             double units = 1.0 / unit;
-            const double z0 = detail::truncate<Set>(z_[0][i] * units) * unit;
-            const double z1 = detail::truncate<Set>(z_[1][i] * units) * unit;
-            const double z2 = detail::truncate<Set>(z_[2][i] * units) * unit;
+            const double z0 = truncate<Set>(z_[0][i] * units) * unit;
+            const double z1 = truncate<Set>(z_[1][i] * units) * unit;
+            const double z2 = truncate<Set>(z_[2][i] * units) * unit;
             const double slope_x = ((z1 - z0) * y2 + (z2 - z0) * -y1) * per_area;
             const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) * per_area;
 
@@ -4197,9 +4221,9 @@ private:
                                  masked(slope_y, magnitude & short_digits) * height;
             unit = power_of_two(reach, 0.0, 0.0) * 0x1p-51;
             units = 1.0 / unit;
-            const double dx = detail::truncate<Set>(slope_x * units) * unit;
-            const double dy = detail::truncate<Set>(slope_y * units) * unit;
-            depth_[i] = detail::truncate<Set>(z0 * units) * unit +
+            const double dx = truncate<Set>(slope_x * units) * unit;
+            const double dy = truncate<Set>(slope_y * units) * unit;
+            depth_[i] = truncate<Set>(z0 * units) * unit +
                         dx * (first_[0][i] * subtexels + centre - x_[0][i]) +
                         dy * (first_[1][i] * subtexels + centre - y_[0][i]);
             dx_[i] = dx * subtexels;
@@ -4208,33 +4232,26 @@ private:
         }
     }
 
-    alignas(64) std::int32_t x_[3][detail::block], y_[3][detail::block];  // counter-clockwise from the smallest
-    alignas(64) double z_[3][detail::block];
-    alignas(64) std::int32_t first_[2][detail::block], last_[2][detail::block];  // texels whose centres are within the bounds
+    alignas(64) std::int32_t x_[3][block], y_[3][block];  // counter-clockwise from the smallest
+    alignas(64) double z_[3][block];
+    alignas(64) std::int32_t first_[2][block], last_[2][block];  // texels whose centres are within the bounds
     edges edges_[3];
-    alignas(64) double depth_[detail::block], dx_[detail::block], dy_[detail::block];
+    alignas(64) double depth_[block], dx_[block], dy_[block];
 };
 
-}  // namespace umbrage
+}  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
 // ---- umbrage/simd/raster/projected_mesh.hpp
-// A mesh on the grid of an image: its vertices projected and snapped in blocks, its triangles handed out in batches.
-// The rasterizer's middle, between clip.hpp and the spans of triangle_batch.hpp.
+// A mesh on the grid of an image: its vertices projected and snapped in blocks, its triangles clipped and handed out in
+// batches, in the order that the caller chooses.
 //
-//     umbrage::mesh_view mesh{positions, triangles};
+//     const projected_mesh projected(size, mesh, world_to_clip, clip, serial{});
+//     projected.for_each_batch(triangles, bounds, cull_mode::none, [&](const triangle_batch& batch) { ... });
 //
 
 UMBRAGE_STRICT_MATH
-namespace umbrage {
-
-/// Triangles that somebody else owns: three indices into the positions each.
-struct mesh_view {
-    std::span<const glm::vec3> positions;
-    std::span<const glm::uvec3> triangles;
-};
-
-namespace detail {
+namespace umbrage::detail {
 
 /// Room for vertices, each written before it is read: a vector would write them twice. (<memory>, which has a class
 /// for this, brings the streams along.)
@@ -4264,7 +4281,7 @@ public:
         for (const auto& t : mesh.triangles)
             if (t.x >= mesh.positions.size() || t.y >= mesh.positions.size() || t.z >= mesh.positions.size())
                 detail::fail("umbrage::rasterize: a triangle's index is out of range");
-        if (size.x == 0 || size.y == 0 || !is_finite(world_to_clip)) mesh_.triangles = {};
+        if (size.x == 0 || size.y == 0 || !all_finite(world_to_clip)) mesh_.triangles = {};
         if (mesh_.triangles.empty()) return;
         const std::size_t count = mesh.positions.size();
         vertices_.make((count + block - 1) / block * block);
@@ -4275,8 +4292,8 @@ public:
         });
     }
 
-    /// Starts to fetch what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh. Inlined:
-    /// for GCC a function that only fetches has no effect, and a call of it is left out.
+    /// Prefetches what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh. Inlined for the
+    /// reason that prefetch_line() gives.
     UMBRAGE_INLINE void expect(std::span<const unsigned> list, std::size_t k) const {
         constexpr std::size_t soon = 16, later = 32;
         if (k + later < list.size()) prefetch_line(&mesh_.triangles[list[k + later]]);
@@ -4355,7 +4372,7 @@ private:
             positions[i] = mesh_.positions[std::min(first + i, mesh_.positions.size() - 1)];
         bool finite[block];
         for (std::size_t i = 0; i < block; ++i) {
-            finite[i] = is_finite(positions[i]);
+            finite[i] = all_finite(positions[i]);
             if (!finite[i]) positions[i] = glm::vec3(0.0f);
         }
         alignas(64) snapped_vertex vertices[block];
@@ -4368,32 +4385,18 @@ private:
     unwritten_vertices vertices_;
 };
 
-}  // namespace detail
-}  // namespace umbrage
+}  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
-// ---- umbrage/images/rasterize.hpp
-// The depth pass on the CPU: triangles into a depth image, each sample on a shared edge covered exactly once.
+// ---- umbrage/simd/raster/banded_triangles.hpp
+// The triangles of a mesh sorted into bands of rows, which threads draw side by side.
 //
-//     umbrage::image<float> map({1024, 1024}, umbrage::cleared_depth(clip));
-//     umbrage::rasterize_depth(map, {positions, triangles}, world_to_clip, clip);
-//
-// A camera pass keeps the nearest triangle of each texel and interpolates afterwards:
-//
-//     umbrage::rasterize(size, mesh, world_to_clip, clip, [&](glm::ivec2 texel, float z, unsigned triangle) {
-//         if (z <= depth[texel]) depth[texel] = z, visible[texel] = triangle;
-//     });
-//     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, visible[texel]);
-//
-// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left
-// rule (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a
-// grid on which every sample is then computed exactly. So no order of triangles or vertices, no threads, no instruction
-// set and no contraction to FMA changes a bit; of clipped triangles the last may move a cut by 1/256 texel.
+//     const banded_triangles banded(projected, size, parallel);
+//     banded.for_each(band, [&](unsigned triangle) { ... });
 //
 
 UMBRAGE_STRICT_MATH
-namespace umbrage {
-namespace detail {
+namespace umbrage::detail {
 
 /// Which triangles may touch which band of rows, so that a band stays in the cache while it is drawn.
 class banded_triangles {
@@ -4434,6 +4437,18 @@ private:
     std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band
 };
 
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/simd/raster/span_writer.hpp
+// Spans of triangles into a depth image: the nearer of what is there and the plane's depth, some texels at a time.
+//
+//     draw_batch<true>(depth, flipped, batch);
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
 /// A triangle's depths into an image, that many texels of a row at a time.
 template <bool Forward, int Lanes>
 class span_writer {
@@ -4443,7 +4458,7 @@ public:
           up_(flipped ? -depth.stride : depth.stride),
           last_block_(depth.size.x - Lanes) {}
 
-    /// Starts to fetch the texels of a triangle, which for a small one takes as long as to draw another.
+    /// Prefetches the texels of a triangle: their latency is about the time that it takes to draw another small one.
     UMBRAGE_INLINE void expect(const triangle_batch& batch, int i) const {
         const auto bounds = batch.bounds(i);
         for (int y = bounds.first.y; y < std::min(bounds.last.y, bounds.first.y + 16); ++y)
@@ -4483,8 +4498,8 @@ private:
         std::int32_t lowest, highest;
 
         UMBRAGE_INLINE explicit block_writer(const depth_plane& plane)
-            : lowest(detail::bit_cast<std::int32_t>(static_cast<float>(plane.lowest))),
-              highest(detail::bit_cast<std::int32_t>(static_cast<float>(plane.highest))) {
+            : lowest(bit_cast<std::int32_t>(static_cast<float>(plane.lowest))),
+              highest(bit_cast<std::int32_t>(static_cast<float>(plane.highest))) {
             for (int i = 0; i < Lanes; ++i) ramp[i] = plane.dx * i;
         }
 
@@ -4534,7 +4549,30 @@ void draw_batch(image_view<float> depth, bool flipped, const triangle_batch& bat
     });
 }
 
-}  // namespace detail
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/images/rasterize.hpp
+// The depth pass on the CPU: triangles into a depth image, each sample on a shared edge covered exactly once.
+//
+//     umbrage::image<float> map({1024, 1024}, umbrage::cleared_depth(clip));
+//     umbrage::rasterize_depth(map, {positions, triangles}, world_to_clip, clip);
+//
+// A camera pass keeps the nearest triangle of each texel and interpolates afterwards:
+//
+//     umbrage::rasterize(size, mesh, world_to_clip, clip, [&](glm::ivec2 texel, float z, unsigned triangle) {
+//         if (z <= depth[texel]) depth[texel] = z, visible[texel] = triangle;
+//     });
+//     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, visible[texel]);
+//
+// Vertices are snapped to 1/256 texel, edges are evaluated in integers at texel centres, and ties go by the top-left
+// rule (top and left as NDC has them, for either texture origin). Depth is a plane whose coefficients are rounded to a
+// grid on which every sample is then computed exactly. So no order of triangles or vertices, no threads, no instruction
+// set and no contraction to FMA changes a bit; of clipped triangles the last may move a cut by 1/256 texel.
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
 
 /// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
 ///
@@ -4548,7 +4586,7 @@ void draw_batch(image_view<float> depth, bool flipped, const triangle_batch& bat
 /// @throws std::invalid_argument  an index is out of range; a side of the image is above 16384
 /// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
 ///              the far plane; never -0
-/// @exactness   coverage A from the snapped vertices on; depth B, see triangle_batch::set_up
+/// @exactness   coverage A from the snapped vertices on; depth B, see simd/raster/triangle_batch.hpp: set_up
 template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      cull_mode cull = cull_mode::none, ParallelFor&& parallel = {}) {
@@ -4557,10 +4595,10 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::
     const detail::banded_triangles banded(projected, depth.size, parallel);
     parallel(banded.bands(), [&](int first, int last) {
         for (int band = first; band < last; ++band) {
-            const texel_bounds bounds{{0, band * banded.rows()},
+            const detail::texel_bounds bounds{{0, band * banded.rows()},
                                       {depth.size.x, std::min((band + 1) * banded.rows(), depth.size.y)}};
             const auto triangles = [&](const auto& use) { banded.for_each(band, use); };
-            projected.for_each_batch(triangles, bounds, cull, [&](const triangle_batch& batch) {
+            projected.for_each_batch(triangles, bounds, cull, [&](const detail::triangle_batch& batch) {
                 if (forward) detail::draw_batch<true>(depth, flipped, batch);
                 else detail::draw_batch<false>(depth, flipped, batch);
             });
@@ -4582,7 +4620,7 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
     const auto triangles = [&](const auto& use) {
         for (unsigned i = 0; i < projected.triangle_count(); ++i) use(i);
     };
-    projected.for_each_batch(triangles, {{0, 0}, size}, cull, [&](const triangle_batch& batch) {
+    projected.for_each_batch(triangles, {{0, 0}, size}, cull, [&](const detail::triangle_batch& batch) {
         for (int i = 0; i < batch.count; ++i) {
             const auto plane = batch.plane(i);
             batch.for_each_row(i, [&](int y, int first, int last) {
@@ -4605,7 +4643,7 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
 [[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
                                             clip_space clip, glm::ivec2 texel, unsigned triangle) {
     assert(triangle < mesh.triangles.size());
-    const projection project(world_to_clip, clip, size);
+    const detail::projection project(world_to_clip, clip, size);
     const double centre_x = texel.x + 0.5;
     const double centre_y = clip.origin == texture_origin::top ? size.y - texel.y - 0.5 : texel.y + 0.5;
     std::array<glm::dvec2, 3> from;  // the centre to each vertex, times w

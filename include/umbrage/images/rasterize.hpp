@@ -21,13 +21,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <limits>
-#include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -35,159 +30,18 @@
 
 #include <umbrage/clip_space.hpp>
 #include <umbrage/image.hpp>
-#include <umbrage/simd/raster/clip.hpp>
-#include <umbrage/simd/dispatch.hpp>
-#include <umbrage/simd/memory.hpp>
+#include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>
-#include <umbrage/simd/raster/projected_mesh.hpp>
-#include <umbrage/simd/strict_math.hpp>
-#include <umbrage/simd/raster/triangle_batch.hpp>
 #include <umbrage/scalar.hpp>
+#include <umbrage/simd/raster/banded_triangles.hpp>
+#include <umbrage/simd/raster/projected_mesh.hpp>
+#include <umbrage/simd/raster/projection.hpp>
+#include <umbrage/simd/raster/span_writer.hpp>
+#include <umbrage/simd/raster/triangle_batch.hpp>
+#include <umbrage/simd/strict_math.hpp>
 
 UMBRAGE_STRICT_MATH
 namespace umbrage {
-namespace detail {
-
-/// Which triangles may touch which band of rows, so that a band stays in the cache while it is drawn.
-class banded_triangles {
-public:
-    template <class ParallelFor>
-    banded_triangles(const projected_mesh& mesh, glm::ivec2 size, ParallelFor&& parallel)
-        : mesh_(mesh), rows_(std::clamp(band_texels / std::max(size.x, 1), 1, band_rows)), bands_((size.y + rows_ - 1) / rows_) {
-        const unsigned triangles = mesh.triangle_count(), pieces = (triangles + piece - 1) / piece;
-        lists_.resize(std::size_t(pieces) * std::size_t(bands_));
-        parallel(static_cast<int>(pieces), [&](int first, int last) {
-            for (unsigned i = unsigned(first) * piece; i < std::min(unsigned(last) * piece, triangles); ++i) {
-                const auto [low, high] = mesh.rows(i, size.y);
-                for (int band = low / rows_; band * rows_ < high; ++band)
-                    lists_[std::size_t(i / piece) * std::size_t(bands_) + std::size_t(band)].push_back(i);
-            }
-        });
-    }
-
-    [[nodiscard]] int bands() const { return bands_; }
-    [[nodiscard]] int rows() const { return rows_; }
-
-    /// In the mesh's order.
-    template <class Use>
-    void for_each(int band, const Use& use) const {
-        for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands_))
-            for (std::size_t k = 0; k < lists_[i].size(); ++k) {
-                mesh_.expect(lists_[i], k);
-                use(lists_[i][k]);
-            }
-    }
-
-private:
-    static constexpr int band_texels = 1 << 16, band_rows = 64;
-    static constexpr unsigned piece = 1 << 16;  // triangles that one thread sorts at a time
-
-    const projected_mesh& mesh_;
-    int rows_, bands_;
-    std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band
-};
-
-/// A triangle's depths into an image, that many texels of a row at a time.
-template <bool Forward, int Lanes>
-class span_writer {
-public:
-    UMBRAGE_INLINE span_writer(image_view<float> depth, bool flipped)
-        : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
-          up_(flipped ? -depth.stride : depth.stride),
-          last_block_(depth.size.x - Lanes) {}
-
-    /// Starts to fetch the texels of a triangle, which for a small one takes as long as to draw another.
-    UMBRAGE_INLINE void expect(const triangle_batch& batch, int i) const {
-        const auto bounds = batch.bounds(i);
-        for (int y = bounds.first.y; y < std::min(bounds.last.y, bounds.first.y + 16); ++y)
-            prefetch_line(row(y) + bounds.first.x);
-    }
-
-    UMBRAGE_INLINE void draw(const triangle_batch& batch, int i) const {
-        const auto plane = batch.plane(i);
-        // Depths of one sign, and none that is flushed: their bits are in their order.
-        if (plane.lowest >= 0x1p-126 && plane.highest <= 1.0) {
-            const block_writer write(plane);
-            const double step = plane.dx * Lanes;
-            batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
-                float* const texels = row(y);
-                double z = plane.unclamped(first, y);
-                for (; first < last; first += Lanes, z += step) {
-                    if (first > last_block_) return write.at_border(texels + first, z, last - first);
-                    write(texels + first, z, last - first);
-                }
-            });
-        } else {
-            batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
-                float* const texels = row(y);
-                for (int x = first; x < last; ++x) {
-                    const double z = plane(x, y);
-                    if (!(z >= 0.0 && z <= 1.0)) continue;
-                    const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
-                    if (!is_nan(texels[x]) && (Forward ? stored <= texels[x] : stored >= texels[x])) texels[x] = stored;
-                }
-            });
-        }
-    }
-
-private:
-    struct block_writer {
-        double ramp[Lanes];
-        std::int32_t lowest, highest;
-
-        UMBRAGE_INLINE explicit block_writer(const depth_plane& plane)
-            : lowest(detail::bit_cast<std::int32_t>(static_cast<float>(plane.lowest))),
-              highest(detail::bit_cast<std::int32_t>(static_cast<float>(plane.highest))) {
-            for (int i = 0; i < Lanes; ++i) ramp[i] = plane.dx * i;
-        }
-
-        /// The first `count` of a block's texels; what is there can be anything.
-        UMBRAGE_INLINE void operator()(float* texels, double z, int count) const {
-            constexpr std::int32_t infinity = 0x7F800000, sign = std::numeric_limits<std::int32_t>::min();
-            std::int32_t there[Lanes], here[Lanes];
-            float rounded[Lanes];
-            for (int i = 0; i < Lanes; ++i) rounded[i] = static_cast<float>(z + ramp[i]);
-            std::memcpy(here, rounded, sizeof here);
-            std::memcpy(there, texels, sizeof there);
-            for (int i = 0; i < Lanes; ++i) {
-                const std::int32_t above = here[i] < lowest ? lowest : here[i];
-                const std::int32_t depth = above > highest ? highest : above;
-                const bool nearer = Forward ? depth <= there[i] : depth >= there[i];
-                const bool number = (Forward ? there[i] : there[i] ^ sign) <= infinity;  // or a NaN of the other sign
-                const std::int32_t mask = -std::int32_t(nearer & number & (i < count));
-                there[i] = (depth & mask) | (there[i] & ~mask);
-            }
-            std::memcpy(texels, there, sizeof there);
-        }
-
-        /// The same where the row ends before the block.
-        void at_border(float* texels, double z, int count) const {
-            float copy[Lanes]{};
-            for (int i = 0; i < count; ++i) copy[i] = texels[i];
-            (*this)(copy, z, count);
-            for (int i = 0; i < count; ++i) texels[i] = copy[i];
-        }
-    };
-
-    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const { return reinterpret_cast<float*>(bottom_ + y * up_); }
-
-    std::byte* bottom_;
-    std::ptrdiff_t up_;
-    int last_block_;
-};
-
-template <bool Forward>
-void draw_batch(image_view<float> depth, bool flipped, const triangle_batch& batch) {
-    on_best_isa([&](auto set) UMBRAGE_INLINE {
-        const span_writer<Forward, decltype(set)::value == isa::avx512 ? 8 : 4> writer(depth, flipped);
-        for (int i = 0; i < batch.count; ++i) {
-            if (i + 1 < batch.count) writer.expect(batch, i + 1);
-            writer.draw(batch, i);
-        }
-    });
-}
-
-}  // namespace detail
 
 /// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
 ///
@@ -201,7 +55,7 @@ void draw_batch(image_view<float> depth, bool flipped, const triangle_batch& bat
 /// @throws std::invalid_argument  an index is out of range; a side of the image is above 16384
 /// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
 ///              the far plane; never -0
-/// @exactness   coverage A from the snapped vertices on; depth B, see triangle_batch::set_up
+/// @exactness   coverage A from the snapped vertices on; depth B, see simd/raster/triangle_batch.hpp: set_up
 template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      cull_mode cull = cull_mode::none, ParallelFor&& parallel = {}) {
@@ -210,10 +64,10 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::
     const detail::banded_triangles banded(projected, depth.size, parallel);
     parallel(banded.bands(), [&](int first, int last) {
         for (int band = first; band < last; ++band) {
-            const texel_bounds bounds{{0, band * banded.rows()},
+            const detail::texel_bounds bounds{{0, band * banded.rows()},
                                       {depth.size.x, std::min((band + 1) * banded.rows(), depth.size.y)}};
             const auto triangles = [&](const auto& use) { banded.for_each(band, use); };
-            projected.for_each_batch(triangles, bounds, cull, [&](const triangle_batch& batch) {
+            projected.for_each_batch(triangles, bounds, cull, [&](const detail::triangle_batch& batch) {
                 if (forward) detail::draw_batch<true>(depth, flipped, batch);
                 else detail::draw_batch<false>(depth, flipped, batch);
             });
@@ -235,7 +89,7 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
     const auto triangles = [&](const auto& use) {
         for (unsigned i = 0; i < projected.triangle_count(); ++i) use(i);
     };
-    projected.for_each_batch(triangles, {{0, 0}, size}, cull, [&](const triangle_batch& batch) {
+    projected.for_each_batch(triangles, {{0, 0}, size}, cull, [&](const detail::triangle_batch& batch) {
         for (int i = 0; i < batch.count; ++i) {
             const auto plane = batch.plane(i);
             batch.for_each_row(i, [&](int y, int first, int last) {
@@ -258,7 +112,7 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
 [[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
                                             clip_space clip, glm::ivec2 texel, unsigned triangle) {
     assert(triangle < mesh.triangles.size());
-    const projection project(world_to_clip, clip, size);
+    const detail::projection project(world_to_clip, clip, size);
     const double centre_x = texel.x + 0.5;
     const double centre_y = clip.origin == texture_origin::top ? size.y - texel.y - 0.5 : texel.y + 0.5;
     std::array<glm::dvec2, 3> from;  // the centre to each vertex, times w

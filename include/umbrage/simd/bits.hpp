@@ -29,6 +29,9 @@ namespace umbrage::detail {
 [[nodiscard]] UMBRAGE_INLINE inline float masked(float v, std::int32_t mask) {
     return detail::bit_cast<float>(detail::bit_cast<std::int32_t>(v) & mask);
 }
+[[nodiscard]] UMBRAGE_INLINE inline double masked(double v, std::int64_t mask) {
+    return detail::bit_cast<double>(detail::bit_cast<std::int64_t>(v) & mask);
+}
 [[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
     return detail::bit_cast<float>((detail::bit_cast<std::int32_t>(a) & mask) | (detail::bit_cast<std::int32_t>(b) & ~mask));
 }

@@ -36,6 +36,9 @@ using namespace hostile;
 using namespace umbrage;
 using detail::best_isa;
 using detail::isa;
+using detail::outside_vertex;
+using detail::projection;
+using detail::snapped_vertex;
 
 constexpr glm::ivec2 sizes[] = {{1, 1}, {63, 3}, {64, 2}, {65, 5}, {130, 4}, {3, 131}};
 constexpr glm::ivec2 map_sizes[] = {{1, 1}, {2, 2}, {8, 8}, {40, 24}, {17, 33}, {9, 1}};  // one for each of the above

@@ -1,204 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// From world positions to vertices on the 1/256 texel grid: projection, clipping, snapping.
+// The part of a triangle that can be drawn: in front of the near plane, within the guard band.
 //
-//     umbrage::projection project(world_to_clip, clip, {1024, 1024});
-//     umbrage::clipped_polygon polygon = umbrage::clip_triangle(project, a, b, c);
-//
-// Texels are counted from the bottom in here (NDC y = -1), whatever the clip space says: the texture origin only
-// mirrors rows when texels are written, so that both origins give the same picture.
+//     clipped_polygon polygon = clip_triangle(project, a, b, c);
 //
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <compare>
-#include <cstdint>
-#include <limits>
+#include <cstddef>
 
-#include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/clip_space.hpp>
-#include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/raster/projection.hpp>
 #include <umbrage/simd/strict_math.hpp>
-#include <umbrage/scalar.hpp>
 
 UMBRAGE_STRICT_MATH
-namespace umbrage {
-
-/// Steps of the vertex grid in a texel.
-inline constexpr int subtexels = 256;
-
-/// Largest side of an image in texels, and how far from texel 0 a vertex may lie before it is clipped:
-/// differences of vertices then stay below 2^23 steps, edge functions below 2^47.
-inline constexpr int guard_band = 1 << 14;
-
-/// A vertex on the grid. The order makes results independent of the order in which a mesh lists vertices.
-struct snapped_vertex {
-    std::int32_t x, y;  ///< in 1/256 texel, within +-guard_band
-    double depth;       ///< z/w moved to [0, 1]; outside only beyond the far plane
-
-    friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
-};
-
-/// What stands for a vertex outside of planes: off the grid, with their bits.
-[[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
-    return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
-}
-/// A bit for each plane that a vertex is outside of.
-[[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
-    return v.x == std::numeric_limits<std::int32_t>::min() ? static_cast<unsigned>(v.y) : 0u;
-}
-
-/// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
-/// Products of two floats are exact in double, so contraction to FMA changes no bit here.
-class projection {
-public:
-    static constexpr int planes = 6;  ///< w > 0, the near plane, four sides of the guard band
-
-    /// @param world_to_clip  projection * view; its elements must be finite
-    /// @throws std::invalid_argument  a side of `size` is negative or above guard_band
-    projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size)
-        : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
-        if (size.x < 0 || size.y < 0) detail::fail("umbrage::projection: negative size");
-        if (size.x > guard_band || size.y > guard_band)
-            detail::fail("umbrage::projection: image side above 16384 texels");
-    }
-
-    [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {
-        const double x = row(0, p), y = row(1, p), z = row(2, p), w = row(3, p);
-        return {(x + w) * half_size_.x, (y + w) * half_size_.y,
-                clip_.range == depth_range::minus_one_to_one ? (z + w) * 0.5 : z, w};
-    }
-
-    /// How far inside a plane a point is; outside when negative.
-    [[nodiscard]] double distance(int plane, const glm::dvec4& h) const {
-        switch (plane) {
-            case 0: return h.w - smallest_w;
-            case 1: return clip_.direction == depth_direction::forward ? h.z : h.w - h.z;
-            case 2: return guard_band * h.w + h.x;
-            case 3: return guard_band * h.w - h.x;
-            case 4: return guard_band * h.w + h.y;
-            default: return guard_band * h.w - h.y;
-        }
-    }
-
-    /// One bit for each plane that the point is outside of.
-    [[nodiscard]] unsigned outside(const glm::dvec4& h) const {
-        unsigned bits = 0;
-        for (int plane = 0; plane < planes; ++plane) bits |= (distance(plane, h) < 0.0 ? 1u : 0u) << plane;
-        return bits;
-    }
-
-    /// Where the way from a point inside a plane to one outside meets it. The callers always go this way, so that
-    /// triangles on both sides of an edge cut it at the same point.
-    [[nodiscard]] glm::dvec4 cut(int plane, const glm::dvec4& in, const glm::dvec4& out) const {
-        const double d = distance(plane, in);
-        glm::dvec4 h = in + (out - in) * (d / (d - distance(plane, out)));
-        if (!(h.w > smallest_w)) h.w = smallest_w;  // rounding
-        switch (plane) {                            // what lies on the plane by definition does so to the bit
-            case 0: h.w = smallest_w; break;
-            case 1: h.z = clip_.direction == depth_direction::forward ? 0.0 : h.w; break;
-            case 2: h.x = -guard_band * h.w; break;
-            case 3: h.x = guard_band * h.w; break;
-            case 4: h.y = -guard_band * h.w; break;
-            default: h.y = guard_band * h.w; break;
-        }
-        return h;
-    }
-
-    /// To the grid, halves upwards. The point must be inside all planes; clamps only catch the rounding of cut().
-    [[nodiscard]] snapped_vertex snap(const glm::dvec4& h) const {
-        constexpr double limit = double(guard_band) * subtexels;
-        const auto grid = [&](double v) {
-            const double steps = v / h.w * subtexels + 0.5;
-            const double inside = steps > -limit ? (steps < limit ? steps : limit) : -limit;
-            const auto whole = static_cast<std::int32_t>(inside);
-            return whole - (inside < whole ? 1 : 0);
-        };
-        const double depth = h.z / h.w;
-        if (clip_.direction == depth_direction::forward) return {grid(h.x), grid(h.y), depth > 0.0 ? depth : 0.0};
-        return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
-    }
-
-    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes become `outside_vertex`.
-    /// @exactness  the bits of one by one
-    void snap(const glm::vec3 (&positions)[detail::block], snapped_vertex (&vertices)[detail::block]) const {
-        using bits = std::int64_t;
-        constexpr bits minus_zero = std::numeric_limits<bits>::min();
-        const bool forward = clip_.direction == depth_direction::forward;
-        const double z_share = clip_.range == depth_range::minus_one_to_one ? 0.5 : 1.0, w_share = 1.0 - z_share;
-        const double near_z = forward ? 1.0 : -1.0, near_w = forward ? 0.0 : 1.0;
-        const bits lowest = forward ? 0 : minus_zero;
-        const bits highest = forward ? std::numeric_limits<bits>::max() : detail::bit_cast<bits>(1.0);
-        detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
-            alignas(64) float x[detail::block], y[detail::block], z[detail::block];
-            alignas(64) double column[detail::block], row[detail::block], depth[detail::block];
-            alignas(64) bits outside[detail::block];
-            for (int i = 0; i < detail::block; ++i)
-                x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
-            const glm::dmat4 m = matrix_;
-            const glm::dvec2 half_size = half_size_;
-            for (int i = 0; i < detail::block; ++i) {
-                const auto clip_row = [&](int r) UMBRAGE_INLINE {
-                    return m[0][r] * double(x[i]) + m[1][r] * double(y[i]) + m[2][r] * double(z[i]) + m[3][r];
-                };
-                const double w = clip_row(3), band = guard_band * w;
-                const double hx = (clip_row(0) + w) * half_size.x, hy = (clip_row(1) + w) * half_size.y;
-                const double hz = z_share * clip_row(2) + w_share * w;
-                const auto bit = [](double distance, int plane) UMBRAGE_INLINE {
-                    const bits d = detail::bit_cast<bits>(distance);
-                    return bits((d < 0) & (d != minus_zero)) << plane;
-                };
-                outside[i] = bit(w - smallest_w, 0) | bit(near_z * hz + near_w * w, 1) | bit(band + hx, 2) |
-                             bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5);
-                const bits inside = -bits(outside[i] == 0);
-                column[i] = detail::bit_cast<double>(detail::bit_cast<bits>(hx / w * subtexels + 0.5) & inside);
-                row[i] = detail::bit_cast<double>(detail::bit_cast<bits>(hy / w * subtexels + 0.5) & inside);
-                bits d = detail::bit_cast<bits>(hz / w);
-                d = d < lowest ? lowest : d;
-                d = d > highest ? highest : d;
-                depth[i] = detail::bit_cast<double>(d & inside);
-            }
-            alignas(64) std::int32_t columns[detail::block], rows[detail::block];
-            const auto floors = [](const double* from, std::int32_t* to) UMBRAGE_INLINE {
-                for (int i = 0; i < detail::block; ++i) {
-                    const auto whole = static_cast<std::int32_t>(from[i]);
-                    to[i] = whole - std::int32_t(from[i] < whole);
-                }
-            };
-            floors(column, columns);
-            floors(row, rows);
-            for (int i = 0; i < detail::block; ++i) vertices[i] = {columns[i], rows[i], depth[i]};
-            for (int i = 0; i < detail::block; ++i)
-                if (outside[i]) vertices[i] = outside_vertex(static_cast<unsigned>(outside[i]));
-        });
-    }
-
-private:
-    static constexpr double smallest_w = 0x1p-126;
-
-    [[nodiscard]] double row(int r, glm::vec3 p) const {
-        return matrix_[0][r] * double(p.x) + matrix_[1][r] * double(p.y) + matrix_[2][r] * double(p.z) + matrix_[3][r];
-    }
-
-    glm::dmat4 matrix_;
-    clip_space clip_;
-    glm::dvec2 half_size_;
-};
-
-/// True when no element is NaN or infinite.
-[[nodiscard]] inline bool is_finite(glm::vec3 p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
-[[nodiscard]] inline bool is_finite(const glm::mat4& m) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!is_finite(m[column][row])) return false;
-    return true;
-}
+namespace umbrage::detail {
 
 /// A convex polygon on the grid, its smallest vertex first: a fan around that vertex is the same whichever vertex
 /// of the triangle came first, and whichever way round they went.
@@ -237,5 +55,5 @@ struct clipped_polygon {
     return polygon;
 }
 
-}  // namespace umbrage
+}  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH

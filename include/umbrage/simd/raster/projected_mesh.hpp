@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A mesh on the grid of an image: its vertices projected and snapped in blocks, its triangles handed out in batches.
-// The rasterizer's middle, between clip.hpp and the spans of triangle_batch.hpp.
+// A mesh on the grid of an image: its vertices projected and snapped in blocks, its triangles clipped and handed out in
+// batches, in the order that the caller chooses.
 //
-//     umbrage::mesh_view mesh{positions, triangles};
+//     const projected_mesh projected(size, mesh, world_to_clip, clip, serial{});
+//     projected.for_each_batch(triangles, bounds, cull_mode::none, [&](const triangle_batch& batch) { ... });
 //
 #pragma once
 
@@ -18,23 +19,17 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/clip_space.hpp>
-#include <umbrage/simd/raster/clip.hpp>
+#include <umbrage/config.hpp>
+#include <umbrage/images/mesh.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/memory.hpp>
-#include <umbrage/images/parallel.hpp>
-#include <umbrage/simd/strict_math.hpp>
+#include <umbrage/simd/raster/clip.hpp>
+#include <umbrage/simd/raster/projection.hpp>
 #include <umbrage/simd/raster/triangle_batch.hpp>
+#include <umbrage/simd/strict_math.hpp>
 
 UMBRAGE_STRICT_MATH
-namespace umbrage {
-
-/// Triangles that somebody else owns: three indices into the positions each.
-struct mesh_view {
-    std::span<const glm::vec3> positions;
-    std::span<const glm::uvec3> triangles;
-};
-
-namespace detail {
+namespace umbrage::detail {
 
 /// Room for vertices, each written before it is read: a vector would write them twice. (<memory>, which has a class
 /// for this, brings the streams along.)
@@ -64,7 +59,7 @@ public:
         for (const auto& t : mesh.triangles)
             if (t.x >= mesh.positions.size() || t.y >= mesh.positions.size() || t.z >= mesh.positions.size())
                 detail::fail("umbrage::rasterize: a triangle's index is out of range");
-        if (size.x == 0 || size.y == 0 || !is_finite(world_to_clip)) mesh_.triangles = {};
+        if (size.x == 0 || size.y == 0 || !all_finite(world_to_clip)) mesh_.triangles = {};
         if (mesh_.triangles.empty()) return;
         const std::size_t count = mesh.positions.size();
         vertices_.make((count + block - 1) / block * block);
@@ -75,8 +70,8 @@ public:
         });
     }
 
-    /// Starts to fetch what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh. Inlined:
-    /// for GCC a function that only fetches has no effect, and a call of it is left out.
+    /// Prefetches what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh. Inlined for the
+    /// reason that prefetch_line() gives.
     UMBRAGE_INLINE void expect(std::span<const unsigned> list, std::size_t k) const {
         constexpr std::size_t soon = 16, later = 32;
         if (k + later < list.size()) prefetch_line(&mesh_.triangles[list[k + later]]);
@@ -155,7 +150,7 @@ private:
             positions[i] = mesh_.positions[std::min(first + i, mesh_.positions.size() - 1)];
         bool finite[block];
         for (std::size_t i = 0; i < block; ++i) {
-            finite[i] = is_finite(positions[i]);
+            finite[i] = all_finite(positions[i]);
             if (!finite[i]) positions[i] = glm::vec3(0.0f);
         }
         alignas(64) snapped_vertex vertices[block];
@@ -168,6 +163,5 @@ private:
     unwritten_vertices vertices_;
 };
 
-}  // namespace detail
-}  // namespace umbrage
+}  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH

@@ -3,8 +3,8 @@
 // Triangles on the vertex grid, 64 at a time: edges and depth planes set up in loops that vectorise, then spans row by
 // row without a division.
 //
-//     umbrage::triangle_batch batch;
-//     batch.add(p, q, r, id, {{0, 0}, size}, umbrage::cull_mode::none);  // and more, until it is full()
+//     triangle_batch batch;
+//     batch.add(p, q, r, id, {{0, 0}, size}, cull_mode::none);  // and more, until it is full()
 //     batch.set_up();
 //     for (int i = 0; i < batch.count; ++i)
 //         batch.for_each_row(i, [&](int y, int first, int last) { ... });
@@ -15,22 +15,20 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include <glm/vec2.hpp>
 
-#include <umbrage/simd/raster/clip.hpp>
+#include <umbrage/images/mesh.hpp>
+#include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/raster/projection.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
 UMBRAGE_STRICT_MATH
-namespace umbrage {
-
-/// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up.
-enum class cull_mode { none, front, back };
+namespace umbrage::detail {
 
 /// Depth over a triangle, exact on its grid: z + dx * x + dy * y for texels x, y counted from `first`.
 struct depth_plane {
@@ -52,12 +50,10 @@ struct texel_bounds {
     glm::ivec2 first, last;
 };
 
-namespace detail {
-
 /// A whole number to an integer, anything else to one of its neighbours; |v| < 2^51. AVX2 has no conversion.
 [[nodiscard]] UMBRAGE_INLINE inline std::int64_t to_integer(double v) {
     constexpr double magic = 0x1.8p52;
-    return detail::bit_cast<std::int64_t>(v + magic) - detail::bit_cast<std::int64_t>(magic);
+    return bit_cast<std::int64_t>(v + magic) - bit_cast<std::int64_t>(magic);
 }
 
 /// Towards zero; |v| < 2^63.
@@ -67,16 +63,14 @@ template <isa Set>
     else return static_cast<double>(static_cast<std::int64_t>(v));
 }
 
-}  // namespace detail
-
 /// Up to 64 triangles, each coordinate an array of its own.
 class triangle_batch {
 public:
     int count = 0;
-    alignas(64) unsigned id[detail::block];
+    alignas(64) unsigned id[block];
 
     triangle_batch() {  // every lane is set up, used or not
-        for (int i = 0; i < detail::block; ++i) {
+        for (int i = 0; i < block; ++i) {
             id[i] = 0;
             first_[0][i] = first_[1][i] = last_[0][i] = last_[1][i] = 0;
             for (auto& depth : z_) depth[i] = 0.0;
@@ -90,7 +84,7 @@ public:
         return {(lowest + subtexels - centre) >> 8, ((highest - centre) >> 8) + 1};
     }
 
-    [[nodiscard]] bool full() const { return count == detail::block; }
+    [[nodiscard]] bool full() const { return count == block; }
 
     /// Takes a triangle unless it faces away, has no area or no sample in its bounds can be within `bounds`.
     /// There must be room.
@@ -127,7 +121,7 @@ public:
     ///             1/256 texel and m the sum of the depth's and the two slopes' magnitudes over the bounds, a sample is
     ///             within 2^-48 n m of the plane through the snapped vertices
     void set_up() {
-        detail::on_best_isa([this](auto set) UMBRAGE_INLINE {
+        on_best_isa([this](auto set) UMBRAGE_INLINE {
             for (int k = 0; k < 3; ++k) set_up_edges(k);
             set_up_planes<decltype(set)::value>();
         });
@@ -180,8 +174,8 @@ private:
         }
     };
     struct edges {
-        alignas(64) std::int64_t quotient[detail::block], remainder[detail::block], quotient_step[detail::block],
-            remainder_step[detail::block], divisor[detail::block];
+        alignas(64) std::int64_t quotient[block], remainder[block], quotient_step[block],
+            remainder_step[block], divisor[block];
     };
 
     [[nodiscard]] UMBRAGE_INLINE edge edge_at(int k, int i) const {
@@ -193,16 +187,16 @@ private:
     UMBRAGE_INLINE void set_up_edges(int k) {
         edges& e = edges_[k];
         const auto &ax = x_[k], &ay = y_[k], &bx = x_[k == 2 ? 0 : k + 1], &by = y_[k == 2 ? 0 : k + 1];
-        for (int i = 0; i < detail::block; ++i) {
+        for (int i = 0; i < block; ++i) {
             const std::int32_t up = by[i] - ay[i], level = up == 0, right = (bx[i] - ax[i]) & (level - 1);
             const std::int32_t from_a_x = first_[0][i] * subtexels + centre - ax[i];
             const std::int32_t from_a_y = first_[1][i] * subtexels + centre - ay[i];
             const double value = double(right) * from_a_y + double(-up) * from_a_x - double(up > 0);
             const double divisor = double((up < 0 ? -up : up) + level) * subtexels, step = double(right) * subtexels;
-            const std::int64_t d = detail::to_integer(divisor);
+            const std::int64_t d = to_integer(divisor);
             const auto divide = [&](double dividend, std::int64_t& quotient, std::int64_t& remainder) UMBRAGE_INLINE {
-                const std::int64_t q = detail::to_integer(dividend / divisor);  // or one off
-                const std::int64_t rest = detail::to_integer(dividend) - q * d;
+                const std::int64_t q = to_integer(dividend / divisor);  // or one off
+                const std::int64_t rest = to_integer(dividend) - q * d;
                 const std::int64_t below = -std::int64_t(rest < 0), above = -std::int64_t(rest >= d);
                 quotient = q + below - above;
                 remainder = rest + (d & below) - (d & above);
@@ -215,21 +209,18 @@ private:
         }
     }
 
-    template <detail::isa Set>
+    template <isa Set>
     UMBRAGE_INLINE void set_up_planes() {
         using bits = std::int64_t;
         constexpr bits exponent = 0x7FF0000000000000, magnitude = 0x7FFFFFFFFFFFFFFF, short_digits = ~bits(0x3FFFFFF);
-        constexpr bits tiny = detail::bit_cast<bits>(0x1p-200);
-        const auto masked = [](double v, bits mask) UMBRAGE_INLINE {
-            return detail::bit_cast<double>(detail::bit_cast<bits>(v) & mask);
-        };
+        constexpr bits tiny = bit_cast<bits>(0x1p-200);
         const auto power_of_two = [](double a, double b, double c) UMBRAGE_INLINE {  // the largest's, rounded down
-            const bits p = detail::bit_cast<bits>(a) & exponent, q = detail::bit_cast<bits>(b) & exponent;
-            const bits r = detail::bit_cast<bits>(c) & exponent;
+            const bits p = bit_cast<bits>(a) & exponent, q = bit_cast<bits>(b) & exponent;
+            const bits r = bit_cast<bits>(c) & exponent;
             const bits largest = p < q ? q : p, other = r < tiny ? tiny : r;
-            return detail::bit_cast<double>(largest < other ? other : largest);
+            return bit_cast<double>(largest < other ? other : largest);
         };
-        for (int i = 0; i < detail::block; ++i) {
+        for (int i = 0; i < block; ++i) {
             const double x1 = x_[1][i] - x_[0][i], y1 = y_[1][i] - y_[0][i];
             const double x2 = x_[2][i] - x_[0][i], y2 = y_[2][i] - y_[0][i];
             const std::int32_t left = std::min(std::min(x_[0][i], x_[1][i]), x_[2][i]);
@@ -243,9 +234,9 @@ private:
             const double side = std::max(right - left, top - bottom);
             double unit = power_of_two(z_[0][i], z_[1][i], z_[2][i]) * masked(side, exponent) * 0x1p-49;
             double units = 1.0 / unit;
-            const double z0 = detail::truncate<Set>(z_[0][i] * units) * unit;
-            const double z1 = detail::truncate<Set>(z_[1][i] * units) * unit;
-            const double z2 = detail::truncate<Set>(z_[2][i] * units) * unit;
+            const double z0 = truncate<Set>(z_[0][i] * units) * unit;
+            const double z1 = truncate<Set>(z_[1][i] * units) * unit;
+            const double z2 = truncate<Set>(z_[2][i] * units) * unit;
             const double slope_x = ((z1 - z0) * y2 + (z2 - z0) * -y1) * per_area;
             const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) * per_area;
 
@@ -254,9 +245,9 @@ private:
                                  masked(slope_y, magnitude & short_digits) * height;
             unit = power_of_two(reach, 0.0, 0.0) * 0x1p-51;
             units = 1.0 / unit;
-            const double dx = detail::truncate<Set>(slope_x * units) * unit;
-            const double dy = detail::truncate<Set>(slope_y * units) * unit;
-            depth_[i] = detail::truncate<Set>(z0 * units) * unit +
+            const double dx = truncate<Set>(slope_x * units) * unit;
+            const double dy = truncate<Set>(slope_y * units) * unit;
+            depth_[i] = truncate<Set>(z0 * units) * unit +
                         dx * (first_[0][i] * subtexels + centre - x_[0][i]) +
                         dy * (first_[1][i] * subtexels + centre - y_[0][i]);
             dx_[i] = dx * subtexels;
@@ -265,12 +256,12 @@ private:
         }
     }
 
-    alignas(64) std::int32_t x_[3][detail::block], y_[3][detail::block];  // counter-clockwise from the smallest
-    alignas(64) double z_[3][detail::block];
-    alignas(64) std::int32_t first_[2][detail::block], last_[2][detail::block];  // texels whose centres are within the bounds
+    alignas(64) std::int32_t x_[3][block], y_[3][block];  // counter-clockwise from the smallest
+    alignas(64) double z_[3][block];
+    alignas(64) std::int32_t first_[2][block], last_[2][block];  // texels whose centres are within the bounds
     edges edges_[3];
-    alignas(64) double depth_[detail::block], dx_[detail::block], dy_[detail::block];
+    alignas(64) double depth_[block], dx_[block], dy_[block];
 };
 
-}  // namespace umbrage
+}  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH

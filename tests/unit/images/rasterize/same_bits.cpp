@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+//
+// No order, cut into pieces or instruction set changes a bit.
+#include <umbrage/images/rasterize.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "exact.hpp"
+#include "scene.hpp"
+
+using namespace raster_scene;
+using detail::best_isa;
+using detail::isa;
+
+TEST_CASE("rasterize_depth: permuted triangles and vertices, and a split into meshes, give the same bits") {
+    generator random;
+    const glm::ivec2 size(320, 240);
+    for (clip_space clip : {clip_space{}, clip_space{.direction = depth_direction::reversed}}) {
+        mesh m = soup(random, 400);
+        const auto reference = render(size, m, perspective(), clip);
+        CHECK(std::count_if(reference.texels().begin(), reference.texels().end(),
+                            [&](float z) { return z != cleared_depth(clip); }) > 40000);
+        for (int round = 0; round < 20; ++round) {
+            std::shuffle(m.triangles.begin(), m.triangles.end(), random.engine);
+            for (auto& t : m.triangles)
+                for (int swaps = random(0, 3); swaps > 0; --swaps) std::swap(t[random(0, 2)], t[random(0, 2)]);
+            CHECK(same_bits(render(size, m, perspective(), clip), reference));
+        }
+        image<float> split(size, cleared_depth(clip));
+        for (std::size_t i = 0; i < m.triangles.size(); i += 100)
+            rasterize_depth(split, {m.positions, std::span(m.triangles).subspan(i, 100)}, perspective(), clip);
+        CHECK(same_bits(split, reference));
+    }
+}
+
+TEST_CASE("rasterize_depth: compilers, flags and machines give the same bits for what is not clipped") {
+    generator random;
+    const glm::ivec2 size(128, 128);
+    mesh m;
+    for (int i = 0; i < 2000; ++i) {
+        const glm::ivec2 centre{random(-110, 110), random(-110, 110)};  // braces: in this order
+        std::array<glm::vec3, 3> p;
+        for (auto& c : p)
+            c = glm::vec3{centre.x + random(-20, 20), centre.y + random(-20, 20), random(90, 150)} / 64.0f;
+        m.add(p[0], p[1], p[2]);
+    }
+    const auto matrix = exact_scene({123, -77, 1999, 1000}).matrix;
+    const auto in_use = detail::isa_in_use;
+    for (isa set : {isa::base, isa::avx2, isa::avx512}) {
+        detail::isa_in_use = std::min(set, best_isa());
+        std::uint64_t hash = 14695981039346656037u;  // FNV-1a
+        rasterize(size, m, matrix, {}, [&](glm::ivec2 texel, float depth, unsigned triangle) {
+            for (unsigned word : {unsigned(texel.x), unsigned(texel.y), std::bit_cast<unsigned>(depth), triangle})
+                hash = (hash ^ word) * 1099511628211u;
+        });
+        CHECK(hash == 3075832276352545962u);
+    }
+    detail::isa_in_use = in_use;
+}
+
+TEST_CASE("rasterize_depth: every instruction set and every cut into pieces gives the bits of sample by sample") {
+    generator random;
+    const auto in_use = detail::isa_in_use;
+    int covered = 0, kept = 0;
+    for (const glm::ivec2 size : {glm::ivec2(517, 300), glm::ivec2(5, 700), glm::ivec2(2100, 40), glm::ivec2(8, 1)})
+        for (auto direction : {depth_direction::forward, depth_direction::reversed})
+            for (auto origin : {texture_origin::bottom, texture_origin::top}) {
+                const clip_space clip{.direction = direction, .origin = origin};
+                const mesh m = soup(random, 2000);
+
+                // whatever can be in an image: numbers, both zeros, denormals, infinities, NaNs of both signs
+                image<float> before(size, cleared_depth(clip));
+                for (float& z : before.texels())
+                    if (random(0, 3) == 0) z = std::bit_cast<float>(unsigned(random.engine()));
+                    else if (random(0, 3) == 0) z = random(0, 1) ? -0.0f : 0.0f;
+                image<float> reference = before;
+                detail::isa_in_use = isa::base;
+                rasterize(size, m, perspective(), clip, [&](glm::ivec2 texel, float z, unsigned) {
+                    float& there = reference[texel];
+                    ++covered;
+                    if (is_nan(there) || (direction == depth_direction::forward ? z > there : z < there)) ++kept;
+                    else there = z;
+                });
+                for (isa set : {isa::base, isa::avx2, isa::avx512})
+                    for (int pieces : {1, 2, 3, 7}) {
+                        detail::isa_in_use = std::min(set, best_isa());
+                        image<float> depth = before;
+                        rasterize_depth(depth, m, perspective(), clip, cull_mode::none, [&](int count, auto&& piece) {
+                            for (int i = pieces - 1; i >= 0; --i)
+                                piece(count * i / pieces, count * (i + 1) / pieces);
+                        });
+                        CHECK(same_bits(depth, reference));
+                    }
+            }
+    CHECK(covered > 1000000);
+    CHECK(kept > 100000);
+
+    // coverage, planes and the order of calls as well
+    mesh large = soup(random, 3000);
+    std::vector<std::uint64_t> calls;
+    for (isa set : {isa::base, isa::avx2, isa::avx512}) {
+        detail::isa_in_use = std::min(set, best_isa());
+        std::uint64_t hash = 14695981039346656037u;
+        rasterize({96, 64}, large, perspective(), {}, [&](glm::ivec2 texel, float z, unsigned triangle) {
+            for (unsigned word : {unsigned(texel.x), unsigned(texel.y), std::bit_cast<unsigned>(z), triangle})
+                hash = (hash ^ word) * 1099511628211u;
+        });
+        calls.push_back(hash);
+    }
+    CHECK(calls[0] == calls[1]);
+    CHECK(calls[0] == calls[2]);
+    detail::isa_in_use = in_use;
+}
