@@ -209,7 +209,7 @@ struct light {
             out.z_near = 0.1f;
             out.z_far = 40;
             out.space = umbrage::make_directional_light<float>({.direction = out.direction, .up = up, .offset = 10,
-                .map_size = map_size, .divisor = 10, .z_near = out.z_near, .z_far = out.z_far, .clip = clip});
+                .map_size = map_size, .texels_per_unit = 10, .z_near = out.z_near, .z_far = out.z_far, .clip = clip});
             break;
     }
     out.spread = 2 / std::min(out.space.projection[0][0], out.space.projection[1][1]);

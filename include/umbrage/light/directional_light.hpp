@@ -23,24 +23,24 @@ struct directional_light {
     glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
     T offset = T(10);                             ///< from target back to the light, world units
     int map_size = 1024;                          ///< texels, >= 1
-    T divisor = T(10);                            ///< texels per world unit, > 0
+    T texels_per_unit = T(10);                            ///< texels per world unit, > 0
     T z_near = T(0.1);                            ///< world units from the light
     T z_far = T(100);
     clip_space clip{};
 };
 
-/// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / divisor.
-/// @throws std::invalid_argument  zero or non-finite direction, map_size or divisor not above 0, planes out of order
+/// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / texels_per_unit.
+/// @throws std::invalid_argument  zero or non-finite direction, map_size or texels_per_unit not above 0, planes out of order
 template <real T = float>
 [[nodiscard]] light_space<T> make_directional_light(const directional_light<T>& light) {
-    if (light.map_size < 1 || !is_finite(light.divisor) || !(light.divisor > T(0)))
-        detail::fail("umbrage::make_directional_light: map_size and divisor must be above 0");
+    if (light.map_size < 1 || !is_finite(light.texels_per_unit) || !(light.texels_per_unit > T(0)))
+        detail::fail("umbrage::make_directional_light: map_size and texels_per_unit must be above 0");
     // along the normalised direction, moved by the offset: the view's last row holds the light's distance
     light_space<T> space{look_along(light.target, light.direction, light.up, light.clip.hand), {}, light.clip};
     space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
     if (!is_finite(space.view[3][2]))
         detail::fail("umbrage::make_directional_light: offset must be finite");
-    const T half = T(light.map_size) / light.divisor / T(2);
+    const T half = T(light.map_size) / light.texels_per_unit / T(2);
     space.projection = orthographic(glm::vec<2, T>(-half), glm::vec<2, T>(half), light.z_near, light.z_far, light.clip);
     return space;
 }

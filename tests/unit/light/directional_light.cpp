@@ -47,7 +47,7 @@ TEST_CASE("make_directional_light: the exercise's set-up on points worked out by
         // along (1, -1, 0) with y up: right is +z, above is (1, 1, 0) / sqrt 2
         const double root = std::sqrt(0.5);
         const glm::dmat4 oblique = texture_matrix(
-            make_directional_light<double>({.direction = {1, -1, 0}, .target = {5, 6, 7}, .offset = 4, .divisor = 100,
+            make_directional_light<double>({.direction = {1, -1, 0}, .target = {5, 6, 7}, .offset = 4, .texels_per_unit = 100,
                                             .z_near = 1, .z_far = 9, .clip = clip}), {1024, 1024});
         check(oblique, {5, 6, 7}, {512, 512, 3.0 / 8});
         check(oblique, {6, 7, 8}, {612, 512 + 200 * root, 3.0 / 8});
@@ -97,8 +97,8 @@ TEST_CASE_TEMPLATE("make_directional_light: bad input", T, float, double) {
     CHECK_NOTHROW(with([](auto&) {}));
     for (int size : {0, -1, std::numeric_limits<int>::min()})
         CHECK_THROWS_AS(with([&](auto& l) { l.map_size = size; }), std::invalid_argument);
-    for (T divisor : {T(0), T(-1), nan, infinity})
-        CHECK_THROWS_AS(with([&](auto& l) { l.divisor = divisor; }), std::invalid_argument);
+    for (T texels_per_unit : {T(0), T(-1), nan, infinity})
+        CHECK_THROWS_AS(with([&](auto& l) { l.texels_per_unit = texels_per_unit; }), std::invalid_argument);
     for (T bad : {nan, -nan, infinity, -infinity}) {
         CHECK_THROWS_AS(with([&](auto& l) { l.offset = bad; }), std::invalid_argument);
         CHECK_THROWS_AS(with([&](auto& l) { l.direction.x = bad; }), std::invalid_argument);
