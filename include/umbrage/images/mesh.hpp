@@ -18,7 +18,8 @@ struct mesh_view {
     std::span<const glm::uvec3> triangles;
 };
 
-/// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up.
+/// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up, as in most right-handed
+/// worlds; where it goes clockwise, as in most left-handed ones, front and back change places.
 enum class cull_mode { none, front, back };
 
 }  // namespace umbrage

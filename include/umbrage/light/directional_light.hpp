@@ -23,14 +23,15 @@ struct directional_light {
     glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
     T offset = T(10);                             ///< from target back to the light, world units
     int map_size = 1024;                          ///< texels, >= 1
-    T texels_per_unit = T(10);                            ///< texels per world unit, > 0
+    T texels_per_unit = T(10);                    ///< texels per world unit, > 0
     T z_near = T(0.1);                            ///< world units from the light
     T z_far = T(100);
     clip_space clip{};
 };
 
 /// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / texels_per_unit.
-/// @throws std::invalid_argument  zero or non-finite direction, map_size or texels_per_unit not above 0, planes out of order
+/// @throws std::invalid_argument  zero or non-finite direction, map_size or texels_per_unit not above 0, planes out of
+///                                order
 template <real T = float>
 [[nodiscard]] light_space<T> make_directional_light(const directional_light<T>& light) {
     if (light.map_size < 1 || !is_finite(light.texels_per_unit) || !(light.texels_per_unit > T(0)))
@@ -38,8 +39,7 @@ template <real T = float>
     // along the normalised direction, moved by the offset: the view's last row holds the light's distance
     light_space<T> space{look_along(light.target, light.direction, light.up, light.clip.hand), {}, light.clip};
     space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
-    if (!is_finite(space.view[3][2]))
-        detail::fail("umbrage::make_directional_light: offset must be finite");
+    if (!is_finite(space.view[3][2])) detail::fail("umbrage::make_directional_light: offset must be finite");
     const T half = T(light.map_size) / light.texels_per_unit / T(2);
     space.projection = orthographic(glm::vec<2, T>(-half), glm::vec<2, T>(half), light.z_near, light.z_far, light.clip);
     return space;
@@ -69,8 +69,8 @@ template <real T = float>
     glm::vec<3, T> reach(fit.margin * diagonal);
     for (int row = 0; row < 3; ++row)
         for (int i = 0; i < 3; ++i) reach[row] += glm::abs(space.view[i][row]) * half[i];
-    space.projection = orthographic(glm::vec<2, T>(-reach.x, -reach.y), glm::vec<2, T>(reach.x, reach.y), -reach.z,
-                                    reach.z, fit.clip);
+    space.projection =
+        orthographic(glm::vec<2, T>(-reach.x, -reach.y), glm::vec<2, T>(reach.x, reach.y), -reach.z, reach.z, fit.clip);
     return space;
 }
 

@@ -20,7 +20,7 @@ namespace umbrage {
 
 template <real T>
 struct light_space {
-    glm::mat<4, 4, T> view{T(1)};        ///< world -> light's view space, looking down -z (right) or +z (left)
+    glm::mat<4, 4, T> view{T(1)};        ///< world -> light's view space, a rotation; down -z (right) or +z (left)
     glm::mat<4, 4, T> projection{T(1)};  ///< view space -> clip space
     clip_space clip;
 };
@@ -36,13 +36,13 @@ template <real T>
 
 }  // namespace detail
 
-/// World to light's view space: x to the right, y up, whichever hand, so that a mesh keeps its winding.
+/// World to light's view space by a rotation: x to the right, y up.
 ///
 /// @param position    of the light, world
 /// @param direction   it looks along, any length > 0
 /// @param up          hint; where it is parallel to direction, or nearly (1e-3), the world axis least along direction
 ///                    takes its place, so that any direction works
-/// @param hand        right: looks down -z, left: down +z
+/// @param hand        of world and view; right: looks down -z, as glm::lookAtRH, left: down +z, as glm::lookAtLH
 /// @throws std::invalid_argument  zero or non-finite direction or position
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
@@ -63,17 +63,17 @@ template <real T>
     }
     const glm::vec<3, T> above = glm::normalize(glm::cross(side, forward));
     side = glm::cross(forward, above);  // again: up nearly parallel to forward leaves the first a hundred ulp askew
-    const glm::vec<3, T> depth = hand == handedness::right ? -forward : forward;
+    const T towards = hand == handedness::right ? T(1) : T(-1);  // left: half a turn about y
 
     glm::mat<4, 4, T> view(T(1));
     for (int i = 0; i < 3; ++i) {
-        view[i][0] = side[i];
+        view[i][0] = towards * side[i];
         view[i][1] = above[i];
-        view[i][2] = depth[i];
+        view[i][2] = -towards * forward[i];
     }
-    view[3][0] = -glm::dot(side, position);
+    view[3][0] = -towards * glm::dot(side, position);
     view[3][1] = -glm::dot(above, position);
-    view[3][2] = -glm::dot(depth, position);
+    view[3][2] = towards * glm::dot(forward, position);
     return view;
 }
 
@@ -109,8 +109,7 @@ template <real T>
     detail::check_planes(z_near, z_far);
     if (!(z_near > T(0))) detail::fail("umbrage: a perspective light needs z_near > 0");
     if (!is_finite(tan_half_x) || !is_finite(tan_half_y) || !(tan_half_x > T(0)) || !(tan_half_y > T(0)))
-        detail::fail(
-            "umbrage: a perspective light needs an opening angle above 0 and below 180 degrees");
+        detail::fail("umbrage: a perspective light needs an opening angle above 0 and below 180 degrees");
     const auto [at_near, at_far] = detail::ends<T>(clip);
     const T forward = clip.hand == handedness::right ? T(-1) : T(1);
     glm::mat<4, 4, T> m(T(0));

@@ -16,11 +16,11 @@ namespace umbrage {
 template <real T = float>
 struct spot_light {
     glm::vec<3, T> position{T(0)};
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};      ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};              ///< hint; may be parallel to direction
-    T outer_angle_radians = std::numbers::pi_v<T> / 6; ///< between axis and edge of the cone, above 0, below pi / 2
-    T z_near = T(0.1);                                ///< > 0, world units
-    T z_far = T(100);                                 ///< > z_near
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
+    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
+    T z_near = T(0.1);                                  ///< > 0, world units
+    T z_far = T(100);                                   ///< > z_near
     clip_space clip{};
 };
 

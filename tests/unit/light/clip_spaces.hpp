@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What tests of lights share: every convention there is, and a double's way through a matrix.
+// What tests of lights share: every convention there is, a double's way through a matrix.
 #pragma once
 
 #include <cmath>
@@ -30,6 +30,11 @@ inline std::string to_string(umbrage::clip_space clip) {
            (clip.range == depth_range::zero_to_one ? "[0,1] " : "[-1,1] ") +
            (clip.direction == depth_direction::forward ? "forward " : "reversed ") +
            (clip.origin == texture_origin::bottom ? "bottom" : "top");
+}
+
+/// A point or direction of a right-handed world in the convention's: left-handed ones are its mirror image.
+inline glm::dvec3 in_world(glm::dvec3 p, umbrage::clip_space clip) {
+    return clip.hand == umbrage::handedness::right ? p : glm::dvec3(p.x, p.y, -p.z);
 }
 
 /// The greater of two errors; a NaN is the greatest there is.

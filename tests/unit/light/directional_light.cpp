@@ -33,12 +33,13 @@ TEST_CASE("make_directional_light: the exercise's set-up on points worked out by
         CAPTURE(to_string(clip));
         const auto check = [&](const glm::dmat4& m, glm::dvec3 world, glm::dvec3 expected) {
             CAPTURE(world.x);
-            CHECK(glm::length(through(m, world) - in_convention(expected, clip, 1024)) < 1e-9);
+            CHECK(glm::length(through(m, in_world(world, clip)) - in_convention(expected, clip, 1024)) < 1e-9);
         };
         // 1024 texels at 10 a unit are 102.4 units; the light is 10 units before the target
-        const glm::dmat4 along_z = texture_matrix(
-            make_directional_light<double>({.direction = {0, 0, -2}, .z_near = 0.5, .z_far = 20.5, .clip = clip}),
-            {1024, 1024});
+        const glm::dmat4 along_z =
+            texture_matrix(make_directional_light<double>(
+                               {.direction = in_world({0, 0, -2}, clip), .z_near = 0.5, .z_far = 20.5, .clip = clip}),
+                           {1024, 1024});
         check(along_z, {0, 0, 0}, {512, 512, 9.5 / 20});
         check(along_z, {51.2, 51.2, 9.5}, {1024, 1024, 0});
         check(along_z, {-51.2, -51.2, -10.5}, {0, 0, 1});
@@ -46,9 +47,14 @@ TEST_CASE("make_directional_light: the exercise's set-up on points worked out by
 
         // along (1, -1, 0) with y up: right is +z, above is (1, 1, 0) / sqrt 2
         const double root = std::sqrt(0.5);
-        const glm::dmat4 oblique = texture_matrix(
-            make_directional_light<double>({.direction = {1, -1, 0}, .target = {5, 6, 7}, .offset = 4, .texels_per_unit = 100,
-                                            .z_near = 1, .z_far = 9, .clip = clip}), {1024, 1024});
+        const glm::dmat4 oblique = texture_matrix(make_directional_light<double>({.direction = {1, -1, 0},
+                                                                                  .target = in_world({5, 6, 7}, clip),
+                                                                                  .offset = 4,
+                                                                                  .texels_per_unit = 100,
+                                                                                  .z_near = 1,
+                                                                                  .z_far = 9,
+                                                                                  .clip = clip}),
+                                                  {1024, 1024});
         check(oblique, {5, 6, 7}, {512, 512, 3.0 / 8});
         check(oblique, {6, 7, 8}, {612, 512 + 200 * root, 3.0 / 8});
         check(oblique, {6, 5, 7}, {512, 512, (3 + 2 * root) / 8});
@@ -97,8 +103,8 @@ TEST_CASE_TEMPLATE("make_directional_light: bad input", T, float, double) {
     CHECK_NOTHROW(with([](auto&) {}));
     for (int size : {0, -1, std::numeric_limits<int>::min()})
         CHECK_THROWS_AS(with([&](auto& l) { l.map_size = size; }), std::invalid_argument);
-    for (T texels_per_unit : {T(0), T(-1), nan, infinity})
-        CHECK_THROWS_AS(with([&](auto& l) { l.texels_per_unit = texels_per_unit; }), std::invalid_argument);
+    for (T density : {T(0), T(-1), nan, infinity})
+        CHECK_THROWS_AS(with([&](auto& l) { l.texels_per_unit = density; }), std::invalid_argument);
     for (T bad : {nan, -nan, infinity, -infinity}) {
         CHECK_THROWS_AS(with([&](auto& l) { l.offset = bad; }), std::invalid_argument);
         CHECK_THROWS_AS(with([&](auto& l) { l.direction.x = bad; }), std::invalid_argument);
@@ -152,15 +158,20 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("fit_directional_light: the same world point, the same texel and depth in every convention") {
+TEST_CASE("fit_directional_light: the same point of the scene, the same texel and depth in every convention") {
     const directional_fit<double> fit{.direction = {1, -2, 0.5}, .low = {-1, 0, -3}, .high = {4, 2, 5}};
     const glm::dmat4 plain = texture_matrix(fit_directional_light(fit), {300, 200});
     for (clip_space clip : all_clip_spaces()) {
         auto same = fit;
         same.clip = clip;
+        same.direction = in_world(fit.direction, clip);
+        const glm::dvec3 low = in_world(fit.low, clip), high = in_world(fit.high, clip);
+        same.low = glm::min(low, high);
+        same.high = glm::max(low, high);
         const glm::dmat4 m = texture_matrix(fit_directional_light(same), {300, 200});
         for (glm::dvec3 corner : corners(fit.low, fit.high))
-            CHECK(glm::length(through(m, corner) - in_convention(through(plain, corner), clip, 200)) < 1e-11);
+            CHECK(glm::length(through(m, in_world(corner, clip)) - in_convention(through(plain, corner), clip, 200)) <
+                  1e-11);
     }
 }
 
@@ -197,7 +208,7 @@ TEST_CASE_TEMPLATE("fit_directional_light: bad input", T, float, double) {
     };
     const T nan = std::numeric_limits<T>::quiet_NaN(), infinity = std::numeric_limits<T>::infinity();
     CHECK_NOTHROW(with([](auto&) {}));
-    CHECK_NOTHROW(with([](auto& f) { f.high.y = f.low.y; }));             // a plane
+    CHECK_NOTHROW(with([](auto& f) { f.high.y = f.low.y; }));                      // a plane
     CHECK_NOTHROW(with([](auto& f) { f.high.y = f.low.y, f.high.x = f.low.x; }));  // a line
     CHECK_THROWS_AS(with([](auto& f) { f.high = f.low; }), std::invalid_argument);
     for (int i = 0; i < 3; ++i) {
