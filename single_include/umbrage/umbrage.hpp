@@ -69,7 +69,10 @@
 
 namespace umbrage {
 
-enum class handedness { right, left };                     ///< view space: looking down -z, or +z
+/// Of the world and of view space alike, as in lookAtRH and lookAtLH: the view is a rotation, never a mirror.
+/// Seen from the light, x is to the right and y up; right looks down -z, left down +z. A mesh keeps its winding: what goes
+/// clockwise for the light goes clockwise in NDC, y up.
+enum class handedness { right, left };
 enum class depth_range { zero_to_one, minus_one_to_one };  ///< of z/w between the planes
 enum class depth_direction { forward, reversed };          ///< reversed: the near plane has the greater depth
 enum class texture_origin { bottom, top };                 ///< where texel (0, 0) is: at NDC y = -1, or y = +1
@@ -83,14 +86,19 @@ struct clip_space {
     friend constexpr bool operator==(const clip_space&, const clip_space&) = default;
 };
 
-/// Right-handed, z/w in [-1, 1], texels from the bottom.
+/// Right-handed world, z/w in [-1, 1], texels from the bottom. With glClipControl: vulkan_clip_space.
 inline constexpr clip_space opengl_clip_space{.range = depth_range::minus_one_to_one};
 
-/// Right-handed, z/w in [0, 1]; the first texel is at NDC y = -1, which Vulkan draws at the top.
+/// Right-handed world, z/w in [0, 1]; the first texel is at NDC y = -1, which Vulkan draws at the top.
 inline constexpr clip_space vulkan_clip_space{};
 
-/// Left-handed, z/w in [0, 1], texels from the top. Metal and WebGPU agree but for the hand, which is the caller's.
+/// Left-handed world, as D3DXMatrixLookAtLH has it, z/w in [0, 1], texels from the top.
 inline constexpr clip_space direct3d_clip_space{.hand = handedness::left, .origin = texture_origin::top};
+
+/// Right-handed world, z/w in [0, 1], texels from the top: WebGPU as three.js and glTF viewers use it, and right-handed
+/// worlds under Direct3D. WebGPU and Metal have no hand of their own: for a left-handed world take direct3d_clip_space.
+inline constexpr clip_space webgpu_clip_space{.origin = texture_origin::top};
+inline constexpr clip_space metal_clip_space = webgpu_clip_space;
 
 /// The depth of the far plane, to which a map is cleared.
 [[nodiscard]] constexpr float cleared_depth(clip_space clip) {
@@ -1836,7 +1844,8 @@ UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP flo
 }  // namespace umbrage
 
 // ---- umbrage/light/light_space.hpp
-// A light's view of the world: two matrices and the convention they follow.
+// A light's view of the world: two matrices and the convention they follow. Every set-up function either returns
+// matrices of finite numbers, whose product is finite too, or reports which argument is to blame.
 //
 //     auto light = umbrage::make_spot_light({.position = {0, 5, 0}, .direction = {0, -1, 0}});
 //     glm::mat4 clip_from_world = light.projection * light.view;
@@ -1846,12 +1855,43 @@ namespace umbrage {
 
 template <real T>
 struct light_space {
-    glm::mat<4, 4, T> view{T(1)};        ///< world -> light's view space, looking down -z (right) or +z (left)
+    glm::mat<4, 4, T> view{T(1)};        ///< world -> light's view space, a rotation; down -z (right) or +z (left)
     glm::mat<4, 4, T> projection{T(1)};  ///< view space -> clip space
     clip_space clip;
 };
 
 namespace detail {
+
+/// Reports an argument of a set-up function, or several, unless what they need is met.
+inline void require(bool met, const char* function, const char* arguments, const char* problem) {
+    if (!met) fail(std::string("umbrage::") + function + ": " + arguments + " " + problem);
+}
+
+template <glm::length_t N, real T>
+[[nodiscard]] constexpr bool all_finite(const glm::vec<N, T>& v) {
+    for (glm::length_t i = 0; i < N; ++i)
+        if (!is_finite(v[i])) return false;
+    return true;
+}
+template <real T>
+[[nodiscard]] constexpr bool all_finite(const glm::mat<4, 4, T>& m) {
+    return all_finite(m[0]) && all_finite(m[1]) && all_finite(m[2]) && all_finite(m[3]);
+}
+
+/// True for what neither overflowed nor is lost where denormals count as zero.
+template <real T>
+[[nodiscard]] bool is_normal(T v) {
+    return is_finite(v) && glm::abs(v) >= std::numeric_limits<T>::min();
+}
+
+/// The one check of a light's matrices.
+template <real T>
+[[nodiscard]] light_space<T> checked(const light_space<T>& light, const char* function, const char* arguments) {
+    const bool finite = all_finite(light.view) && all_finite(light.projection);
+    require(finite && all_finite(light.projection * light.view), function, arguments,
+            "give a matrix that is not finite");
+    return light;
+}
 
 /// Unit vector; scaled first, so that nothing overflows or underflows. Zero stays zero.
 template <real T>
@@ -1860,26 +1900,17 @@ template <real T>
     return scale > T(0) ? glm::normalize(v / scale) : v;
 }
 
-}  // namespace detail
-
-/// World to light's view space: x to the right, y up, whichever hand, so that a mesh keeps its winding.
-///
-/// @param position    of the light, world
-/// @param direction   it looks along, any length > 0
-/// @param up          hint; where it is parallel to direction, or nearly (1e-3), the world axis least along direction
-///                    takes its place, so that any direction works
-/// @param hand        right: looks down -z, left: down +z
-/// @throws std::invalid_argument  zero or non-finite direction or position
+/// look_along in the name of another function, whose argument `position` is; the result is the caller's to check.
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
-                                           handedness hand) {
-    for (int i = 0; i < 3; ++i)
-        if (!is_finite(position[i]) || !is_finite(direction[i]) || !is_finite(up[i]))
-            detail::fail("umbrage: a light's position, direction and up must be finite");
-    const glm::vec<3, T> forward = detail::unit(direction);
-    if (forward == glm::vec<3, T>(0)) detail::fail("umbrage: a light's direction must not be zero");
+                                           handedness hand, const char* function, const char* position_name) {
+    require(all_finite(position), function, position_name, "must be finite");
+    require(all_finite(direction), function, "direction", "must be finite");
+    require(all_finite(up), function, "up", "must be finite");
+    const glm::vec<3, T> forward = unit(direction);
+    require(forward != glm::vec<3, T>(0), function, "direction", "must not be zero");
 
-    glm::vec<3, T> side = glm::cross(forward, detail::unit(up));
+    glm::vec<3, T> side = glm::cross(forward, unit(up));
     if (!(glm::length(side) > T(1e-3))) {
         const glm::vec<3, T> along = glm::abs(forward);
         const int least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
@@ -1889,17 +1920,36 @@ template <real T>
     }
     const glm::vec<3, T> above = glm::normalize(glm::cross(side, forward));
     side = glm::cross(forward, above);  // again: up nearly parallel to forward leaves the first a hundred ulp askew
-    const glm::vec<3, T> depth = hand == handedness::right ? -forward : forward;
+    const T towards = hand == handedness::right ? T(1) : T(-1);  // left: half a turn about y
 
     glm::mat<4, 4, T> view(T(1));
     for (int i = 0; i < 3; ++i) {
-        view[i][0] = side[i];
+        view[i][0] = towards * side[i];
         view[i][1] = above[i];
-        view[i][2] = depth[i];
+        view[i][2] = -towards * forward[i];
     }
-    view[3][0] = -glm::dot(side, position);
+    view[3][0] = -towards * glm::dot(side, position);
     view[3][1] = -glm::dot(above, position);
-    view[3][2] = -glm::dot(depth, position);
+    view[3][2] = towards * glm::dot(forward, position);
+    return view;
+}
+
+}  // namespace detail
+
+/// World to light's view space by a rotation: x to the right, y up.
+///
+/// @param position    of the light, world
+/// @param direction   it looks along, any length > 0
+/// @param up          hint; where it is parallel to direction, or nearly (1e-3), the world axis least along direction
+///                    takes its place, so that any direction works
+/// @param hand        of the world and the view; right: looks down -z, as glm::lookAtRH, left: down +z, as
+/// glm::lookAtLH
+/// @throws std::invalid_argument  zero or non-finite direction or position
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
+                                           handedness hand) {
+    const auto view = detail::look_along(position, direction, up, hand, "look_along", "position");
+    detail::require(detail::all_finite(view), "look_along", "position", "is too far out");
     return view;
 }
 
@@ -1916,10 +1966,50 @@ template <real T>
     return clip.direction == depth_direction::forward ? depth_ends<T>{low, T(1)} : depth_ends<T>{T(1), low};
 }
 
+/// perspective in the name of another function, which has checked the tangents.
 template <real T>
-void check_planes(T z_near, T z_far) {
-    if (!is_finite(z_near) || !is_finite(z_far) || !(z_near < z_far))
-        detail::fail("umbrage: a light needs finite z_near < z_far");
+[[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip,
+                                            const char* function) {
+    require(is_normal(z_near) && z_near > T(0), function, "z_near", "must be above 0, finite and no denormal");
+    require(!is_nan(z_far) && z_near < z_far, function, "z_far", "must be above z_near");
+    const auto [at_near, at_far] = ends<T>(clip);
+    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
+    // the formula over powers of two, which keeps its bits and does not overflow; no far plane: z_near is nothing to it
+    const bool bounded = is_finite(z_far);
+    const int far_scale = bounded ? std::ilogb(z_far) : 0, near_scale = std::ilogb(z_near);
+    const T f = bounded ? std::scalbn(z_far, -far_scale) : T(1), n = bounded ? std::scalbn(z_near, -far_scale) : T(0);
+    const T product = std::scalbn(z_near, -near_scale) * f * (at_near - at_far);
+    glm::mat<4, 4, T> m(T(0));
+    m[0][0] = T(1) / tan_half_x;
+    m[1][1] = T(1) / tan_half_y;
+    m[2][2] = forward * (f * at_far - n * at_near) / (f - n);
+    m[3][2] = std::scalbn(product / (f - n), near_scale);
+    m[2][3] = forward;
+    require(is_finite(m[3][2]), function, "z_near and z_far", "are too large and too close together");
+    return m;
+}
+
+/// orthographic in the name of another function, whose arguments give the box and the planes.
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
+                                             clip_space clip, const char* function, const char* box,
+                                             const char* planes) {
+    require(all_finite(low) && all_finite(high), function, box, "must give a finite box");
+    require(low.x < high.x && low.y < high.y, function, box, "must give a box with some width and height");
+    require(is_finite(z_near) && is_finite(z_far), function, planes, "must be finite");
+    require(z_near < z_far, function, planes, "must be in order, some distance apart");
+    const auto [at_near, at_far] = ends<T>(clip);
+    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
+    glm::mat<4, 4, T> m(T(1));
+    for (int i = 0; i < 2; ++i) {
+        m[i][i] = T(2) / (high[i] - low[i]);
+        m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
+        require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "give too large or too small a box");
+    }
+    m[2][2] = forward * (at_far - at_near) / (z_far - z_near);
+    m[3][2] = (z_far * at_near - z_near * at_far) / (z_far - z_near);
+    require(is_normal(m[2][2]) && is_finite(m[3][2]), function, planes, "are too far apart or too close together");
+    return m;
 }
 
 }  // namespace detail
@@ -1927,49 +2017,27 @@ void check_planes(T z_near, T z_far) {
 /// Perspective projection.
 ///
 /// @param tan_half_x, tan_half_y   tangent of half the opening angle, > 0
-/// @param z_near, z_far            0 < z_near < z_far, world units
-/// @throws std::invalid_argument   anything else
+/// @param z_near, z_far            0 < z_near < z_far, world units; an infinite z_far is no far plane: depth then nears
+///                                 the far depth with distance, forward or reversed
+/// @throws std::invalid_argument   anything else, and what gives a matrix that is not finite
 /// @formula       z/w = A + B / distance through (z_near, near depth), (z_far, far depth)
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip) {
-    detail::check_planes(z_near, z_far);
-    if (!(z_near > T(0))) detail::fail("umbrage: a perspective light needs z_near > 0");
-    if (!is_finite(tan_half_x) || !is_finite(tan_half_y) || !(tan_half_x > T(0)) || !(tan_half_y > T(0)))
-        detail::fail(
-            "umbrage: a perspective light needs an opening angle above 0 and below 180 degrees");
-    const auto [at_near, at_far] = detail::ends<T>(clip);
-    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
-    glm::mat<4, 4, T> m(T(0));
-    m[0][0] = T(1) / tan_half_x;
-    m[1][1] = T(1) / tan_half_y;
-    m[2][2] = forward * (z_far * at_far - z_near * at_near) / (z_far - z_near);
-    m[3][2] = z_near * z_far * (at_near - at_far) / (z_far - z_near);
-    m[2][3] = forward;
-    return m;
+    const auto opening = [](T tangent) { return tangent > T(0) && detail::is_normal(T(1) / tangent); };
+    detail::require(opening(tan_half_x), "perspective", "tan_half_x", "must be above 0, and 1 / tan_half_x finite");
+    detail::require(opening(tan_half_y), "perspective", "tan_half_y", "must be above 0, and 1 / tan_half_y finite");
+    return detail::perspective(tan_half_x, tan_half_y, z_near, z_far, clip, "perspective");
 }
 
 /// Orthographic projection of the box between two corners of view space, z given as distances in front of the light.
 ///
 /// @param low, high        x and y of the corners, low < high
 /// @param z_near, z_far    z_near < z_far, world units, may be negative (behind the light's position)
-/// @throws std::invalid_argument   an empty or non-finite box
+/// @throws std::invalid_argument   an empty or non-finite box, and one that gives a matrix that is not finite
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
                                              clip_space clip) {
-    detail::check_planes(z_near, z_far);
-    for (int i = 0; i < 2; ++i)
-        if (!is_finite(low[i]) || !is_finite(high[i]) || !(low[i] < high[i]))
-            detail::fail("umbrage: an orthographic light needs a box with some width and height");
-    const auto [at_near, at_far] = detail::ends<T>(clip);
-    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
-    glm::mat<4, 4, T> m(T(1));
-    for (int i = 0; i < 2; ++i) {
-        m[i][i] = T(2) / (high[i] - low[i]);
-        m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
-    }
-    m[2][2] = forward * (at_far - at_near) / (z_far - z_near);
-    m[3][2] = (z_far * at_near - z_near * at_far) / (z_far - z_near);
-    return m;
+    return detail::orthographic(low, high, z_near, z_far, clip, "orthographic", "low and high", "z_near and z_far");
 }
 
 }  // namespace umbrage
@@ -1983,6 +2051,21 @@ template <real T>
 
 namespace umbrage {
 
+namespace detail {
+
+/// Length, with the bits of glm::length but where a square overflows or vanishes.
+template <real T>
+[[nodiscard]] T length(glm::vec<3, T> v) {
+    const T greatest = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
+    if (!(greatest > T(0))) return T(0);
+    const int scale = std::ilogb(greatest);
+    return std::scalbn(
+        glm::length(glm::vec<3, T>(std::scalbn(v.x, -scale), std::scalbn(v.y, -scale), std::scalbn(v.z, -scale))),
+        scale);
+}
+
+}  // namespace detail
+
 template <real T = float>
 struct directional_light {
     glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
@@ -1990,26 +2073,32 @@ struct directional_light {
     glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
     T offset = T(10);                             ///< from target back to the light, world units
     int map_size = 1024;                          ///< texels, >= 1
-    T divisor = T(10);                            ///< texels per world unit, > 0
+    T texels_per_unit = T(10);                    ///< across the light, world units; > 0
     T z_near = T(0.1);                            ///< world units from the light
     T z_far = T(100);
     clip_space clip{};
 };
 
-/// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / divisor.
-/// @throws std::invalid_argument  zero or non-finite direction, map_size or divisor not above 0, planes out of order
+/// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / texels_per_unit.
+/// @throws std::invalid_argument  zero or non-finite direction, map_size or texels_per_unit not above 0, planes out of
+///                                order, and what gives matrices that are not finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_directional_light(const directional_light<T>& light) {
-    if (light.map_size < 1 || !is_finite(light.divisor) || !(light.divisor > T(0)))
-        detail::fail("umbrage::make_directional_light: map_size and divisor must be above 0");
+    constexpr auto function = "make_directional_light";
+    detail::require(light.map_size >= 1, function, "map_size", "must be above 0");
+    detail::require(is_finite(light.texels_per_unit) && light.texels_per_unit > T(0), function, "texels_per_unit",
+                    "must be finite and above 0");
+    detail::require(is_finite(light.offset), function, "offset", "must be finite");
     // along the normalised direction, moved by the offset: the view's last row holds the light's distance
-    light_space<T> space{look_along(light.target, light.direction, light.up, light.clip.hand), {}, light.clip};
+    light_space<T> space{
+        detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),
+        {},
+        light.clip};
     space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
-    if (!is_finite(space.view[3][2]))
-        detail::fail("umbrage::make_directional_light: offset must be finite");
-    const T half = T(light.map_size) / light.divisor / T(2);
-    space.projection = orthographic(glm::vec<2, T>(-half), glm::vec<2, T>(half), light.z_near, light.z_far, light.clip);
-    return space;
+    const glm::vec<2, T> half(T(light.map_size) / light.texels_per_unit / T(2));
+    space.projection = detail::orthographic(-half, half, light.z_near, light.z_far, light.clip, function,
+                                            "map_size and texels_per_unit", "z_near and z_far");
+    return detail::checked(space, function, "target, offset, texels_per_unit, z_near and z_far");
 }
 
 template <real T = float>
@@ -2022,23 +2111,27 @@ struct directional_fit {
 };
 
 /// The smallest box along the light that holds the bounds, and the margin.
-/// @throws std::invalid_argument  zero or non-finite direction, bounds empty, inverted or of no extent
+/// @throws std::invalid_argument  zero or non-finite direction, bounds empty, inverted or of no extent, and what gives
+///                                matrices that are not finite
 template <real T = float>
 [[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
-    const T diagonal = glm::length(fit.high - fit.low);
-    if (!is_finite(diagonal) || !(diagonal > T(0)) || glm::any(glm::greaterThan(fit.low, fit.high)))
-        detail::fail("umbrage::fit_directional_light: bounds must be finite, in order, of some extent");
-    if (!is_finite(fit.margin) || !(fit.margin > T(0)))
-        detail::fail("umbrage::fit_directional_light: margin must be above 0");
-    light_space<T> space{look_along((fit.low + fit.high) * T(0.5), fit.direction, fit.up, fit.clip.hand), {}, fit.clip};
+    constexpr auto function = "fit_directional_light", bounds = "low and high", box = "low, high and margin";
+    detail::require(detail::all_finite(fit.low) && detail::all_finite(fit.high), function, bounds, "must be finite");
+    detail::require(!glm::any(glm::greaterThan(fit.low, fit.high)), function, "low", "must not be above high");
+    detail::require(is_finite(fit.margin) && fit.margin > T(0), function, "margin", "must be finite and above 0");
+    // halved first: the bounds may reach from one end of the numbers to the other
+    const glm::vec<3, T> half = fit.high * T(0.5) - fit.low * T(0.5), centre = fit.low * T(0.5) + fit.high * T(0.5);
+    const T radius = detail::length(half);
+    detail::require(radius > T(0), function, bounds, "must have some extent");
+    light_space<T> space{
+        detail::look_along(centre, fit.direction, fit.up, fit.clip.hand, function, bounds), {}, fit.clip};
     // the box is centred on the bounds' centre, so it is enough to know how far it reaches
-    const glm::vec<3, T> half = (fit.high - fit.low) * T(0.5);
-    glm::vec<3, T> reach(fit.margin * diagonal);
+    glm::vec<3, T> reach(fit.margin * T(2) * radius);
     for (int row = 0; row < 3; ++row)
         for (int i = 0; i < 3; ++i) reach[row] += glm::abs(space.view[i][row]) * half[i];
-    space.projection = orthographic(glm::vec<2, T>(-reach.x, -reach.y), glm::vec<2, T>(reach.x, reach.y), -reach.z,
-                                    reach.z, fit.clip);
-    return space;
+    const glm::vec<2, T> side(reach);
+    space.projection = detail::orthographic(-side, side, -reach.z, reach.z, fit.clip, function, box, box);
+    return detail::checked(space, function, box);
 }
 
 }  // namespace umbrage
@@ -2054,24 +2147,30 @@ namespace umbrage {
 template <real T = float>
 struct spot_light {
     glm::vec<3, T> position{T(0)};
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};      ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};              ///< hint; may be parallel to direction
-    T outer_angle_radians = std::numbers::pi_v<T> / 6; ///< between axis and edge of the cone, above 0, below pi / 2
-    T z_near = T(0.1);                                ///< > 0, world units
-    T z_far = T(100);                                 ///< > z_near
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
+    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
+    T z_near = T(0.1);                                  ///< > 0, world units
+    T z_far = T(100);                                   ///< > z_near; infinite: no far plane
     clip_space clip{};
 };
 
 /// View and perspective projection around the light's cone, which the square map holds whole.
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), planes out of order
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), planes out of order, and
+/// what
+///                                gives matrices that are not finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
-    if (!is_finite(light.outer_angle_radians) || !(light.outer_angle_radians > T(0)) ||
-        !(light.outer_angle_radians < std::numbers::pi_v<T> / 2))
-        detail::fail("umbrage::make_spot_light: outer_angle_radians must lie between 0 and pi / 2");
-    const T extent = std::tan(light.outer_angle_radians);
-    return {look_along(light.position, light.direction, light.up, light.clip.hand),
-            perspective(extent, extent, light.z_near, light.z_far, light.clip), light.clip};
+    constexpr auto function = "make_spot_light";
+    const T angle = light.outer_angle_radians;
+    detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
+                    "outer_angle_radians", "must lie between 0 and pi / 2");
+    const T extent = std::tan(angle);
+    detail::require(detail::is_normal(T(1) / extent), function, "outer_angle_radians", "must have a finite cotangent");
+    return detail::checked<T>(
+        {detail::look_along(light.position, light.direction, light.up, light.clip.hand, function, "position"),
+         detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function), light.clip},
+        function, "position, outer_angle_radians, z_near and z_far");
 }
 
 }  // namespace umbrage
@@ -2091,10 +2190,10 @@ namespace umbrage {
 /// @return           (x w, y w, depth w, w); depth in [0, 1] whatever the clip space, reversed stays reversed
 /// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
 ///                   [-1, 1] clip space becomes z / 2 + 1 / 2
-/// @throws std::invalid_argument  map_size below 1
+/// @throws std::invalid_argument  map_size below 1, or a matrix that is not finite
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
-    if (map_size.x < 1 || map_size.y < 1) detail::fail("umbrage::texture_matrix: map_size below 1");
+    detail::require(map_size.x >= 1 && map_size.y >= 1, "texture_matrix", "map_size", "must be above 0");
     const glm::vec<2, T> half = glm::vec<2, T>(map_size) * T(0.5);
     glm::mat<4, 4, T> scale_bias(T(1));
     scale_bias[0][0] = half.x;
@@ -2105,7 +2204,9 @@ template <real T>
         scale_bias[2][2] = T(0.5);
         scale_bias[3][2] = T(0.5);
     }
-    return scale_bias * light.projection * light.view;
+    const glm::mat<4, 4, T> m = scale_bias * light.projection * light.view;
+    detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "give a matrix that is not finite");
+    return m;
 }
 
 /// The same to [0, 1]: what texture look-ups with normalised coordinates take.
@@ -2127,6 +2228,7 @@ inline const std::array<glm::vec<2, T>, 4> default_taps{
 ///                         adding it afterwards; in binary32 within 6 ulp of (|m0 x| + |m1 y| + |m2 z| + |m3|) / w,
 ///                         the magnitudes that add up to a coordinate (worst seen 4.5; tap_coordinate stays closer)
 /// @formula                translate(offset) * texture_matrix
+/// @throws std::invalid_argument  a matrix that is not finite
 /// @cite                   ATI Radeon SDK, ShadowMap sample, 2002
 template <real T>
 [[nodiscard]] std::array<glm::mat<4, 4, T>, 4> tap_matrices(
@@ -2138,6 +2240,8 @@ template <real T>
             taps[tap][column][0] += offsets[tap].x * texture_matrix[column][3];
             taps[tap][column][1] += offsets[tap].y * texture_matrix[column][3];
         }
+        detail::require(detail::all_finite(taps[tap]), "tap_matrices", "texture_matrix and offsets",
+                        "give a matrix that is not finite");
     }
     return taps;
 }
@@ -3583,7 +3687,8 @@ struct mesh_view {
     std::span<const glm::uvec3> triangles;
 };
 
-/// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up.
+/// Which faces to leave out. The front goes counter-clockwise in NDC, x to the right and y up, as in most right-handed
+/// worlds; where it goes clockwise, as in most left-handed ones, front and back change places.
 enum class cull_mode { none, front, back };
 
 }  // namespace umbrage
@@ -5639,10 +5744,10 @@ struct depth_receivers {
 /// @param clip             the camera's convention
 /// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
 ///                         the camera; the product is taken in double
-/// @throws std::invalid_argument  size below 1
+/// @throws std::invalid_argument  size below 1, or a matrix that is not finite
 [[nodiscard]] inline glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
                                                glm::ivec2 size, clip_space clip) {
-    if (size.x < 1 || size.y < 1) detail::fail("umbrage::receiver_matrix: size below 1");
+    detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
     const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
     glm::dmat4 to_clip(1.0);
     to_clip[0][0] = 2.0 / size.x;
@@ -5652,7 +5757,10 @@ struct depth_receivers {
         to_clip[2][2] = 2.0;
         to_clip[3][2] = -1.0;
     }
-    return glm::mat4(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
+    const glm::mat4 m(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
+    detail::require(detail::all_finite(m), "receiver_matrix", "clip_to_world and texture_matrix",
+                    "give a matrix that is not finite");
+    return m;
 }
 
 /// One receiver of a camera's depth image.

@@ -50,10 +50,10 @@ struct depth_receivers {
 /// @param clip             the camera's convention
 /// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
 ///                         the camera; the product is taken in double
-/// @throws std::invalid_argument  size below 1
+/// @throws std::invalid_argument  size below 1, or a matrix that is not finite
 [[nodiscard]] inline glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
                                                glm::ivec2 size, clip_space clip) {
-    if (size.x < 1 || size.y < 1) detail::fail("umbrage::receiver_matrix: size below 1");
+    detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
     const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
     glm::dmat4 to_clip(1.0);
     to_clip[0][0] = 2.0 / size.x;
@@ -63,7 +63,10 @@ struct depth_receivers {
         to_clip[2][2] = 2.0;
         to_clip[3][2] = -1.0;
     }
-    return glm::mat4(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
+    const glm::mat4 m(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
+    detail::require(detail::all_finite(m), "receiver_matrix", "clip_to_world and texture_matrix",
+                    "give a matrix that is not finite");
+    return m;
 }
 
 /// One receiver of a camera's depth image.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A light's view of the world: two matrices and the convention they follow.
+// A light's view of the world: two matrices and the convention they follow. Every set-up function either returns
+// matrices of finite numbers, whose product is finite too, or reports which argument is to blame.
 //
 //     auto light = umbrage::make_spot_light({.position = {0, 5, 0}, .direction = {0, -1, 0}});
 //     glm::mat4 clip_from_world = light.projection * light.view;
@@ -8,12 +9,14 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
 #include <umbrage/clip_space.hpp>
+#include <umbrage/config.hpp>
 #include <umbrage/scalar.hpp>
 
 namespace umbrage {
@@ -27,6 +30,37 @@ struct light_space {
 
 namespace detail {
 
+/// Reports an argument of a set-up function, or several, unless what they need is met.
+inline void require(bool met, const char* function, const char* arguments, const char* problem) {
+    if (!met) fail(std::string("umbrage::") + function + ": " + arguments + " " + problem);
+}
+
+template <glm::length_t N, real T>
+[[nodiscard]] constexpr bool all_finite(const glm::vec<N, T>& v) {
+    for (glm::length_t i = 0; i < N; ++i)
+        if (!is_finite(v[i])) return false;
+    return true;
+}
+template <real T>
+[[nodiscard]] constexpr bool all_finite(const glm::mat<4, 4, T>& m) {
+    return all_finite(m[0]) && all_finite(m[1]) && all_finite(m[2]) && all_finite(m[3]);
+}
+
+/// True for what neither overflowed nor is lost where denormals count as zero.
+template <real T>
+[[nodiscard]] bool is_normal(T v) {
+    return is_finite(v) && glm::abs(v) >= std::numeric_limits<T>::min();
+}
+
+/// The one check of a light's matrices.
+template <real T>
+[[nodiscard]] light_space<T> checked(const light_space<T>& light, const char* function, const char* arguments) {
+    const bool finite = all_finite(light.view) && all_finite(light.projection);
+    require(finite && all_finite(light.projection * light.view), function, arguments,
+            "give a matrix that is not finite");
+    return light;
+}
+
 /// Unit vector; scaled first, so that nothing overflows or underflows. Zero stays zero.
 template <real T>
 [[nodiscard]] glm::vec<3, T> unit(glm::vec<3, T> v) {
@@ -34,26 +68,17 @@ template <real T>
     return scale > T(0) ? glm::normalize(v / scale) : v;
 }
 
-}  // namespace detail
-
-/// World to light's view space by a rotation: x to the right, y up.
-///
-/// @param position    of the light, world
-/// @param direction   it looks along, any length > 0
-/// @param up          hint; where it is parallel to direction, or nearly (1e-3), the world axis least along direction
-///                    takes its place, so that any direction works
-/// @param hand        of world and view; right: looks down -z, as glm::lookAtRH, left: down +z, as glm::lookAtLH
-/// @throws std::invalid_argument  zero or non-finite direction or position
+/// look_along in the name of another function, whose argument `position` is; the result is the caller's to check.
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
-                                           handedness hand) {
-    for (int i = 0; i < 3; ++i)
-        if (!is_finite(position[i]) || !is_finite(direction[i]) || !is_finite(up[i]))
-            detail::fail("umbrage: a light's position, direction and up must be finite");
-    const glm::vec<3, T> forward = detail::unit(direction);
-    if (forward == glm::vec<3, T>(0)) detail::fail("umbrage: a light's direction must not be zero");
+                                           handedness hand, const char* function, const char* position_name) {
+    require(all_finite(position), function, position_name, "must be finite");
+    require(all_finite(direction), function, "direction", "must be finite");
+    require(all_finite(up), function, "up", "must be finite");
+    const glm::vec<3, T> forward = unit(direction);
+    require(forward != glm::vec<3, T>(0), function, "direction", "must not be zero");
 
-    glm::vec<3, T> side = glm::cross(forward, detail::unit(up));
+    glm::vec<3, T> side = glm::cross(forward, unit(up));
     if (!(glm::length(side) > T(1e-3))) {
         const glm::vec<3, T> along = glm::abs(forward);
         const int least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
@@ -77,6 +102,25 @@ template <real T>
     return view;
 }
 
+}  // namespace detail
+
+/// World to light's view space by a rotation: x to the right, y up.
+///
+/// @param position    of the light, world
+/// @param direction   it looks along, any length > 0
+/// @param up          hint; where it is parallel to direction, or nearly (1e-3), the world axis least along direction
+///                    takes its place, so that any direction works
+/// @param hand        of the world and the view; right: looks down -z, as glm::lookAtRH, left: down +z, as
+/// glm::lookAtLH
+/// @throws std::invalid_argument  zero or non-finite direction or position
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
+                                           handedness hand) {
+    const auto view = detail::look_along(position, direction, up, hand, "look_along", "position");
+    detail::require(detail::all_finite(view), "look_along", "position", "is too far out");
+    return view;
+}
+
 namespace detail {
 
 /// Rows that send view-space distance z_near to the near depth and z_far to the far depth of the convention.
@@ -90,10 +134,50 @@ template <real T>
     return clip.direction == depth_direction::forward ? depth_ends<T>{low, T(1)} : depth_ends<T>{T(1), low};
 }
 
+/// perspective in the name of another function, which has checked the tangents.
 template <real T>
-void check_planes(T z_near, T z_far) {
-    if (!is_finite(z_near) || !is_finite(z_far) || !(z_near < z_far))
-        detail::fail("umbrage: a light needs finite z_near < z_far");
+[[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip,
+                                            const char* function) {
+    require(is_normal(z_near) && z_near > T(0), function, "z_near", "must be above 0, finite and no denormal");
+    require(!is_nan(z_far) && z_near < z_far, function, "z_far", "must be above z_near");
+    const auto [at_near, at_far] = ends<T>(clip);
+    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
+    // the formula over powers of two, which keeps its bits and does not overflow; no far plane: z_near is nothing to it
+    const bool bounded = is_finite(z_far);
+    const int far_scale = bounded ? std::ilogb(z_far) : 0, near_scale = std::ilogb(z_near);
+    const T f = bounded ? std::scalbn(z_far, -far_scale) : T(1), n = bounded ? std::scalbn(z_near, -far_scale) : T(0);
+    const T product = std::scalbn(z_near, -near_scale) * f * (at_near - at_far);
+    glm::mat<4, 4, T> m(T(0));
+    m[0][0] = T(1) / tan_half_x;
+    m[1][1] = T(1) / tan_half_y;
+    m[2][2] = forward * (f * at_far - n * at_near) / (f - n);
+    m[3][2] = std::scalbn(product / (f - n), near_scale);
+    m[2][3] = forward;
+    require(is_finite(m[3][2]), function, "z_near and z_far", "are too large and too close together");
+    return m;
+}
+
+/// orthographic in the name of another function, whose arguments give the box and the planes.
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
+                                             clip_space clip, const char* function, const char* box,
+                                             const char* planes) {
+    require(all_finite(low) && all_finite(high), function, box, "must give a finite box");
+    require(low.x < high.x && low.y < high.y, function, box, "must give a box with some width and height");
+    require(is_finite(z_near) && is_finite(z_far), function, planes, "must be finite");
+    require(z_near < z_far, function, planes, "must be in order, some distance apart");
+    const auto [at_near, at_far] = ends<T>(clip);
+    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
+    glm::mat<4, 4, T> m(T(1));
+    for (int i = 0; i < 2; ++i) {
+        m[i][i] = T(2) / (high[i] - low[i]);
+        m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
+        require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "give too large or too small a box");
+    }
+    m[2][2] = forward * (at_far - at_near) / (z_far - z_near);
+    m[3][2] = (z_far * at_near - z_near * at_far) / (z_far - z_near);
+    require(is_normal(m[2][2]) && is_finite(m[3][2]), function, planes, "are too far apart or too close together");
+    return m;
 }
 
 }  // namespace detail
@@ -101,48 +185,27 @@ void check_planes(T z_near, T z_far) {
 /// Perspective projection.
 ///
 /// @param tan_half_x, tan_half_y   tangent of half the opening angle, > 0
-/// @param z_near, z_far            0 < z_near < z_far, world units
-/// @throws std::invalid_argument   anything else
+/// @param z_near, z_far            0 < z_near < z_far, world units; an infinite z_far is no far plane: depth then nears
+///                                 the far depth with distance, forward or reversed
+/// @throws std::invalid_argument   anything else, and what gives a matrix that is not finite
 /// @formula       z/w = A + B / distance through (z_near, near depth), (z_far, far depth)
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip) {
-    detail::check_planes(z_near, z_far);
-    if (!(z_near > T(0))) detail::fail("umbrage: a perspective light needs z_near > 0");
-    if (!is_finite(tan_half_x) || !is_finite(tan_half_y) || !(tan_half_x > T(0)) || !(tan_half_y > T(0)))
-        detail::fail("umbrage: a perspective light needs an opening angle above 0 and below 180 degrees");
-    const auto [at_near, at_far] = detail::ends<T>(clip);
-    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
-    glm::mat<4, 4, T> m(T(0));
-    m[0][0] = T(1) / tan_half_x;
-    m[1][1] = T(1) / tan_half_y;
-    m[2][2] = forward * (z_far * at_far - z_near * at_near) / (z_far - z_near);
-    m[3][2] = z_near * z_far * (at_near - at_far) / (z_far - z_near);
-    m[2][3] = forward;
-    return m;
+    const auto opening = [](T tangent) { return tangent > T(0) && detail::is_normal(T(1) / tangent); };
+    detail::require(opening(tan_half_x), "perspective", "tan_half_x", "must be above 0, and 1 / tan_half_x finite");
+    detail::require(opening(tan_half_y), "perspective", "tan_half_y", "must be above 0, and 1 / tan_half_y finite");
+    return detail::perspective(tan_half_x, tan_half_y, z_near, z_far, clip, "perspective");
 }
 
 /// Orthographic projection of the box between two corners of view space, z given as distances in front of the light.
 ///
 /// @param low, high        x and y of the corners, low < high
 /// @param z_near, z_far    z_near < z_far, world units, may be negative (behind the light's position)
-/// @throws std::invalid_argument   an empty or non-finite box
+/// @throws std::invalid_argument   an empty or non-finite box, and one that gives a matrix that is not finite
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
                                              clip_space clip) {
-    detail::check_planes(z_near, z_far);
-    for (int i = 0; i < 2; ++i)
-        if (!is_finite(low[i]) || !is_finite(high[i]) || !(low[i] < high[i]))
-            detail::fail("umbrage: an orthographic light needs a box with some width and height");
-    const auto [at_near, at_far] = detail::ends<T>(clip);
-    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
-    glm::mat<4, 4, T> m(T(1));
-    for (int i = 0; i < 2; ++i) {
-        m[i][i] = T(2) / (high[i] - low[i]);
-        m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
-    }
-    m[2][2] = forward * (at_far - at_near) / (z_far - z_near);
-    m[3][2] = (z_far * at_near - z_near * at_far) / (z_far - z_near);
-    return m;
+    return detail::orthographic(low, high, z_near, z_far, clip, "orthographic", "low and high", "z_near and z_far");
 }
 
 }  // namespace umbrage

@@ -20,20 +20,26 @@ struct spot_light {
     glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
     T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
     T z_near = T(0.1);                                  ///< > 0, world units
-    T z_far = T(100);                                   ///< > z_near
+    T z_far = T(100);                                   ///< > z_near; infinite: no far plane
     clip_space clip{};
 };
 
 /// View and perspective projection around the light's cone, which the square map holds whole.
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), planes out of order
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), planes out of order, and
+/// what
+///                                gives matrices that are not finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
-    if (!is_finite(light.outer_angle_radians) || !(light.outer_angle_radians > T(0)) ||
-        !(light.outer_angle_radians < std::numbers::pi_v<T> / 2))
-        detail::fail("umbrage::make_spot_light: outer_angle_radians must lie between 0 and pi / 2");
-    const T extent = std::tan(light.outer_angle_radians);
-    return {look_along(light.position, light.direction, light.up, light.clip.hand),
-            perspective(extent, extent, light.z_near, light.z_far, light.clip), light.clip};
+    constexpr auto function = "make_spot_light";
+    const T angle = light.outer_angle_radians;
+    detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
+                    "outer_angle_radians", "must lie between 0 and pi / 2");
+    const T extent = std::tan(angle);
+    detail::require(detail::is_normal(T(1) / extent), function, "outer_angle_radians", "must have a finite cotangent");
+    return detail::checked<T>(
+        {detail::look_along(light.position, light.direction, light.up, light.clip.hand, function, "position"),
+         detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function), light.clip},
+        function, "position, outer_angle_radians, z_near and z_far");
 }
 
 }  // namespace umbrage

@@ -14,8 +14,8 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include <umbrage/shader/glsl.hpp>
 #include <umbrage/light/light_space.hpp>
+#include <umbrage/shader/glsl.hpp>
 
 namespace umbrage {
 
@@ -25,10 +25,10 @@ namespace umbrage {
 /// @return           (x w, y w, depth w, w); depth in [0, 1] whatever the clip space, reversed stays reversed
 /// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
 ///                   [-1, 1] clip space becomes z / 2 + 1 / 2
-/// @throws std::invalid_argument  map_size below 1
+/// @throws std::invalid_argument  map_size below 1, or a matrix that is not finite
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
-    if (map_size.x < 1 || map_size.y < 1) detail::fail("umbrage::texture_matrix: map_size below 1");
+    detail::require(map_size.x >= 1 && map_size.y >= 1, "texture_matrix", "map_size", "must be above 0");
     const glm::vec<2, T> half = glm::vec<2, T>(map_size) * T(0.5);
     glm::mat<4, 4, T> scale_bias(T(1));
     scale_bias[0][0] = half.x;
@@ -39,7 +39,9 @@ template <real T>
         scale_bias[2][2] = T(0.5);
         scale_bias[3][2] = T(0.5);
     }
-    return scale_bias * light.projection * light.view;
+    const glm::mat<4, 4, T> m = scale_bias * light.projection * light.view;
+    detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "give a matrix that is not finite");
+    return m;
 }
 
 /// The same to [0, 1]: what texture look-ups with normalised coordinates take.
@@ -61,6 +63,7 @@ inline const std::array<glm::vec<2, T>, 4> default_taps{
 ///                         adding it afterwards; in binary32 within 6 ulp of (|m0 x| + |m1 y| + |m2 z| + |m3|) / w,
 ///                         the magnitudes that add up to a coordinate (worst seen 4.5; tap_coordinate stays closer)
 /// @formula                translate(offset) * texture_matrix
+/// @throws std::invalid_argument  a matrix that is not finite
 /// @cite                   ATI Radeon SDK, ShadowMap sample, 2002
 template <real T>
 [[nodiscard]] std::array<glm::mat<4, 4, T>, 4> tap_matrices(
@@ -72,6 +75,8 @@ template <real T>
             taps[tap][column][0] += offsets[tap].x * texture_matrix[column][3];
             taps[tap][column][1] += offsets[tap].y * texture_matrix[column][3];
         }
+        detail::require(detail::all_finite(taps[tap]), "tap_matrices", "texture_matrix and offsets",
+                        "give a matrix that is not finite");
     }
     return taps;
 }

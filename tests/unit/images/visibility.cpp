@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <umbrage/depth/float_bits.hpp>
+#include <umbrage/depth/kinds.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rgb24.hpp>
 #include <umbrage/images/visibility.hpp>
@@ -189,4 +190,30 @@ TEST_CASE("visibility: empty receivers, sizes that differ, an empty map") {
     CHECK_THROWS_AS(run(none, receivers, out), std::invalid_argument);
     CHECK_THROWS_AS(run(none, no_receivers, none), std::invalid_argument);
     for (float v : out.texels()) CHECK(v == -1.0f);  // whoever threw wrote nothing
+}
+
+TEST_CASE("receiver_matrix: from a camera's texel and depth to where the world point falls on the map") {
+    const glm::mat4 to_texels{{300, 0, 0, 0}, {0, 200, 0, 0.5f}, {0, 0, 0.25f, 0}, {10, 20, 0.5f, 2}};
+    glm::mat4 world_to_clip(0.0f);
+    world_to_clip[0][0] = 1.5f, world_to_clip[1][1] = 2.0f, world_to_clip[2][2] = -1.25f, world_to_clip[3][2] = -2.5f;
+    world_to_clip[2][3] = -1.0f;
+    const glm::ivec2 size(64, 48);
+    for (auto range : {depth_range::zero_to_one, depth_range::minus_one_to_one})
+        for (auto origin : {texture_origin::bottom, texture_origin::top}) {
+            const clip_space clip{.range = range, .origin = origin};
+            const glm::mat4 m = receiver_matrix(glm::inverse(world_to_clip), to_texels, size, clip);
+            const glm::vec3 world(0.3f, -0.4f, -5.0f);
+            const glm::vec4 h = world_to_clip * glm::vec4(world, 1.0f);
+            glm::vec3 seen = glm::vec3(h) / h.w;
+            if (range == depth_range::minus_one_to_one) seen.z = depth_from_ndc(seen.z);
+            const float up = origin == texture_origin::bottom ? seen.y : -seen.y;
+            const glm::vec3 texel((seen.x * 0.5f + 0.5f) * 64.0f, (up * 0.5f + 0.5f) * 48.0f, seen.z);
+            const glm::vec3 there = project_coordinate(shadow_coordinate(m, texel));
+            CHECK(glm::length(there - project_coordinate(shadow_coordinate(to_texels, world))) < 1e-3f);
+        }
+    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(1), to_texels, {0, 1}, {}), std::invalid_argument);
+    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(1), to_texels, {1, -1}, {}), std::invalid_argument);
+    const glm::mat4 flat(glm::inverse(glm::mat4(0.0f)));  // no camera
+    CHECK_THROWS_AS((void)receiver_matrix(flat, to_texels, size, {}), std::invalid_argument);
+    CHECK_THROWS_AS((void)receiver_matrix(glm::mat4(3e38f), to_texels, size, {}), std::invalid_argument);
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What tests of lights share: every convention there is, a double's way through a matrix.
+// What tests of lights share: every convention there is, a double's way through a matrix, and what an error says.
 #pragma once
 
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,17 @@ inline std::string to_string(umbrage::clip_space clip) {
 /// A point or direction of a right-handed world in the convention's: left-handed ones are its mirror image.
 inline glm::dvec3 in_world(glm::dvec3 p, umbrage::clip_space clip) {
     return clip.hand == umbrage::handedness::right ? p : glm::dvec3(p.x, p.y, -p.z);
+}
+
+/// What a set-up function complains of; empty when it does not.
+template <class Call>
+std::string complaint(Call call) {
+    try {
+        call();
+    } catch (const std::invalid_argument& e) {
+        return e.what();
+    }
+    return {};
 }
 
 /// The greater of two errors; a NaN is the greatest there is.

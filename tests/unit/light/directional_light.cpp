@@ -223,3 +223,79 @@ TEST_CASE_TEMPLATE("fit_directional_light: bad input", T, float, double) {
         CHECK_THROWS_AS(with([&](auto& f) { f.margin = margin; }), std::invalid_argument);
     CHECK_THROWS_AS(with([](auto& f) { f.direction = {0, 0, 0}; }), std::invalid_argument);
 }
+
+TEST_CASE("make_directional_light: numbers at the ends of float give finite matrices or name the argument") {
+    const float greatest = std::numeric_limits<float>::max(), infinity = std::numeric_limits<float>::infinity();
+    for (clip_space clip : all_clip_spaces()) {
+        CAPTURE(to_string(clip));
+        const auto with = [&](auto change) {
+            directional_light<float> light{.clip = clip};
+            change(light);
+            return complaint([&] {
+                const auto space = make_directional_light(light);
+                CHECK(detail::all_finite(space.projection * space.view));
+            });
+        };
+        const std::string name = "umbrage::make_directional_light: ";
+        CHECK(with([](auto& l) { l.map_size = 0; }).starts_with(name + "map_size "));
+        CHECK(with([&](auto& l) { l.texels_per_unit = infinity; }).starts_with(name + "texels_per_unit "));
+        CHECK(with([](auto& l) {
+                  l.map_size = 1, l.texels_per_unit = 3e38f;
+              }).starts_with(name + "map_size and texels_per_unit "));
+        CHECK(with([](auto& l) { l.texels_per_unit = 1e-45f; }).starts_with(name + "map_size and texels_per_unit "));
+        CHECK(with([](auto& l) { l.texels_per_unit = 3e38f; }).empty());  // 1024 texels over half the range
+        CHECK(with([](auto& l) {
+                  l.texels_per_unit = 3e38f, l.target.x = 1e4f;
+              }).starts_with(name + "target, offset, texels_per_unit, z_near and z_far "));
+        CHECK(with([](auto& l) { l.z_near = -3e38f, l.z_far = 3e38f; }).starts_with(name + "z_near and z_far "));
+        CHECK(with([](auto& l) { l.z_near = l.z_far; }).starts_with(name + "z_near and z_far "));
+        CHECK(with([&](auto& l) { l.z_far = infinity; }).starts_with(name + "z_near and z_far "));
+        CHECK(with([](auto& l) { l.z_near = 1e-30f, l.z_far = 1e-20f; }).empty());
+        CHECK(with([&](auto& l) { l.offset = infinity; }).starts_with(name + "offset "));
+        CHECK(with([&](auto& l) { l.offset = greatest, l.z_far = 1; }).starts_with(name + "target, offset, "));
+        CHECK(with([&](auto& l) { l.target.y = infinity; }).starts_with(name + "target "));
+        CHECK(with([](auto& l) { l.direction = {}; }).starts_with(name + "direction "));
+        CHECK(with([&](auto& l) { l.up.x = infinity; }).starts_with(name + "up "));
+    }
+}
+
+TEST_CASE("fit_directional_light: bounds from 1e-30 to 1e37, and what it says of others") {
+    for (clip_space clip : all_clip_spaces()) {
+        CAPTURE(to_string(clip));
+        const auto with = [&](auto change) {
+            directional_fit<float> fit{.direction = {1, -2, 0.5f}, .clip = clip};
+            change(fit);
+            return complaint([&] {
+                const auto space = fit_directional_light(fit);
+                CHECK(detail::all_finite(space.projection * space.view));
+                const glm::dmat4 m = glm::dmat4(space.projection) * glm::dmat4(space.view);
+                const double low = clip.range == depth_range::zero_to_one ? 0 : -1;
+                for (glm::dvec3 corner : corners(fit.low, fit.high)) {
+                    const glm::dvec3 p = through(m, corner);
+                    CHECK((std::abs(p.x) < 1 && std::abs(p.y) < 1 && p.z > low && p.z < 1));
+                }
+            });
+        };
+        for (float extent : {1e-30f, 1e-20f, 1e19f, 1e20f, 1e37f})
+            CHECK(with([&](auto& f) { f.low = glm::vec3(-extent), f.high = glm::vec3(extent); }).empty());
+        const std::string name = "umbrage::fit_directional_light: ";
+        const auto flat = [](directional_fit<float>& f) { f.direction = {0, -1, 0}, f.low.y = f.high.y = 0; };
+        CHECK(with([&](auto& f) { flat(f), f.margin = 1e-45f; }).starts_with(name + "low, high and margin "));
+        directional_fit<float> thin{.clip = clip};
+        flat(thin), thin.margin = 1e-37f;
+        CHECK(complaint([&] { (void)fit_directional_light(thin); }).empty());
+        CHECK(with([](auto& f) { f.margin = 3e38f; }).starts_with(name + "low, high and margin "));
+        CHECK(with([](auto& f) {
+                  f.low = glm::vec3(-3e38f), f.high = glm::vec3(3e38f);
+              }).starts_with(name + "low, high and margin "));
+        CHECK(with([](auto& f) {
+                  f.high = glm::vec3(3.1e38f), f.low = glm::vec3(3e38f);
+              }).starts_with(name + "low, high and margin "));  // their place in view space
+        CHECK(with([](auto& f) { f.high = f.low; }).starts_with(name + "low and high must have some extent"));
+        CHECK(with([](auto& f) { f.low.x = 2; }).starts_with(name + "low must not be above high"));
+        CHECK(with([](auto& f) { f.margin = 0; }).starts_with(name + "margin "));
+        CHECK(with([](auto& f) { f.direction = {}; }).starts_with(name + "direction "));
+        const float infinity = std::numeric_limits<float>::infinity();
+        CHECK(with([&](auto& f) { f.high.x = infinity; }).starts_with(name + "low and high must be finite"));
+    }
+}

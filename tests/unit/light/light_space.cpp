@@ -229,9 +229,11 @@ TEST_CASE_TEMPLATE("perspective, orthographic: bad input", T, float, double) {
     CHECK_THROWS_AS(box(2, 1, 0, 1), std::invalid_argument);
     CHECK_THROWS_AS(box(0, 1, 1, 1), std::invalid_argument);
     CHECK_THROWS_AS(box(0, 1, 2, 1), std::invalid_argument);
+    CHECK_NOTHROW(planes(1, infinity));
+    CHECK_THROWS_AS(planes(infinity, infinity), std::invalid_argument);
     for (double bad : {not_a_number, -not_a_number, infinity, -infinity}) {
         CHECK_THROWS_AS(planes(bad, 2), std::invalid_argument);
-        CHECK_THROWS_AS(planes(1, bad), std::invalid_argument);
+        if (bad != infinity) CHECK_THROWS_AS(planes(1, bad), std::invalid_argument);
         CHECK_THROWS_AS(box(bad, 1, 0, 1), std::invalid_argument);
         CHECK_THROWS_AS(box(0, bad, 0, 1), std::invalid_argument);
         CHECK_THROWS_AS(box(0, 1, bad, 1), std::invalid_argument);
@@ -241,4 +243,82 @@ TEST_CASE_TEMPLATE("perspective, orthographic: bad input", T, float, double) {
         CHECK_THROWS_AS((void)perspective(T(bad), T(1), T(1), T(2), clip_space{}), std::invalid_argument);
         CHECK_THROWS_AS((void)perspective(T(1), T(bad), T(1), T(2), clip_space{}), std::invalid_argument);
     }
+}
+
+TEST_CASE_TEMPLATE("perspective: no far plane, forward and reversed, is what a farther and farther one comes to", T,
+                   float, double) {
+    const T greatest = std::numeric_limits<T>::max(), no_far = std::numeric_limits<T>::infinity();
+    for (clip_space clip : all_clip_spaces()) {
+        CAPTURE(to_string(clip));
+        const bool reversed = clip.direction == depth_direction::reversed, zo = clip.range == depth_range::zero_to_one;
+        const double front = clip.hand == handedness::right ? -1 : 1;
+        const auto m = perspective(T(1), T(1), T(0.5), no_far, clip);
+        CHECK(difference(m, perspective(T(1), T(1), T(0.5), greatest, clip)) < 1e-30);
+        for (double distance : {0.5, 1.0, 3.0, 1e6}) {
+            const double depth = reversed ? 0.5 / distance : 1 - 0.5 / distance;
+            CHECK(through(m, {0, 0, front * distance}).z == doctest::Approx(zo ? depth : 2 * depth - 1).epsilon(1e-15));
+        }
+        const auto far_corner = m * glm::vec<4, T>(0, 0, front, 0);  // a direction: where depth goes
+        CHECK(far_corner.z / far_corner.w == (reversed ? (zo ? T(0) : T(-1)) : T(1)));
+    }
+}
+
+TEST_CASE_TEMPLATE("perspective: depth from plane to plane, however small or large they are", T, float, double) {
+    const T least = std::numeric_limits<T>::min(), greatest = std::numeric_limits<T>::max();
+    const std::pair<T, T> planes[] = {{T(1e-30), T(1e-20)}, {least, 2 * least},       {least, 1},         {1, greatest},
+                                      {least, greatest},    {greatest / 8, greatest}, {T(1e-20), T(1e20)}};
+    for (clip_space clip : all_clip_spaces())
+        for (auto [z_near, z_far] : planes) {
+            CAPTURE(to_string(clip));
+            CAPTURE(z_near);
+            CAPTURE(z_far);
+            const auto m = perspective(T(1), T(1), z_near, z_far, clip);
+            CHECK(detail::all_finite(m));
+            const bool reversed = clip.direction == depth_direction::reversed;
+            const double low = clip.range == depth_range::zero_to_one ? 0 : -1;
+            const double front = clip.hand == handedness::right ? -1 : 1, eps = std::numeric_limits<T>::epsilon();
+            const auto depth = [&](double distance) {  // z / w, each over the distance lest they overflow
+                return (front * double(m[2][2]) + double(m[3][2]) / distance) / (front * double(m[2][3]));
+            };
+            CHECK(std::abs(depth(z_near) - (reversed ? 1 : low)) <= 4 * eps);
+            CHECK(std::abs(depth(z_far) - (reversed ? low : 1)) <= 4 * eps);
+        }
+}
+
+TEST_CASE("look_along, perspective, orthographic: errors name the function and the argument") {
+    const float greatest = std::numeric_limits<float>::max(), denormal = 1e-45f;
+    const auto persp = [](float x, float y, float z_near, float z_far) {
+        return complaint([=] { (void)perspective(x, y, z_near, z_far, clip_space{}); });
+    };
+    CHECK(persp(1, 1, 1, greatest).empty());
+    CHECK(persp(0, 1, 1, 2).starts_with("umbrage::perspective: tan_half_x "));
+    CHECK(persp(denormal, 1, 1, 2).starts_with("umbrage::perspective: tan_half_x "));  // 1 / it is infinite
+    CHECK(persp(1, greatest, 1, 2).starts_with("umbrage::perspective: tan_half_y "));  // 1 / it is a denormal
+    CHECK(persp(1, 1, 0, 2).starts_with("umbrage::perspective: z_near "));
+    CHECK(persp(1, 1, denormal, 2).starts_with("umbrage::perspective: z_near "));
+    CHECK(persp(1, 1, 2, 2).starts_with("umbrage::perspective: z_far "));
+    CHECK(persp(1, 1, 3e38f, 3.1e38f).starts_with("umbrage::perspective: z_near and z_far "));  // n f / (f - n)
+
+    const auto ortho = [](float low, float high, float z_near, float z_far) {
+        return complaint(
+            [=] { (void)orthographic(glm::vec2(-1, low), glm::vec2(1, high), z_near, z_far, clip_space{}); });
+    };
+    CHECK(ortho(-1, 1, -5, 5).empty());
+    CHECK(ortho(1, -1, 0, 1).starts_with("umbrage::orthographic: low and high "));
+    CHECK(ortho(-greatest, greatest, 0, 1).starts_with("umbrage::orthographic: low and high "));
+    CHECK(ortho(0, denormal, 0, 1).starts_with("umbrage::orthographic: low and high "));
+    CHECK(ortho(-1, 1, -3e38f, 3e38f).starts_with("umbrage::orthographic: z_near and z_far "));
+    CHECK(ortho(-1, 1, 0, denormal).starts_with("umbrage::orthographic: z_near and z_far "));
+    CHECK(ortho(-1, 1, 0, greatest).starts_with("umbrage::orthographic: z_near and z_far "));  // a denormal slope
+    CHECK(ortho(-1, 1, 1, 1).starts_with("umbrage::orthographic: z_near and z_far "));
+
+    const auto look = [](glm::vec3 position, glm::vec3 direction, glm::vec3 up) {
+        return complaint([=] { (void)look_along(position, direction, up, handedness::left); });
+    };
+    const glm::vec3 down(0, -1, 0), far_out(greatest);
+    CHECK(look(far_out, {1, 1, 1}, down).starts_with("umbrage::look_along: position "));
+    CHECK(look({0, infinity, 0}, down, down).starts_with("umbrage::look_along: position "));
+    CHECK(look({}, {}, down).starts_with("umbrage::look_along: direction "));
+    CHECK(look({}, {0, infinity, 0}, down).starts_with("umbrage::look_along: direction "));
+    CHECK(look({}, down, {infinity, 0, 0}).starts_with("umbrage::look_along: up "));
 }

@@ -144,6 +144,85 @@ TEST_CASE_TEMPLATE("make_spot_light: bad input", T, float, double) {
     CHECK_THROWS_AS(with([](auto& l) { l.z_near = 0; }), std::invalid_argument);
     CHECK_THROWS_AS(with([](auto& l) { l.z_near = -1; }), std::invalid_argument);
     CHECK_THROWS_AS(with([](auto& l) { l.z_near = l.z_far; }), std::invalid_argument);
-    CHECK_THROWS_AS(with([&](auto& l) { l.z_far = infinity; }), std::invalid_argument);
+    CHECK_THROWS_AS(with([&](auto& l) { l.z_far = -infinity; }), std::invalid_argument);
     CHECK_THROWS_AS(with([&](auto& l) { l.z_near = nan; }), std::invalid_argument);
+}
+
+TEST_CASE("make_spot_light: numbers at the ends of float give finite matrices or name the argument") {
+    const float greatest = std::numeric_limits<float>::max(), infinity = std::numeric_limits<float>::infinity();
+    for (clip_space clip : all_clip_spaces()) {
+        CAPTURE(to_string(clip));
+        const auto with = [&](auto change) {
+            spot_light<float> light{.clip = clip};
+            change(light);
+            return complaint([&] {
+                const auto space = make_spot_light(light);
+                CHECK(detail::all_finite(space.projection * space.view));
+            });
+        };
+        CHECK(with([&](auto& l) { l.z_near = 1, l.z_far = greatest; }).empty());
+        CHECK(with([&](auto& l) { l.z_near = 1, l.z_far = infinity; }).empty());
+        CHECK(with([](auto& l) { l.z_near = 1e-30f, l.z_far = 1e-20f; }).empty());
+        CHECK(with([](auto& l) {
+                  l.outer_angle_radians = 1e-45f;
+              }).starts_with("umbrage::make_spot_light: outer_angle_radians "));
+        CHECK(with([](auto& l) {
+                  l.position.x = 3e38f;
+              }).starts_with("umbrage::make_spot_light: position, outer_angle_radians, z_near and z_far "));
+        CHECK(with([](auto& l) {
+                  l.position = glm::vec3(3e38f), l.direction = {1, 2, 3};
+              }).starts_with("umbrage::make_spot_light: position"));
+        CHECK(with([&](auto& l) { l.position.y = infinity; }).starts_with("umbrage::make_spot_light: position "));
+        CHECK(with([](auto& l) { l.direction = {}; }).starts_with("umbrage::make_spot_light: direction "));
+        CHECK(with([&](auto& l) { l.up.z = -infinity; }).starts_with("umbrage::make_spot_light: up "));
+        CHECK(with([](auto& l) { l.z_near = 0; }).starts_with("umbrage::make_spot_light: z_near "));
+        CHECK(with([](auto& l) { l.z_near = 1e-45f; }).starts_with("umbrage::make_spot_light: z_near "));
+        CHECK(with([](auto& l) { l.z_far = l.z_near; }).starts_with("umbrage::make_spot_light: z_far "));
+    }
+}
+
+TEST_CASE("make_spot_light: depth between planes of 1e-30 and 1e-20 in binary32, as vertex shaders compute it") {
+    for (clip_space clip : all_clip_spaces()) {
+        const glm::mat4 m = texture_matrix(
+            make_spot_light<float>({.direction = {0, 0, 1}, .z_near = 1e-30f, .z_far = 1e-20f, .clip = clip}),
+            {64, 64});
+        for (double distance : {1e-30, 1.5e-30, 2e-30, 1e-29, 1e-25, 1e-20}) {
+            const double forward = (1 - 1e-30 / distance) / (1 - 1e-10);
+            const glm::vec4 h = shadow_coordinate(m, glm::vec3(0, 0, distance));
+            CHECK(std::abs(double(project_coordinate(h).z) -
+                           (clip.direction == depth_direction::reversed ? 1 - forward : forward)) < 1e-6);
+        }
+    }
+}
+
+TEST_CASE_TEMPLATE("make_spot_light, texture_matrix: whatever the numbers, finite matrices or a named argument", T,
+                   float, double) {
+    std::mt19937 random(11);
+    const int exponents = std::numeric_limits<T>::max_exponent + std::numeric_limits<T>::digits;
+    std::uniform_int_distribution<int> exponent(-exponents, std::numeric_limits<T>::max_exponent - 1);
+    std::uniform_real_distribution<double> mantissa(1, 2), sign(-1, 1);
+    const auto any = [&] { return std::ldexp(T(mantissa(random)), exponent(random)); };
+    const auto vector = [&] { return glm::vec<3, T>(any() * T(sign(random)), any() * T(sign(random)), any()); };
+    int made = 0, refused = 0, wrong = 0;
+    for (int i = 0; i < 40000; ++i) {
+        spot_light<T> light{.clip = all_clip_spaces()[std::size_t(i % 16)]};
+        if (i & 16) light.position = vector();
+        if (i & 32) light.direction = vector();
+        if (i & 64) light.up = vector();
+        if (i & 128) light.outer_angle_radians = any();
+        if (i & 256) light.z_near = any();
+        if (i & 512) light.z_far = any();
+        const char* called = "umbrage::make_spot_light: ";
+        const std::string error = complaint([&] {
+            const light_space<T> space = make_spot_light(light);
+            wrong += !detail::all_finite(space.view) || !detail::all_finite(space.projection * space.view);
+            called = "umbrage::texture_matrix: light and map_size ";
+            wrong += !detail::all_finite(texture_matrix(space, {1024, 1024}));
+        });
+        wrong += !error.empty() && !error.starts_with(called);
+        ++(error.empty() ? made : refused);
+    }
+    CHECK(wrong == 0);
+    CHECK(made > 5000);
+    CHECK(refused > 5000);
 }

@@ -75,6 +75,25 @@ TEST_CASE_TEMPLATE("texture_matrix: bad input", T, float, double) {
     CHECK_NOTHROW((void)texture_matrix(light, {1, 1}));
 }
 
+TEST_CASE("texture_matrix, tap_matrices: finite, or an error that names the arguments") {
+    const auto light = make_spot_light<float>({.position = {1e37f, 0, 0}});  // a matrix for NDC, none for 1024 texels
+    CHECK(complaint([&] { (void)texture_matrix(light, {1, 1}); }).empty());
+    CHECK(complaint([&] {
+              (void)texture_matrix(light, {1024, 1024});
+          }).starts_with("umbrage::texture_matrix: light and map_size "));
+    CHECK(complaint([&] { (void)texture_matrix(light, {0, 1024}); }).starts_with("umbrage::texture_matrix: map_size "));
+    light_space<float> broken;
+    broken.view[3][0] = std::numeric_limits<float>::quiet_NaN();
+    CHECK(complaint([&] { (void)texture_matrix_uv(broken); }).starts_with("umbrage::texture_matrix: light "));
+
+    glm::mat4 m(1);
+    m[3][0] = m[3][3] = 3e38f;
+    CHECK(complaint([&] { (void)tap_matrices(m, {{{-1, 0}, {0, 0}, {0, 0}, {0, 0}}}); }).empty());
+    CHECK(complaint([&] {
+              (void)tap_matrices(m, {{{-1, 0}, {0, 0}, {0, 0}, {0.5f, 0}}});
+          }).starts_with("umbrage::tap_matrices: texture_matrix and offsets "));
+}
+
 TEST_CASE("tap_matrices: exact arithmetic cannot tell them from offsets after the division") {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> coordinate(-6, 6), offset(-8, 8);
