@@ -97,5 +97,7 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
 }
 )GLSL"};
 
+inline constexpr auto compare_snippets = list<&compare, &compare_dx_sdk, &compare_exercise>;
+
 }  // namespace glsl
 }  // namespace umbrage

@@ -204,5 +204,7 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 }
 )GLSL"};
 
+inline constexpr auto image_snippets = list<&fetch_clamped, &fetch_bordered>;
+
 }  // namespace glsl
 }  // namespace umbrage

@@ -57,5 +57,7 @@ UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
 }
 )GLSL"};
 
+inline constexpr auto scalar_snippets = list<&saturate>;
+
 }  // namespace glsl
 }  // namespace umbrage

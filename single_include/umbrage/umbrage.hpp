@@ -380,6 +380,8 @@ UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
 }
 )GLSL"};
 
+inline constexpr auto scalar_snippets = list<&saturate>;
+
 }  // namespace glsl
 }  // namespace umbrage
 
@@ -476,6 +478,8 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
     return current < limit ? 1.0 : 0.0;
 }
 )GLSL"};
+
+inline constexpr auto compare_snippets = list<&compare, &compare_dx_sdk, &compare_exercise>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -670,6 +674,8 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 }
 )GLSL"};
 
+inline constexpr auto image_snippets = list<&fetch_clamped, &fetch_bordered>;
+
 }  // namespace glsl
 }  // namespace umbrage
 
@@ -777,6 +783,8 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
     return floor(c * 255.0 + 0.5);
 }
 )GLSL"};
+
+inline constexpr auto unorm_snippets = list<&to_unorm, &from_unorm>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -1074,6 +1082,8 @@ UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
     return depth * 1.00392163;
 }
 )GLSL"};
+
+inline constexpr auto ps14_snippets = list<&decode_ps14, &receiver_ps14>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -1507,6 +1517,10 @@ UMBRAGE_HIGHP float umbrage_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAG
 }
 )GLSL"};
 
+inline constexpr auto kinds_snippets =
+    list<&linear_depth, &project_depth, &distance_depth, &reverse_depth, &depth_from_ndc, &view_z_from_depth,
+         &depth_from_view_z>;
+
 }  // namespace glsl
 }  // namespace umbrage
 
@@ -1683,6 +1697,11 @@ inline constexpr snippet receiver_rg{.name = receiver_rg_name<Bits>.view(),
                                      .exactness = tier::b,
                                      .source = receiver_rg_text<Bits>.view()};
 
+inline constexpr auto rg_level_snippets =
+    list<&level_rg<9>, &level_rg<10>, &level_rg<11>, &level_rg<12>, &level_rg<13>, &level_rg<14>,
+         &level_rg<15>, &level_rg<16>, &receiver_rg<9>, &receiver_rg<10>, &receiver_rg<11>, &receiver_rg<12>,
+         &receiver_rg<13>, &receiver_rg<14>, &receiver_rg<15>, &receiver_rg<16>>;
+
 }  // namespace glsl
 }  // namespace umbrage
 
@@ -1756,6 +1775,10 @@ inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view
                                          .exactness = tier::a,
                                          .needs = list<&saturate, &from_unorm, &fetch_clamped>,
                                          .source = encode_rg_table_text<Bits>.view()};
+
+inline constexpr auto rg_table_snippets =
+    list<&encode_rg_table<9>, &encode_rg_table<10>, &encode_rg_table<11>, &encode_rg_table<12>,
+         &encode_rg_table<13>, &encode_rg_table<14>, &encode_rg_table<15>, &encode_rg_table<16>>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -2310,6 +2333,8 @@ UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
 }
 )GLSL"};
 
+inline constexpr auto texture_matrix_snippets = list<&shadow_coordinate, &tap_coordinate, &project_coordinate>;
+
 }  // namespace glsl
 }  // namespace umbrage
 
@@ -2374,6 +2399,8 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     return UMBRAGE_FETCH(map, size, texel);
 }
 )GLSL"};
+
+inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_space>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -2755,6 +2782,8 @@ UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HI
 }
 )GLSL"};
 
+inline constexpr auto lighting_snippets = list<&spot_cone, &diffuse_ambient>;
+
 }  // namespace glsl
 }  // namespace umbrage
 
@@ -2792,6 +2821,8 @@ UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
     return vec3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
 }
 )GLSL"};
+
+inline constexpr auto false_colour_snippets = list<&false_colour>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -5953,35 +5984,57 @@ void visibility(image_view<const typename Encoding::texel> map, Encoding encodin
 
 namespace umbrage::glsl {
 
-inline constexpr std::array registry{
-    // vertex side
-    &shadow_coordinate, &tap_coordinate, &project_coordinate,
-    // kinds of depth
-    &linear_depth, &project_depth, &distance_depth, &reverse_depth, &depth_from_ndc, &view_z_from_depth,
-    &depth_from_view_z,
-    // encodings
-    &saturate, &to_unorm, &from_unorm,
-    &encode_rg<9>, &encode_rg<10>, &encode_rg<11>, &encode_rg<12>, &encode_rg<13>, &encode_rg<14>, &encode_rg<15>,
-    &encode_rg<16>,
-    &encode_rg_table<9>, &encode_rg_table<10>, &encode_rg_table<11>, &encode_rg_table<12>, &encode_rg_table<13>,
-    &encode_rg_table<14>, &encode_rg_table<15>, &encode_rg_table<16>,
-    &decode_rg<9>, &decode_rg<10>, &decode_rg<11>, &decode_rg<12>, &decode_rg<13>, &decode_rg<14>, &decode_rg<15>,
-    &decode_rg<16>,
-    &level_rg<9>, &level_rg<10>, &level_rg<11>, &level_rg<12>, &level_rg<13>, &level_rg<14>, &level_rg<15>,
-    &level_rg<16>,
-    &receiver_rg<9>, &receiver_rg<10>, &receiver_rg<11>, &receiver_rg<12>, &receiver_rg<13>, &receiver_rg<14>,
-    &receiver_rg<15>, &receiver_rg<16>,
-    &decode_ps14, &receiver_ps14,
-    &encode_rgb24, &decode_rgb24,
-    &encode_float_bits, &decode_float_bits,
-    &write_threejs_rgba, &decode_threejs_rgba, &write_threejs_rgb, &decode_threejs_rgb, &write_threejs_rg, &decode_threejs_rg,
-    &write_threejs_legacy, &encode_threejs_legacy_repaired, &decode_threejs_legacy,
-    &write_base255, &encode_base255_repaired, &decode_base255,
-    // fetch, compare, filter
-    &fetch_clamped, &fetch_bordered, &fetch_depth, &inside_texel_space, &compare, &compare_dx_sdk, &compare_exercise,
-    &hard, &four_tap, &pcf_2x2, &pcf_2x2_dx_sdk, &box_count, &box_scale, &box,
+namespace detail {
+
+/// Snippets in order, each once, what it needs before it.
+struct collection {
+    std::array<const snippet*, 512> members{};
+    std::size_t size = 0;
+
+    constexpr void add(const snippet* s) {
+        for (std::size_t i = 0; i < size; ++i)
+            if (members[i] == s) return;
+        for (const snippet* need : s->needs) add(need);
+        members[size++] = s;
+    }
+};
+
+template <class... Lists>
+constexpr collection collect(const Lists&... lists) {
+    collection all;
+    const auto add = [&](const auto& some) {
+        for (const snippet* s : some) all.add(s);
+    };
+    (add(lists), ...);
+    return all;
+}
+
+inline constexpr collection everything = collect(
+    // light
+    texture_matrix_snippets,
+    // depth
+    kinds_snippets, scalar_snippets, unorm_snippets,
+    list<&encode_rg<9>, &encode_rg<10>, &encode_rg<11>, &encode_rg<12>, &encode_rg<13>, &encode_rg<14>, &encode_rg<15>,
+         &encode_rg<16>>,
+    rg_table_snippets,
+    list<&decode_rg<9>, &decode_rg<10>, &decode_rg<11>, &decode_rg<12>, &decode_rg<13>, &decode_rg<14>, &decode_rg<15>,
+         &decode_rg<16>>,
+    rg_level_snippets, ps14_snippets, list<&encode_rgb24, &decode_rgb24>, list<&encode_float_bits, &decode_float_bits>,
+    list<&write_threejs_rgba, &decode_threejs_rgba, &write_threejs_rgb, &decode_threejs_rgb, &write_threejs_rg,
+         &decode_threejs_rg, &write_threejs_legacy, &encode_threejs_legacy_repaired, &decode_threejs_legacy>,
+    list<&write_base255, &encode_base255_repaired, &decode_base255>,
+    // maps and filters
+    image_snippets, texel_space_snippets, compare_snippets, list<&hard, &four_tap, &pcf_2x2, &pcf_2x2_dx_sdk, &box>,
     // shade, view
-    &spot_cone, &diffuse_ambient, &false_colour};
+    lighting_snippets, false_colour_snippets);
+
+}  // namespace detail
+
+inline constexpr auto registry = [] {
+    std::array<const snippet*, detail::everything.size> all{};
+    std::copy_n(detail::everything.members.begin(), all.size(), all.begin());
+    return all;
+}();
 
 }  // namespace umbrage::glsl
 

@@ -153,5 +153,9 @@ UMBRAGE_HIGHP float umbrage_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAG
 }
 )GLSL"};
 
+inline constexpr auto kinds_snippets =
+    list<&linear_depth, &project_depth, &distance_depth, &reverse_depth, &depth_from_ndc, &view_z_from_depth,
+         &depth_from_view_z>;
+
 }  // namespace glsl
 }  // namespace umbrage

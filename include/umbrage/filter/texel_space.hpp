@@ -69,5 +69,7 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 }
 )GLSL"};
 
+inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_space>;
+
 }  // namespace glsl
 }  // namespace umbrage

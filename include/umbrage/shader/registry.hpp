@@ -6,18 +6,20 @@
 //
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include <umbrage/compare.hpp>
-#include <umbrage/depth/foreign/base255.hpp>
 #include <umbrage/depth/float_bits.hpp>
-#include <umbrage/depth/kinds.hpp>
+#include <umbrage/depth/foreign/base255.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
+#include <umbrage/depth/foreign/threejs.hpp>
+#include <umbrage/depth/kinds.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rg_level.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/depth/rgb24.hpp>
-#include <umbrage/depth/foreign/threejs.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
@@ -30,34 +32,56 @@
 
 namespace umbrage::glsl {
 
-inline constexpr std::array registry{
-    // vertex side
-    &shadow_coordinate, &tap_coordinate, &project_coordinate,
-    // kinds of depth
-    &linear_depth, &project_depth, &distance_depth, &reverse_depth, &depth_from_ndc, &view_z_from_depth,
-    &depth_from_view_z,
-    // encodings
-    &saturate, &to_unorm, &from_unorm,
-    &encode_rg<9>, &encode_rg<10>, &encode_rg<11>, &encode_rg<12>, &encode_rg<13>, &encode_rg<14>, &encode_rg<15>,
-    &encode_rg<16>,
-    &encode_rg_table<9>, &encode_rg_table<10>, &encode_rg_table<11>, &encode_rg_table<12>, &encode_rg_table<13>,
-    &encode_rg_table<14>, &encode_rg_table<15>, &encode_rg_table<16>,
-    &decode_rg<9>, &decode_rg<10>, &decode_rg<11>, &decode_rg<12>, &decode_rg<13>, &decode_rg<14>, &decode_rg<15>,
-    &decode_rg<16>,
-    &level_rg<9>, &level_rg<10>, &level_rg<11>, &level_rg<12>, &level_rg<13>, &level_rg<14>, &level_rg<15>,
-    &level_rg<16>,
-    &receiver_rg<9>, &receiver_rg<10>, &receiver_rg<11>, &receiver_rg<12>, &receiver_rg<13>, &receiver_rg<14>,
-    &receiver_rg<15>, &receiver_rg<16>,
-    &decode_ps14, &receiver_ps14,
-    &encode_rgb24, &decode_rgb24,
-    &encode_float_bits, &decode_float_bits,
-    &write_threejs_rgba, &decode_threejs_rgba, &write_threejs_rgb, &decode_threejs_rgb, &write_threejs_rg, &decode_threejs_rg,
-    &write_threejs_legacy, &encode_threejs_legacy_repaired, &decode_threejs_legacy,
-    &write_base255, &encode_base255_repaired, &decode_base255,
-    // fetch, compare, filter
-    &fetch_clamped, &fetch_bordered, &fetch_depth, &inside_texel_space, &compare, &compare_dx_sdk, &compare_exercise,
-    &hard, &four_tap, &pcf_2x2, &pcf_2x2_dx_sdk, &box_count, &box_scale, &box,
+namespace detail {
+
+/// Snippets in order, each once, what it needs before it.
+struct collection {
+    std::array<const snippet*, 512> members{};
+    std::size_t size = 0;
+
+    constexpr void add(const snippet* s) {
+        for (std::size_t i = 0; i < size; ++i)
+            if (members[i] == s) return;
+        for (const snippet* need : s->needs) add(need);
+        members[size++] = s;
+    }
+};
+
+template <class... Lists>
+constexpr collection collect(const Lists&... lists) {
+    collection all;
+    const auto add = [&](const auto& some) {
+        for (const snippet* s : some) all.add(s);
+    };
+    (add(lists), ...);
+    return all;
+}
+
+inline constexpr collection everything = collect(
+    // light
+    texture_matrix_snippets,
+    // depth
+    kinds_snippets, scalar_snippets, unorm_snippets,
+    list<&encode_rg<9>, &encode_rg<10>, &encode_rg<11>, &encode_rg<12>, &encode_rg<13>, &encode_rg<14>, &encode_rg<15>,
+         &encode_rg<16>>,
+    rg_table_snippets,
+    list<&decode_rg<9>, &decode_rg<10>, &decode_rg<11>, &decode_rg<12>, &decode_rg<13>, &decode_rg<14>, &decode_rg<15>,
+         &decode_rg<16>>,
+    rg_level_snippets, ps14_snippets, list<&encode_rgb24, &decode_rgb24>, list<&encode_float_bits, &decode_float_bits>,
+    list<&write_threejs_rgba, &decode_threejs_rgba, &write_threejs_rgb, &decode_threejs_rgb, &write_threejs_rg,
+         &decode_threejs_rg, &write_threejs_legacy, &encode_threejs_legacy_repaired, &decode_threejs_legacy>,
+    list<&write_base255, &encode_base255_repaired, &decode_base255>,
+    // maps and filters
+    image_snippets, texel_space_snippets, compare_snippets, list<&hard, &four_tap, &pcf_2x2, &pcf_2x2_dx_sdk, &box>,
     // shade, view
-    &spot_cone, &diffuse_ambient, &false_colour};
+    lighting_snippets, false_colour_snippets);
+
+}  // namespace detail
+
+inline constexpr auto registry = [] {
+    std::array<const snippet*, detail::everything.size> all{};
+    std::copy_n(detail::everything.members.begin(), all.size(), all.begin());
+    return all;
+}();
 
 }  // namespace umbrage::glsl

@@ -40,5 +40,7 @@ UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
 }
 )GLSL"};
 
+inline constexpr auto false_colour_snippets = list<&false_colour>;
+
 }  // namespace glsl
 }  // namespace umbrage

@@ -52,5 +52,7 @@ UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
 }
 )GLSL"};
 
+inline constexpr auto ps14_snippets = list<&decode_ps14, &receiver_ps14>;
+
 }  // namespace glsl
 }  // namespace umbrage
