@@ -66,7 +66,7 @@ struct shadow_system {
     int map_size = 1024;
 
     depth_kind depth = depth_kind::linear;
-    std::string_view encoding = "float";  ///< one of encoding_names in encodings.hpp
+    std::string_view encoding = "depth32f";  ///< one of encoding_names in encodings.hpp
     receiver_kind receiver = receiver_kind::plain;
 
     filter_kind filter = filter_kind::hard;

@@ -214,7 +214,7 @@ struct facts {
 
 template <class Encoding>
 facts facts_of(std::string text, std::vector<glsl::snippet> snippets, std::string preamble) {
-    return {Encoding::max_error, std::to_string(Encoding::codes), std::move(text), std::move(snippets),
+    return {std::max(Encoding{}.error().below, Encoding{}.error().above), std::to_string(Encoding::codes), std::move(text), std::move(snippets),
             std::move(preamble)};
 }
 
@@ -228,8 +228,8 @@ facts facts_of_rg() {
 
 facts facts_of(std::string_view name) {
     using namespace umbrage::glsl;
-    if (name == "float")
-        return {umbrage::depth32f::max_error,
+    if (name == "depth32f")
+        return {0.0,
                 std::to_string(std::bit_cast<std::uint32_t>(1.0f) + 1),
                 "A float texture: nothing to encode.",
                 {fetch_clamped, fetch_depth},

@@ -283,7 +283,7 @@ TEST_CASE("keys: each changes what the text says it does") {
     o.es2 = true;
     viewer::session old(o);
     for (std::size_t i = 0; i < example::encoding_names.size(); ++i) {
-        CHECK(old.system.encoding != "float");
+        CHECK(old.system.encoding != "depth32f");
         old.press('E');
     }
     old.press('2');  // has no float map there: stays

@@ -64,7 +64,7 @@ struct encoding {
 }
 
 inline constexpr std::array encodings{
-    encoding{"float"},
+    encoding{"depth32f"},
     encoding{"rg9", &glsl::encode_rg<9>, &glsl::decode_rg<9>, 2},
     encoding{"rg10", &glsl::encode_rg<10>, &glsl::decode_rg<10>, 2},
     encoding{"rg11", &glsl::encode_rg<11>, &glsl::decode_rg<11>, 2},

@@ -41,8 +41,9 @@ inline constexpr clip_space webgpu_clip_space{.origin = texture_origin::top};
 inline constexpr clip_space metal_clip_space = webgpu_clip_space;
 
 /// The depth of the far plane, to which a map is cleared.
-[[nodiscard]] constexpr float cleared_depth(clip_space clip) {
-    return clip.direction == depth_direction::forward ? 1.0f : 0.0f;
+[[nodiscard]] constexpr float cleared_depth(depth_direction direction) {
+    return direction == depth_direction::forward ? 1.0f : 0.0f;
 }
+[[nodiscard]] constexpr float cleared_depth(clip_space clip) { return cleared_depth(clip.direction); }
 
 }  // namespace umbrage

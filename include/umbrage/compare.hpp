@@ -4,10 +4,12 @@
 //
 //     bool lit = umbrage::less_equal{}(receiver - bias, stored);
 //
-// Filters compare once per texel with less_equal and no epsilon inside; for reversed Z pass greater_equal (in GLSL
-// define UMBRAGE_LIT). A NaN on either side is in shadow.
+// Filters compare once per texel with less_equal and no epsilon inside; for reversed Z pass greater_equal, or comparison
+// where the direction is known when the program runs (in GLSL: #define UMBRAGE_REVERSED). A NaN on either side is in
+// shadow. A receiver beyond the far plane, where no map reaches, is lit: filters ask beyond_far before they compare.
 #pragma once
 
+#include <umbrage/clip_space.hpp>
 #include <umbrage/shader/glsl.hpp>
 #include <umbrage/scalar.hpp>
 
@@ -20,6 +22,10 @@ struct less_equal {
     [[nodiscard]] constexpr bool operator()(T receiver, T stored) const {
         return !is_nan(receiver) && !is_nan(stored) && receiver <= stored;
     }
+    template <real T>
+    [[nodiscard]] static constexpr bool beyond_far(T receiver) {
+        return !is_nan(receiver) && receiver > T(1);
+    }
 };
 
 /// The same for reversed Z, where near is 1.
@@ -27,6 +33,33 @@ struct greater_equal {
     template <real T>
     [[nodiscard]] constexpr bool operator()(T receiver, T stored) const {
         return !is_nan(receiver) && !is_nan(stored) && receiver >= stored;
+    }
+    template <real T>
+    [[nodiscard]] static constexpr bool beyond_far(T receiver) {
+        return !is_nan(receiver) && receiver < T(0);
+    }
+};
+
+/// less_equal for depths on a scale of their own, as level_rg and decode_ps14 have them, where 1 is not the far plane:
+/// receivers beyond it come in as what every texel lights.
+struct less_equal_scaled : less_equal {
+    template <real T>
+    [[nodiscard]] static constexpr bool beyond_far(T) {
+        return false;
+    }
+};
+
+/// less_equal, or greater_equal where depth is reversed.
+struct comparison {
+    depth_direction direction = depth_direction::forward;
+
+    template <real T>
+    [[nodiscard]] constexpr bool operator()(T receiver, T stored) const {
+        return direction == depth_direction::forward ? less_equal{}(receiver, stored) : greater_equal{}(receiver, stored);
+    }
+    template <real T>
+    [[nodiscard]] constexpr bool beyond_far(T receiver) const {
+        return direction == depth_direction::forward ? less_equal::beyond_far(receiver) : greater_equal::beyond_far(receiver);
     }
 };
 
@@ -65,9 +98,13 @@ namespace glsl {
 inline constexpr snippet compare{
     .name = "compare", .summary = "one comparison, as a macro to redefine", .exactness = tier::a,
     .source = R"GLSL(
-// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth; define it with >= for reversed Z
+// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
 #ifndef UMBRAGE_LIT
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#else
 #define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#endif
 #endif
 // umbrage_compare: visibility of one comparison
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {

@@ -14,16 +14,11 @@
 
 #include <umbrage/shader/glsl.hpp>
 
-#include <umbrage/depth/code.hpp>
-#include <umbrage/depth/float_bits.hpp>
-#include <umbrage/depth/foreign/base255.hpp>
+#include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
-#include <umbrage/depth/foreign/threejs.hpp>
 #include <umbrage/depth/kinds.hpp>
-#include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rg_level.hpp>
 #include <umbrage/depth/rg_table.hpp>
-#include <umbrage/depth/rgb24.hpp>
 
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/light_space.hpp>

@@ -2,7 +2,7 @@
 //
 // The scalar ground rules: which types are depths, what NaN means, what clamping does.
 //
-//     float d = umbrage::saturate(z);  // NaN and everything from 1 up: 1;  everything from 0 down: 0
+//     float d = umbrage::saturate(z);  // everything from 1 up, and NaN: 1;  everything from 0 down: 0
 //
 #pragma once
 
@@ -36,24 +36,33 @@ concept real = std::same_as<T, float> || std::same_as<T, double>;
     return (detail::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) < 0x7FF0000000000000ull;
 }
 
-/// Clamps to [0, 1]. NaN of either sign becomes 1, the cleared depth; -0 becomes +0.
-/// @formula     !(v < 1) ? 1 : (v > 0 ? v : 0)
+/// Clamps to [0, 1]. NaN of either sign becomes far, the cleared depth; -0 becomes +0.
+/// @param far   1, or 0 where depth is reversed
+/// @formula     v >= 1 ? 1 : (v > 0 ? v : (v <= 0 ? 0 : far))
 /// @exactness   A: selects, never computes; by the order of the bits, so that -ffast-math leaves no -0 and no
 ///              flushing mode takes a denormal
 template <real T>
-[[nodiscard]] constexpr T saturate(T v) {
+[[nodiscard]] constexpr T saturate(T v, T far = T(1)) {
     using bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-    if (is_nan(v) || detail::bit_cast<bits>(v) >= detail::bit_cast<bits>(T(1))) return T(1);
+    if (is_nan(v)) return far;
+    if (detail::bit_cast<bits>(v) >= detail::bit_cast<bits>(T(1))) return T(1);
     return detail::bit_cast<bits>(v) > 0 ? v : T(0);
 }
 
 namespace glsl {
 
 inline constexpr snippet saturate{
-    .name = "saturate", .summary = "clamp to [0, 1], NaN to 1", .exactness = tier::a, .source = R"GLSL(
-// umbrage_saturate: v clamped to [0, 1]; NaN becomes 1.0
+    .name = "saturate", .summary = "clamp to [0, 1], NaN to far", .exactness = tier::a, .source = R"GLSL(
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes UMBRAGE_FAR: 1.0, or 0.0 after #define UMBRAGE_REVERSED
+#ifndef UMBRAGE_FAR
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_FAR 0.0
+#else
+#define UMBRAGE_FAR 1.0
+#endif
+#endif
 UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
-    return !(v < 1.0) ? 1.0 : (v > 0.0 ? v : 0.0);
+    return v >= 1.0 ? 1.0 : (v > 0.0 ? v : (v <= 0.0 ? 0.0 : UMBRAGE_FAR));
 }
 )GLSL"};
 

@@ -56,6 +56,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -101,9 +102,10 @@ inline constexpr clip_space webgpu_clip_space{.origin = texture_origin::top};
 inline constexpr clip_space metal_clip_space = webgpu_clip_space;
 
 /// The depth of the far plane, to which a map is cleared.
-[[nodiscard]] constexpr float cleared_depth(clip_space clip) {
-    return clip.direction == depth_direction::forward ? 1.0f : 0.0f;
+[[nodiscard]] constexpr float cleared_depth(depth_direction direction) {
+    return direction == depth_direction::forward ? 1.0f : 0.0f;
 }
+[[nodiscard]] constexpr float cleared_depth(clip_space clip) { return cleared_depth(clip.direction); }
 
 }  // namespace umbrage
 
@@ -334,7 +336,7 @@ constexpr filled_text<Capacity> fill(const char (&text)[Length], std::initialize
 // ---- umbrage/scalar.hpp
 // The scalar ground rules: which types are depths, what NaN means, what clamping does.
 //
-//     float d = umbrage::saturate(z);  // NaN and everything from 1 up: 1;  everything from 0 down: 0
+//     float d = umbrage::saturate(z);  // everything from 1 up, and NaN: 1;  everything from 0 down: 0
 //
 
 namespace umbrage {
@@ -359,24 +361,33 @@ concept real = std::same_as<T, float> || std::same_as<T, double>;
     return (detail::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) < 0x7FF0000000000000ull;
 }
 
-/// Clamps to [0, 1]. NaN of either sign becomes 1, the cleared depth; -0 becomes +0.
-/// @formula     !(v < 1) ? 1 : (v > 0 ? v : 0)
+/// Clamps to [0, 1]. NaN of either sign becomes far, the cleared depth; -0 becomes +0.
+/// @param far   1, or 0 where depth is reversed
+/// @formula     v >= 1 ? 1 : (v > 0 ? v : (v <= 0 ? 0 : far))
 /// @exactness   A: selects, never computes; by the order of the bits, so that -ffast-math leaves no -0 and no
 ///              flushing mode takes a denormal
 template <real T>
-[[nodiscard]] constexpr T saturate(T v) {
+[[nodiscard]] constexpr T saturate(T v, T far = T(1)) {
     using bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-    if (is_nan(v) || detail::bit_cast<bits>(v) >= detail::bit_cast<bits>(T(1))) return T(1);
+    if (is_nan(v)) return far;
+    if (detail::bit_cast<bits>(v) >= detail::bit_cast<bits>(T(1))) return T(1);
     return detail::bit_cast<bits>(v) > 0 ? v : T(0);
 }
 
 namespace glsl {
 
 inline constexpr snippet saturate{
-    .name = "saturate", .summary = "clamp to [0, 1], NaN to 1", .exactness = tier::a, .source = R"GLSL(
-// umbrage_saturate: v clamped to [0, 1]; NaN becomes 1.0
+    .name = "saturate", .summary = "clamp to [0, 1], NaN to far", .exactness = tier::a, .source = R"GLSL(
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes UMBRAGE_FAR: 1.0, or 0.0 after #define UMBRAGE_REVERSED
+#ifndef UMBRAGE_FAR
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_FAR 0.0
+#else
+#define UMBRAGE_FAR 1.0
+#endif
+#endif
 UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
-    return !(v < 1.0) ? 1.0 : (v > 0.0 ? v : 0.0);
+    return v >= 1.0 ? 1.0 : (v > 0.0 ? v : (v <= 0.0 ? 0.0 : UMBRAGE_FAR));
 }
 )GLSL"};
 
@@ -390,8 +401,9 @@ inline constexpr auto scalar_snippets = list<&saturate>;
 //
 //     bool lit = umbrage::less_equal{}(receiver - bias, stored);
 //
-// Filters compare once per texel with less_equal and no epsilon inside; for reversed Z pass greater_equal (in GLSL
-// define UMBRAGE_LIT). A NaN on either side is in shadow.
+// Filters compare once per texel with less_equal and no epsilon inside; for reversed Z pass greater_equal, or comparison
+// where the direction is known when the program runs (in GLSL: #define UMBRAGE_REVERSED). A NaN on either side is in
+// shadow. A receiver beyond the far plane, where no map reaches, is lit: filters ask beyond_far before they compare.
 
 namespace umbrage {
 
@@ -402,6 +414,10 @@ struct less_equal {
     [[nodiscard]] constexpr bool operator()(T receiver, T stored) const {
         return !is_nan(receiver) && !is_nan(stored) && receiver <= stored;
     }
+    template <real T>
+    [[nodiscard]] static constexpr bool beyond_far(T receiver) {
+        return !is_nan(receiver) && receiver > T(1);
+    }
 };
 
 /// The same for reversed Z, where near is 1.
@@ -409,6 +425,33 @@ struct greater_equal {
     template <real T>
     [[nodiscard]] constexpr bool operator()(T receiver, T stored) const {
         return !is_nan(receiver) && !is_nan(stored) && receiver >= stored;
+    }
+    template <real T>
+    [[nodiscard]] static constexpr bool beyond_far(T receiver) {
+        return !is_nan(receiver) && receiver < T(0);
+    }
+};
+
+/// less_equal for depths on a scale of their own, as level_rg and decode_ps14 have them, where 1 is not the far plane:
+/// receivers beyond it come in as what every texel lights.
+struct less_equal_scaled : less_equal {
+    template <real T>
+    [[nodiscard]] static constexpr bool beyond_far(T) {
+        return false;
+    }
+};
+
+/// less_equal, or greater_equal where depth is reversed.
+struct comparison {
+    depth_direction direction = depth_direction::forward;
+
+    template <real T>
+    [[nodiscard]] constexpr bool operator()(T receiver, T stored) const {
+        return direction == depth_direction::forward ? less_equal{}(receiver, stored) : greater_equal{}(receiver, stored);
+    }
+    template <real T>
+    [[nodiscard]] constexpr bool beyond_far(T receiver) const {
+        return direction == depth_direction::forward ? less_equal::beyond_far(receiver) : greater_equal::beyond_far(receiver);
     }
 };
 
@@ -447,9 +490,13 @@ namespace glsl {
 inline constexpr snippet compare{
     .name = "compare", .summary = "one comparison, as a macro to redefine", .exactness = tier::a,
     .source = R"GLSL(
-// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth; define it with >= for reversed Z
+// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
 #ifndef UMBRAGE_LIT
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#else
 #define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#endif
 #endif
 // umbrage_compare: visibility of one comparison
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
@@ -796,44 +843,101 @@ inline constexpr auto unorm_snippets = list<&to_unorm, &from_unorm>;
 #define UMBRAGE_VERSION_MINOR 1
 #define UMBRAGE_VERSION_PATCH 0
 
-// ---- umbrage/depth/code.hpp
-// A depth as a whole number of 2^Bits steps, and back: what every encoding of ours is made of.
+// ---- umbrage/depth/encoding.hpp
+// What an encoding is: a value that turns depths into texels and back, and knows what there is to know of itself.
 //
-//     std::uint32_t x = umbrage::to_code<11>(0.5f);                         // 1024
-//     float d = umbrage::from_code<11>(float(x), umbrage::upper_edge<float>);  // 1025 / 2048
+//     umbrage::rg<11> encoding{.direction = light.clip.direction};
+//     umbrage::image<glm::u8vec2> map(size, encoding.cleared());
+//
+// The library's own are listed in encodings.hpp. Functions over images take any type with texel, encode and decode.
+
+namespace umbrage {
+
+/// What the writer's snippet returns.
+enum class written {
+    depth,   ///< a float to write into a float target
+    bytes,   ///< whole channels 0..255: umbrage_to_unorm makes them the values to write
+    values,  ///< values to write into a UNORM target as they are; what the store makes of them is part of the format
+};
+
+/// How far a decoded depth may lie from the encoded one, for every depth in [0, 1).
+struct decoding_error {
+    double below = 0.0;  ///< what a receiver's bias has to cover where depth runs forward
+    double above = 0.0;  ///< the same where it is reversed
+};
+
+/// Depths to texels and back: all that functions over images ask for.
+template <class Encoding>
+concept encoding = std::copyable<Encoding> && requires(const Encoding& e, float depth) {
+    typename Encoding::texel;
+    { e.encode(depth) } -> std::same_as<typename Encoding::texel>;
+    { e.decode(typename Encoding::texel{}) } -> std::same_as<float>;
+};
+
+/// What an encoding of the library tells of itself, for tools, tables and shaders.
+template <class Encoding>
+concept known_encoding = encoding<Encoding> && requires(const Encoding& e) {
+    { Encoding::name } -> std::convertible_to<std::string_view>;         // a C++ identifier, without the template
+    { Encoding::summary } -> std::convertible_to<std::string_view>;      // one sentence
+    { Encoding::writer } -> std::convertible_to<const glsl::snippet*>;
+    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;   // null: the texel is the depth
+    { Encoding::writes } -> std::convertible_to<written>;
+    { Encoding::codes } -> std::convertible_to<std::uint64_t>;           // texels that the writer can give
+    { e.direction } -> std::convertible_to<depth_direction>;             // far is 1 forward, 0 reversed
+    { e.error(unorm_store::truncates) } -> std::same_as<decoding_error>; // by default the store rounds
+    { e.cleared() } -> std::same_as<typename Encoding::texel>;           // an empty map's: decodes to the far plane
+};
+
+/// Whether the reader asks which place of a code's interval it shall answer: lower_edge, centre or upper_edge.
+template <class Encoding>
+concept has_edge = requires(Encoding e) {
+    { e.edge } -> std::convertible_to<float>;
+};
+
+namespace detail {
+
+/// Says in words what a type lacks that is used as an encoding.
+template <class Encoding>
+consteval bool is_encoding() {
+    static_assert(requires { typename Encoding::texel; }, "an umbrage encoding needs a type `texel`");
+    static_assert(requires(const Encoding& e, float d) { e.encode(d); }, "an umbrage encoding needs `texel encode(float) const`");
+    static_assert(encoding<Encoding>, "an umbrage encoding needs `float decode(texel) const`, and `encode` to return a texel");
+    return true;
+}
+
+/// The edge on whose side no surface shadows itself through quantisation alone.
+[[nodiscard]] constexpr float safe_edge(depth_direction direction) {
+    return direction == depth_direction::forward ? 1.0f : 0.0f;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/depth/depth32f.hpp
+// A map of plain floats, with the face of an encoding.
+//
+//     umbrage::image<float> map(size, umbrage::depth32f{}.cleared());
 //
 
 namespace umbrage {
 
-/// Where in a code's interval [x, x + 1) * 2^-Bits a decoder answers. With the upper edge no surface shadows itself
-/// through quantisation alone (d <= decode(encode(d)) for every d in [0, 1]), and the cleared depth 1 decodes to 1.
-template <real T>
-inline constexpr T lower_edge = T(0);
-template <real T>
-inline constexpr T centre = T(0.5);
-template <real T>
-inline constexpr T upper_edge = T(1);
+/// Clamped to [0, 1] on the way in; on the way out the texel is the depth.
+struct depth32f {
+    using texel = float;
+    static constexpr std::string_view name = "depth32f";
+    static constexpr std::string_view summary = "A float texture: nothing to encode.";
+    static constexpr const glsl::snippet* writer = &glsl::saturate;
+    static constexpr const glsl::snippet* reader = nullptr;
+    static constexpr written writes = written::depth;
+    static constexpr std::uint64_t codes = 0x3F800001;  ///< floats from 0 to 1
 
-/// @param depth   clamped to [0, 1]; NaN counts as 1
-/// @return        0 .. 2^Bits - 1
-/// @formula       min(floor(depth 2^Bits), 2^Bits - 1)
-/// @exactness     A: scaling by a power of two, floor, min
-template <int Bits, real T>
-[[nodiscard]] constexpr std::uint32_t to_code(T depth) {
-    static_assert(Bits >= 1 && Bits <= 24, "a binary32 significand has 24 bits");
-    constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
-    const auto x = static_cast<std::uint32_t>(saturate(depth) * T(codes));
-    return x < codes ? x : codes - 1;
-}
+    depth_direction direction = depth_direction::forward;
 
-/// @param code    0 .. 2^Bits - 1
-/// @param edge    lower_edge, centre or upper_edge
-/// @return        (code + edge) 2^-Bits
-/// @exactness     A, but for the centre of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
-template <int Bits, real T>
-[[nodiscard]] constexpr T from_code(T code, T edge) {
-    return (code + edge) * (T(1) / T(std::uint32_t(1) << Bits));
-}
+    [[nodiscard]] constexpr texel encode(float depth) const { return saturate(depth, cleared_depth(direction)); }
+    [[nodiscard]] constexpr float decode(texel t) const { return t; }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {}; }
+    [[nodiscard]] constexpr texel cleared() const { return cleared_depth(direction); }
+};
 
 }  // namespace umbrage
 
@@ -851,8 +955,7 @@ namespace umbrage {
 /// @param v       any value; infinities, NaN and its payload survive
 /// @return        integer channels 0..255, R least significant
 /// @exactness     A: no arithmetic. Hardware that flushes denormals may deliver them as zero before we see them.
-template <class = void>  // templates alone may be constexpr where GLM_FORCE_INTRINSICS makes vectors no constants
-[[nodiscard]] constexpr glm::u8vec4 encode_float_bits(float v) {
+[[nodiscard]] inline glm::u8vec4 encode_float_bits(float v) {
     const auto bits = detail::bit_cast<std::uint32_t>(v);
     return {static_cast<std::uint8_t>(bits & 0xFF), static_cast<std::uint8_t>(bits >> 8 & 0xFF),
             static_cast<std::uint8_t>(bits >> 16 & 0xFF), static_cast<std::uint8_t>(bits >> 24)};
@@ -872,26 +975,6 @@ template <class = void>  // templates alone may be constexpr where GLM_FORCE_INT
     for (glm::length_t i = 0; i < 4; ++i) texel[i] = static_cast<std::uint8_t>(from_unorm(saturate(c[i])));
     return decode_float_bits(texel);
 }
-
-/// The encoding as a value, for functions over images.
-struct float_bits {
-    using texel = glm::u8vec4;
-    static constexpr int bits = 32;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-    static constexpr double max_error = 0.0;
-
-    [[nodiscard]] texel encode(float depth) const { return encode_float_bits(depth); }
-    [[nodiscard]] constexpr float decode(texel t) const { return decode_float_bits(t); }
-};
-
-/// A map of plain floats, with the face of an encoding.
-struct depth32f {
-    using texel = float;
-    static constexpr double max_error = 0.0;
-
-    [[nodiscard]] constexpr texel encode(float depth) const { return saturate(depth); }
-    [[nodiscard]] constexpr float decode(texel t) const { return t; }
-};
 
 namespace glsl {
 
@@ -919,6 +1002,25 @@ UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
 )GLSL"};
 
 }  // namespace glsl
+
+/// The encoding as a value.
+struct float_bits {
+    using texel = glm::u8vec4;
+    static constexpr std::string_view name = "float_bits";
+    static constexpr std::string_view summary = "The bit pattern of the float itself, R least significant.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_float_bits;
+    static constexpr const glsl::snippet* reader = &glsl::decode_float_bits;
+    static constexpr written writes = written::bytes;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] texel encode(float depth) const { return encode_float_bits(depth); }
+    [[nodiscard]] constexpr float decode(texel t) const { return decode_float_bits(t); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {}; }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
 }  // namespace umbrage
 
 // ---- umbrage/depth/foreign/base255.hpp
@@ -933,14 +1035,14 @@ UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
 
 namespace umbrage {
 
-/// @param depth   clamped to [0, 1]; NaN counts as 1, which decodes to 0: the fault of the format
+/// @param depth   clamped to [0, 1], NaN counts as far: 1, or 0 where depth is reversed; 1 decodes to 0, the format's fault
 /// @return        UNORM values
 /// @formula       e_i = fract(255^i depth), each less 1/255 of the next
 /// @exactness     B
 /// @cite          Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
 template <real T>
-[[nodiscard]] glm::vec<4, T> write_base255(T depth) {
-    const T v = saturate(depth);
+[[nodiscard]] glm::vec<4, T> write_base255(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
     const T x = v - std::floor(v);
     const T y = v * T(255) - std::floor(v * T(255));
     const T z = v * T(65025) - std::floor(v * T(65025));
@@ -961,8 +1063,8 @@ template <real T>
 /// @return        integer channels 0..255 (to_unorm writes them); 1 gives (255, 0, 0, 0)
 /// @exactness     B
 template <real T>
-[[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth) {
-    T rest = saturate(depth) * T(255);
+[[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth, T far = T(1)) {
+    T rest = saturate(depth, far) * T(255);
     glm::u8vec4 digits(0);
     for (int i = 0; i < 4; ++i) {
         const T digit = std::floor(rest);
@@ -971,26 +1073,6 @@ template <real T>
     }
     return digits;
 }
-
-/// The format as a value, for functions over images, faults and all; the store rounds.
-struct base255 {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-    static constexpr double max_error = 1.0;  ///< at 1.0; below it 2^-23, or 2^-7.98 where the store truncates
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_base255(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
-};
-
-/// The same, written without the faults.
-struct base255_repaired {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(255) * 255 * 255 * 255 + 1;
-    static constexpr double max_error = 0x1p-23;  ///< whether the store rounds or truncates
-
-    [[nodiscard]] texel encode(float depth) const { return encode_base255_repaired(depth); }
-    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
-};
 
 namespace glsl {
 
@@ -1034,59 +1116,95 @@ UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
 )GLSL"};
 
 }  // namespace glsl
+
+/// The format as a value, faults and all; the store rounds. An empty map is cleared to what decodes to 1.
+struct base255 {
+    using texel = glm::u8vec4;
+    static constexpr std::string_view name = "base255";
+    static constexpr std::string_view summary = "Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0.";
+    static constexpr const glsl::snippet* writer = &glsl::write_base255;
+    static constexpr const glsl::snippet* reader = &glsl::decode_base255;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_base255(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
+        const double either = store == unorm_store::rounds ? 0x1p-23 : 0x1.021p-8;
+        return {.below = either, .above = either};
+    }
+    [[nodiscard]] texel cleared() const { return direction == depth_direction::forward ? texel(255, 0, 0, 0) : texel(0); }
+};
+
+/// The same, written without the faults.
+struct base255_repaired {
+    using texel = glm::u8vec4;
+    static constexpr std::string_view name = "base255_repaired";
+    static constexpr std::string_view summary = "For readers of base 255, written without the fault.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_base255_repaired;
+    static constexpr const glsl::snippet* reader = &glsl::decode_base255;
+    static constexpr written writes = written::bytes;
+    static constexpr std::uint64_t codes = std::uint64_t(255) * 255 * 255 * 255 + 1;
+
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] texel encode(float depth) const { return encode_base255_repaired(depth, cleared_depth(direction)); }
+    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {.below = 0x1p-23, .above = 0x1p-23}; }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
 }  // namespace umbrage
 
-// ---- umbrage/depth/foreign/ps14.hpp
-// The Radeon 8500's own way to unpack 11 bits: r / 8 + g on the channels as sampled. Its values are x / 2040, not
-// x / 2048, so the receiver it is compared with must be scaled by 256 / 255 too.
+// ---- umbrage/depth/code.hpp
+// A depth as a whole number of 2^Bits steps, and back: what every encoding of ours is made of.
 //
-//     bool lit = umbrage::receiver_ps14(depth) <= umbrage::decode_ps14(sampled);
+//     std::uint32_t x = umbrage::to_code<11>(0.5f);                         // 1024
+//     float d = umbrage::from_code<11>(float(x), umbrage::upper_edge<float>);  // 1025 / 2048
 //
 
 namespace umbrage {
 
-/// @param c      the two channels of encode_rg<11> as sampled, k / 255
-/// @return       x / 2040, in [0, 2047 / 2040]
-/// @formula      r / 8 + g
-/// @exactness    B: one rounded addition
-/// @cite         ATI Radeon SDK, ShadowMap sample, 2002: mov_d8 and add in pixel shader 1.4
+/// Where in a code's interval [x, x + 1) * 2^-Bits a decoder answers. With the upper edge no surface shadows itself
+/// through quantisation alone (d <= decode(encode(d)) for every d in [0, 1]), and the cleared depth 1 decodes to 1.
 template <real T>
-[[nodiscard]] constexpr T decode_ps14(glm::vec<2, T> c) {
-    return c.x * T(0.125) + c.y;
-}
-
-/// A depth on the scale of decode_ps14.
-/// @param depth   in [0, 1], not clamped
-/// @formula       depth * 256 / 255
-/// @exactness     B: one product with the rounded quotient
+inline constexpr T lower_edge = T(0);
 template <real T>
-[[nodiscard]] constexpr T receiver_ps14(T depth) {
-    return depth * T(256.0 / 255.0);
+inline constexpr T centre = T(0.5);
+template <real T>
+inline constexpr T upper_edge = T(1);
+
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
+/// @return        0 .. 2^Bits - 1
+/// @formula       min(floor(depth 2^Bits), 2^Bits - 1)
+/// @exactness     A: scaling by a power of two, floor, min
+template <int Bits, real T>
+[[nodiscard]] constexpr std::uint32_t to_code(T depth, T far = T(1)) {
+    static_assert(Bits >= 1 && Bits <= 24, "a binary32 significand has 24 bits");
+    constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
+    const auto x = static_cast<std::uint32_t>(saturate(depth, far) * T(codes));
+    return x < codes ? x : codes - 1;
 }
 
-namespace glsl {
-
-inline constexpr snippet decode_ps14{
-    .name = "decode_ps14", .summary = "r / 8 + g as the Radeon 8500 computed it", .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14
-UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
-    return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
+/// @param code    0 .. 2^Bits - 1
+/// @param edge    lower_edge, centre or upper_edge
+/// @return        (code + edge) 2^-Bits
+/// @exactness     A, but for the centre of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
+template <int Bits, real T>
+[[nodiscard]] constexpr T from_code(T code, T edge) {
+    return (code + edge) * (T(1) / T(std::uint32_t(1) << Bits));
 }
-)GLSL"};
 
-inline constexpr snippet receiver_ps14{
-    .name = "receiver_ps14", .summary = "receiver on the scale of decode_ps14", .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14
-UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
-    return depth * 1.00392163;
+/// How far from_code's answer may lie below and above a depth that to_code was given.
+[[nodiscard]] constexpr decoding_error edge_error(int bits, float edge) {
+    const double step = 1.0 / static_cast<double>(std::uint32_t(1) << bits);
+    return {.below = (1.0 - static_cast<double>(edge)) * step, .above = static_cast<double>(edge) * step};
 }
-)GLSL"};
 
-inline constexpr auto ps14_snippets = list<&decode_ps14, &receiver_ps14>;
-
-}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/depth/foreign/threejs.hpp
@@ -1110,13 +1228,13 @@ inline constexpr auto ps14_snippets = list<&decode_ps14, &receiver_ps14>;
 namespace umbrage {
 
 /// Three whole bytes, R most significant, and the fraction that is left in A.
-/// @param depth   clamped to [0, 1]; NaN counts as 1; 1 gives all ones
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed; 1 gives all ones
 /// @return        UNORM values
 /// @exactness     B
 /// @cite          three.js r167 and later, packing chunk (format)
 template <real T>
-[[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth) {
-    const T v = saturate(depth);
+[[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
     if (!(v < T(1))) return glm::vec<4, T>(1);
     const T x = v * T(16777216);
     const T whole = std::floor(x);
@@ -1136,8 +1254,8 @@ template <real T>
 
 /// Two whole bytes and the fraction that is left in B.  @exactness B  @cite three.js r167 and later (format)
 template <real T>
-[[nodiscard]] glm::vec<3, T> write_threejs_rgb(T depth) {
-    const T v = saturate(depth);
+[[nodiscard]] glm::vec<3, T> write_threejs_rgb(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
     if (!(v < T(1))) return glm::vec<3, T>(1);
     const T x = v * T(65536);
     const T whole = std::floor(x);
@@ -1153,8 +1271,8 @@ template <real T>
 
 /// One whole byte and the fraction that is left in G.  @exactness B  @cite three.js r167 and later (format)
 template <real T>
-[[nodiscard]] glm::vec<2, T> write_threejs_rg(T depth) {
-    const T v = saturate(depth);
+[[nodiscard]] glm::vec<2, T> write_threejs_rg(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
     if (!(v < T(1))) return glm::vec<2, T>(1);
     const T x = v * T(256);
     const T whole = std::floor(x);
@@ -1172,8 +1290,8 @@ template <real T>
 /// @exactness     B
 /// @cite          three.js r73 to r166, packing chunk (format)
 template <real T>
-[[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth) {
-    const T v = saturate(depth);
+[[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
     const T x = v * T(16777216) - std::floor(v * T(16777216));
     const T y = v * T(65536) - std::floor(v * T(65536));
     const T z = v * T(256) - std::floor(v * T(256));
@@ -1191,65 +1309,13 @@ template <real T>
 /// @return        integer channels 0..255 (to_unorm writes them), A most significant
 /// @exactness     A
 template <real T>
-[[nodiscard]] constexpr glm::u8vec4 encode_threejs_legacy_repaired(T depth) {
-    const T v = saturate(depth);
+[[nodiscard]] constexpr glm::u8vec4 encode_threejs_legacy_repaired(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
     if (!(v < T(1))) return glm::u8vec4(255);
     const std::uint32_t x = to_code<24>(v);
     return {0, static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>(x >> 8 & 0xFF),
             static_cast<std::uint8_t>(x >> 16)};
 }
-
-// The formats as values, for functions over images; the store rounds.
-
-/// RGBA, r167 and later.
-struct threejs_rgba {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-    static constexpr double max_error = 0x1p-32;  ///< where the store truncates, 256/255 of it
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_rgba(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgba(load_unorm8(t)); }
-};
-
-/// RGB, r167 and later.
-struct threejs_rgb {
-    using texel = glm::u8vec3;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
-    static constexpr double max_error = 0x1p-24;  ///< where the store truncates, 256/255 of it
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_rgb(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgb(load_unorm8(t)); }
-};
-
-/// RG, r167 and later.
-struct threejs_rg {
-    using texel = glm::u8vec2;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 16;
-    static constexpr double max_error = 0x1.02p-17;  ///< 2^-16 * 256/255 where the store truncates
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_rg(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rg(load_unorm8(t)); }
-};
-
-/// RGBA, r73 to r166, fault and all.
-struct threejs_legacy {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-    static constexpr double max_error = 1.0 / 256.0;  ///< at 1.0; below it 2^-32
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_legacy(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
-};
-
-/// RGBA for readers of r73 to r166, written without the fault.
-struct threejs_legacy_repaired {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
-    static constexpr double max_error = 0x1p-24;  ///< whether the store rounds or truncates
-
-    [[nodiscard]] texel encode(float depth) const { return encode_threejs_legacy_repaired(depth); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
-};
 
 namespace glsl {
 
@@ -1368,6 +1434,423 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
     return v < 1.0 ? vec4(0.0, rest - middle * 256.0, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
 }
 )GLSL"};
+
+}  // namespace glsl
+
+// The formats as values; the store rounds.
+
+/// RGBA, r167 and later.
+struct threejs_rgba {
+    using texel = glm::u8vec4;
+    static constexpr std::string_view name = "threejs_rgba";
+    static constexpr std::string_view summary = "RGBA of three.js since r167: three whole bytes and the rest.";
+    static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgba;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgba;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_threejs_rgba(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgba(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
+        const double either = store == unorm_store::rounds ? 0x1p-32 : 0x1p-32 * 256 / 255;
+        return {.below = either, .above = either};
+    }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+/// RGB, r167 and later.
+struct threejs_rgb {
+    using texel = glm::u8vec3;
+    static constexpr std::string_view name = "threejs_rgb";
+    static constexpr std::string_view summary = "RGB of three.js since r167: two whole bytes and the rest.";
+    static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgb;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgb;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_threejs_rgb(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgb(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
+        const double either = store == unorm_store::rounds ? 0x1p-24 : 0x1p-24 * 256 / 255;
+        return {.below = either, .above = either};
+    }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+/// RG, r167 and later.
+struct threejs_rg {
+    using texel = glm::u8vec2;
+    static constexpr std::string_view name = "threejs_rg";
+    static constexpr std::string_view summary = "RG of three.js since r167: one whole byte and the rest.";
+    static constexpr const glsl::snippet* writer = &glsl::write_threejs_rg;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rg;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 16;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_threejs_rg(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rg(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
+        const double either = store == unorm_store::rounds ? 0x1.02p-17 : 0x1p-16 * 256 / 255;
+        return {.below = either, .above = either};
+    }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+/// RGBA, r73 to r166, fault and all: 1 decodes to 255/256. An empty map is cleared to what decodes to 1.
+struct threejs_legacy {
+    using texel = glm::u8vec4;
+    static constexpr std::string_view name = "threejs_legacy";
+    static constexpr std::string_view summary = "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
+    static constexpr const glsl::snippet* writer = &glsl::write_threejs_legacy;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_threejs_legacy(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {.below = 0x1p-32, .above = 0x1p-32}; }
+    [[nodiscard]] texel cleared() const { return direction == depth_direction::forward ? texel(255) : texel(0); }
+};
+
+/// RGBA for readers of r73 to r166, written without the fault.
+struct threejs_legacy_repaired {
+    using texel = glm::u8vec4;
+    static constexpr std::string_view name = "threejs_legacy_repaired";
+    static constexpr std::string_view summary = "For readers of three.js r73 to r166, written without the fault.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_threejs_legacy_repaired;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
+    static constexpr written writes = written::bytes;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
+
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] texel encode(float depth) const { return encode_threejs_legacy_repaired(depth, cleared_depth(direction)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {.below = 0x1p-24, .above = 0x1p-24}; }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/depth/rg.hpp
+// Depth in two 8-bit channels, 9 to 16 bits: the layout of the Radeon 8500 shadow map sample and its family.
+// x has Bits = 8 + M bits:  R = low byte,  G = high bits, moved to the top of their byte,  value = R / 2^M + G.
+// Bits = 11 is the sample's own; Bits = 16 is plain two-byte depth.
+//
+//     glm::u8vec2 texel = umbrage::encode_rg<11>(depth);
+//     float stored = umbrage::decode_rg<11>(texel, umbrage::upper_edge<float>);
+//
+
+namespace umbrage {
+
+/// Depth to channels.
+///
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
+/// @return        integer channels 0..255; to_unorm makes them what a shader writes
+/// @formula       x = min(floor(depth 2^Bits), 2^Bits - 1);  R = x mod 256, G = floor(x / 256) 2^(16 - Bits)
+/// @exactness     A
+/// @cite          ATI Radeon SDK, ShadowMap sample, 2002: R = x & 0xFF, G = (x & 0xFF00) >> 3
+template <int Bits, real T>
+[[nodiscard]] constexpr glm::u8vec2 encode_rg(T depth, T far = T(1)) {
+    static_assert(Bits >= 9 && Bits <= 16);
+    const std::uint32_t x = to_code<Bits>(depth, far);
+    return {static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>((x >> 8) << (16 - Bits))};
+}
+
+/// Values read from an 8-bit texture to depth.
+///
+/// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
+/// @param edge    lower_edge, centre or upper_edge of the code's interval
+/// @return        depth; channels that no encoder wrote give the formula's value all the same, below 3/2
+/// @formula       (R + 2^(Bits - 8) G + edge) 2^-Bits, with R, G = floor(255 c + 1/2)
+/// @exactness     A;  |depth - decoded| <= 2^-Bits at an edge, 2^-(Bits + 1) at the centre
+template <int Bits, real T>
+[[nodiscard]] T decode_rg(glm::vec<2, T> c, T edge) {
+    static_assert(Bits >= 9 && Bits <= 16);
+    const glm::vec<2, T> k = from_unorm(c);
+    return from_code<Bits>(k.x + k.y * T(1 << (Bits - 8)), edge);
+}
+
+/// Bytes to depth.
+template <int Bits, real T>
+[[nodiscard]] constexpr T decode_rg(glm::u8vec2 texel, T edge) {
+    static_assert(Bits >= 9 && Bits <= 16);
+    return from_code<Bits>(T(texel.x + (texel.y << (Bits - 8))), edge);
+}
+
+namespace glsl {
+
+template <int Bits>
+inline constexpr auto encode_rg_name = detail::fill<16>("encode_rg$b", {{'b', Bits}});
+template <int Bits>
+inline constexpr auto encode_rg_text = detail::fill<1024>(R"GLSL(
+// umbrage_encode_rg$b: depth to the two channels of a $b-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
+UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * $s.0);
+}
+)GLSL",
+                                                                 {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}, {'s', 1 << (16 - Bits)}});
+template <int Bits>
+inline constexpr snippet encode_rg{.name = encode_rg_name<Bits>.view(),
+                                   .summary = "depth to two channels, R the low byte",
+                                   .exactness = tier::a,
+                                   .needs = list<&saturate>,
+                                   .source = encode_rg_text<Bits>.view()};
+
+template <int Bits>
+inline constexpr auto decode_rg_name = detail::fill<16>("decode_rg$b", {{'b', Bits}});
+template <int Bits>
+inline constexpr auto decode_rg_text = detail::fill<1024>(R"GLSL(
+// umbrage_decode_rg$b: two channels of a $b-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * $g.0 + edge) * (1.0 / $n.0);
+}
+)GLSL",
+                                                                 {{'b', Bits}, {'n', 1 << Bits}, {'g', 1 << (Bits - 8)}});
+template <int Bits>
+inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
+                                   .summary = "two channels, R the low byte, to depth",
+                                   .exactness = tier::a,
+                                   .needs = list<&from_unorm>,
+                                   .source = decode_rg_text<Bits>.view()};
+
+}  // namespace glsl
+
+/// The encoding as a value.
+template <int Bits>
+struct rg {
+    using texel = glm::u8vec2;
+    static constexpr auto name_text = glsl::detail::fill<8>("rg$b", {{'b', Bits}});
+    static constexpr std::string_view name = name_text.view();
+    static constexpr std::string_view summary = "Two channels: R the low byte, G the rest in its high bits.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_rg<Bits>;
+    static constexpr const glsl::snippet* reader = &glsl::decode_rg<Bits>;
+    static constexpr written writes = written::bytes;
+    static constexpr int bits = Bits;
+    static constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
+
+    depth_direction direction = depth_direction::forward;
+    float edge = detail::safe_edge(direction);  ///< that decoding answers
+
+    [[nodiscard]] constexpr texel encode(float depth) const { return encode_rg<Bits>(depth, cleared_depth(direction)); }
+    [[nodiscard]] constexpr float decode(texel t) const { return decode_rg<Bits>(t, edge); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(Bits, edge); }
+    [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/depth/rgb24.hpp
+// Depth in three 8-bit channels, 24 bits, R most significant.
+//
+//     glm::u8vec3 texel = umbrage::encode_rgb24(depth);
+//     float stored = umbrage::decode_rgb24(texel, umbrage::upper_edge<float>);
+//
+
+namespace umbrage {
+
+/// Depth to channels.
+///
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
+/// @return        integer channels 0..255, R most significant
+/// @formula       the bytes of min(floor(depth 2^24), 2^24 - 1)
+/// @exactness     A
+template <real T>
+[[nodiscard]] constexpr glm::u8vec3 encode_rgb24(T depth, T far = T(1)) {
+    const std::uint32_t x = to_code<24>(depth, far);
+    return {static_cast<std::uint8_t>(x >> 16), static_cast<std::uint8_t>(x >> 8 & 0xFF),
+            static_cast<std::uint8_t>(x & 0xFF)};
+}
+
+/// Values read from an 8-bit texture to depth.
+///
+/// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
+/// @param edge    lower_edge or upper_edge; the centre is exact in double only
+/// @formula       (65536 R + 256 G + B + edge) 2^-24, with R, G, B = floor(255 c + 1/2)
+/// @exactness     A;  |depth - decoded| <= 2^-24
+template <real T>
+[[nodiscard]] T decode_rgb24(glm::vec<3, T> c, T edge) {
+    const glm::vec<3, T> k = from_unorm(c);
+    return from_code<24>((k.x * T(256) + k.y) * T(256) + k.z, edge);
+}
+
+/// Bytes to depth.
+template <real T>
+[[nodiscard]] constexpr T decode_rgb24(glm::u8vec3 texel, T edge) {
+    return from_code<24>(T((texel.x << 16) + (texel.y << 8) + texel.z), edge);
+}
+
+namespace glsl {
+
+inline constexpr snippet encode_rgb24{
+    .name = "encode_rgb24", .summary = "depth to three channels, R most significant", .exactness = tier::a,
+    .needs = list<&saturate>, .source = R"GLSL(
+// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
+UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = x - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    return vec3(high, middle, rest - middle * 256.0);
+}
+)GLSL"};
+
+inline constexpr snippet decode_rgb24{
+    .name = "decode_rgb24", .summary = "three channels, R most significant, to depth", .exactness = tier::a,
+    .needs = list<&from_unorm>, .source = R"GLSL(
+// umbrage_decode_rgb24: three channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec3 k = umbrage_from_unorm(c);
+    return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
+}
+)GLSL"};
+
+}  // namespace glsl
+
+/// The encoding as a value.
+struct rgb24 {
+    using texel = glm::u8vec3;
+    static constexpr std::string_view name = "rgb24";
+    static constexpr std::string_view summary = "Three channels, R most significant.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_rgb24;
+    static constexpr const glsl::snippet* reader = &glsl::decode_rgb24;
+    static constexpr written writes = written::bytes;
+    static constexpr int bits = 24;
+    static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
+
+    depth_direction direction = depth_direction::forward;
+    float edge = detail::safe_edge(direction);  ///< that decoding answers; the centre rounds from code 2^23 on
+
+    [[nodiscard]] constexpr texel encode(float depth) const { return encode_rgb24(depth, cleared_depth(direction)); }
+    [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb24(t, edge); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(bits, edge); }
+    [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/depth/encodings.hpp
+// Every encoding of the library, in one list: what tools, tables, proofs and examples walk.
+//
+//     umbrage::for_each_encoding([](auto encoding) { std::puts(encoding.name.data()); });
+//     bool found = umbrage::with_encoding("rg11", [&](auto encoding) { umbrage::encode(depth, map, encoding); });
+//
+
+namespace umbrage {
+
+/// One value of each.
+inline constexpr std::tuple<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, float_bits,
+                            threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255,
+                            base255_repaired>
+    encodings{};
+
+/// Calls use(encoding) for one after the other.
+template <class Use>
+constexpr void for_each_encoding(Use&& use) {
+    std::apply([&](const auto&... encoding) { (use(encoding), ...); }, encodings);
+}
+
+/// Calls use(encoding) with the one of that name.
+/// @return   false where none is called so
+template <class Use>
+constexpr bool with_encoding(std::string_view name, Use&& use) {
+    bool found = false;
+    for_each_encoding([&](const auto& encoding) {
+        if (found || encoding.name != name) return;
+        found = true;
+        use(encoding);
+    });
+    return found;
+}
+
+namespace glsl {
+
+/// Writer and reader of each; the texels of floats need no reader.
+inline constexpr auto encoding_snippets = std::apply(
+    [](const auto&... encoding) {
+        return std::array<const snippet*, 2 * sizeof...(encoding)>{encoding.writer..., encoding.reader...};
+    },
+    encodings);
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/depth/foreign/ps14.hpp
+// The Radeon 8500's own way to unpack 11 bits: r / 8 + g on the channels as sampled. Its values are x / 2040, not
+// x / 2048, so the receiver it is compared with must be scaled by 256 / 255 too.
+//
+//     bool lit = umbrage::receiver_ps14(depth) <= umbrage::decode_ps14(sampled);
+//
+
+namespace umbrage {
+
+/// @param c      the two channels of encode_rg<11> as sampled, k / 255
+/// @return       x / 2040, in [0, 2047 / 2040]
+/// @formula      r / 8 + g
+/// @exactness    B: one rounded addition
+/// @cite         ATI Radeon SDK, ShadowMap sample, 2002: mov_d8 and add in pixel shader 1.4
+template <real T>
+[[nodiscard]] constexpr T decode_ps14(glm::vec<2, T> c) {
+    return c.x * T(0.125) + c.y;
+}
+
+/// A depth on the scale of decode_ps14, for less_equal_scaled.
+/// @param depth   not clamped; beyond the far plane: -1, which every texel lights
+/// @formula       depth > 1 ? -1 : depth * 256 / 255
+/// @exactness     B: one product with the rounded quotient
+template <real T>
+[[nodiscard]] constexpr T receiver_ps14(T depth) {
+    return less_equal::beyond_far(depth) ? T(-1) : depth * T(256.0 / 255.0);
+}
+
+namespace glsl {
+
+inline constexpr snippet decode_ps14{
+    .name = "decode_ps14", .summary = "r / 8 + g as the Radeon 8500 computed it", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
+//   1.0 is not the far plane on this scale
+#ifndef UMBRAGE_BEYOND_FAR
+#define UMBRAGE_BEYOND_FAR(receiver) false
+#endif
+UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
+    return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
+}
+)GLSL"};
+
+inline constexpr snippet receiver_ps14{
+    .name = "receiver_ps14", .summary = "receiver on the scale of decode_ps14", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel lights
+UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
+    return depth > 1.0 ? -1.0 : depth * 1.00392163;
+}
+)GLSL"};
+
+inline constexpr auto ps14_snippets = list<&decode_ps14, &receiver_ps14>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -1525,110 +2008,6 @@ inline constexpr auto kinds_snippets =
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/depth/rg.hpp
-// Depth in two 8-bit channels, 9 to 16 bits: the layout of the Radeon 8500 shadow map sample and its family.
-// x has Bits = 8 + M bits:  R = low byte,  G = high bits, moved to the top of their byte,  value = R / 2^M + G.
-// Bits = 11 is the sample's own; Bits = 16 is plain two-byte depth.
-//
-//     glm::u8vec2 texel = umbrage::encode_rg<11>(depth);
-//     float stored = umbrage::decode_rg<11>(texel, umbrage::upper_edge<float>);
-//
-
-namespace umbrage {
-
-/// Depth to channels.
-///
-/// @param depth   clamped to [0, 1]; NaN counts as 1
-/// @return        integer channels 0..255; to_unorm makes them what a shader writes
-/// @formula       x = min(floor(depth 2^Bits), 2^Bits - 1);  R = x mod 256, G = floor(x / 256) 2^(16 - Bits)
-/// @exactness     A
-/// @cite          ATI Radeon SDK, ShadowMap sample, 2002: R = x & 0xFF, G = (x & 0xFF00) >> 3
-template <int Bits, real T>
-[[nodiscard]] constexpr glm::u8vec2 encode_rg(T depth) {
-    static_assert(Bits >= 9 && Bits <= 16);
-    const std::uint32_t x = to_code<Bits>(depth);
-    return {static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>((x >> 8) << (16 - Bits))};
-}
-
-/// Values read from an 8-bit texture to depth.
-///
-/// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
-/// @param edge    lower_edge, centre or upper_edge of the code's interval
-/// @return        depth; channels that no encoder wrote give the formula's value all the same, below 3/2
-/// @formula       (R + 2^(Bits - 8) G + edge) 2^-Bits, with R, G = floor(255 c + 1/2)
-/// @exactness     A;  |depth - decoded| <= 2^-Bits at an edge, 2^-(Bits + 1) at the centre
-template <int Bits, real T>
-[[nodiscard]] T decode_rg(glm::vec<2, T> c, T edge) {
-    static_assert(Bits >= 9 && Bits <= 16);
-    const glm::vec<2, T> k = from_unorm(c);
-    return from_code<Bits>(k.x + k.y * T(1 << (Bits - 8)), edge);
-}
-
-/// Bytes to depth.
-template <int Bits, real T>
-[[nodiscard]] constexpr T decode_rg(glm::u8vec2 texel, T edge) {
-    static_assert(Bits >= 9 && Bits <= 16);
-    return from_code<Bits>(T(texel.x + (texel.y << (Bits - 8))), edge);
-}
-
-/// The encoding as a value, for functions over images.
-template <int Bits>
-struct rg {
-    using texel = glm::u8vec2;
-    static constexpr int bits = Bits;
-    static constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
-    static constexpr double max_error = 1.0 / codes;  ///< at an edge; half of it at the centre
-
-    float edge = upper_edge<float>;
-
-    [[nodiscard]] constexpr texel encode(float depth) const { return encode_rg<Bits>(depth); }
-    [[nodiscard]] constexpr float decode(texel t) const { return decode_rg<Bits>(t, edge); }
-};
-
-namespace glsl {
-
-template <int Bits>
-inline constexpr auto encode_rg_name = detail::fill<16>("encode_rg$b", {{'b', Bits}});
-template <int Bits>
-inline constexpr auto encode_rg_text = detail::fill<1024>(R"GLSL(
-// umbrage_encode_rg$b: depth to the two channels of a $b-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as 1
-UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
-    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
-    return vec2(x - high * 256.0, high * $s.0);
-}
-)GLSL",
-                                                                 {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}, {'s', 1 << (16 - Bits)}});
-template <int Bits>
-inline constexpr snippet encode_rg{.name = encode_rg_name<Bits>.view(),
-                                   .summary = "depth to two channels, R the low byte",
-                                   .exactness = tier::a,
-                                   .needs = list<&saturate>,
-                                   .source = encode_rg_text<Bits>.view()};
-
-template <int Bits>
-inline constexpr auto decode_rg_name = detail::fill<16>("decode_rg$b", {{'b', Bits}});
-template <int Bits>
-inline constexpr auto decode_rg_text = detail::fill<1024>(R"GLSL(
-// umbrage_decode_rg$b: two channels of a $b-bit code, as sampled, to depth
-//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
-UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
-    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
-    return (k.x + k.y * $g.0 + edge) * (1.0 / $n.0);
-}
-)GLSL",
-                                                                 {{'b', Bits}, {'n', 1 << Bits}, {'g', 1 << (Bits - 8)}});
-template <int Bits>
-inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
-                                   .summary = "two channels, R the low byte, to depth",
-                                   .exactness = tier::a,
-                                   .needs = list<&from_unorm>,
-                                   .source = decode_rg_text<Bits>.view()};
-
-}  // namespace glsl
-}  // namespace umbrage
-
 // ---- umbrage/depth/rg_level.hpp
 // The shadow test on maps of encode_rg without decoding them: one multiply-add a texel. The receiver is brought to the
 // scale of the channels' sum once, halfway between two codes, so that no rounding of a texel's read can tip the test.
@@ -1650,15 +2029,17 @@ template <int Bits, real T>
     return c.x + c.y * T(1 << (Bits - 8));
 }
 
-/// @param depth   of the receiver, biased; not clamped; NaN is in shadow, for no comparison with it holds
+/// @param depth   of the receiver, biased; beyond the far plane: -1, which every texel lights; NaN is in shadow, for no
+///                comparison with it holds
 /// @param edge    the one decode_rg would be given
 /// @return        receiver_rg(depth, edge) <= level_rg(c) exactly when depth <= decode_rg(c, edge), for texels c within
-///                2^-18 of k / 255. For this comparison only, not for reversed Z.
-/// @formula       (ceil(depth 2^Bits - edge) - 1/2) / 255
+///                2^-18 of k / 255. For less_equal_scaled only, not for reversed Z.
+/// @formula       depth > 1 ? -1 : (ceil(depth 2^Bits - edge) - 1/2) / 255
 /// @exactness     B: products and sums round once each; the test that it is made for is exact
 template <int Bits, real T>
 [[nodiscard]] T receiver_rg(T depth, T edge) {
     static_assert(Bits >= 9 && Bits <= 16);
+    if (less_equal::beyond_far(depth)) return T(-1);
     return (std::ceil(depth * T(1 << Bits) - edge) - T(0.5)) * T(1.0 / 255.0);
 }
 
@@ -1668,7 +2049,11 @@ template <int Bits>
 inline constexpr auto level_rg_name = detail::fill<16>("level_rg$b", {{'b', Bits}});
 template <int Bits>
 inline constexpr auto level_rg_text = detail::fill<512>(R"GLSL(
-// umbrage_level_rg$b: two channels of a $b-bit code, as sampled, to the scale of umbrage_receiver_rg$b
+// umbrage_level_rg$b: two channels of a $b-bit code, as sampled, to the scale of umbrage_receiver_rg$b, on which 1.0 is
+//   not the far plane
+#ifndef UMBRAGE_BEYOND_FAR
+#define UMBRAGE_BEYOND_FAR(receiver) false
+#endif
 UMBRAGE_HIGHP float umbrage_level_rg$b(UMBRAGE_HIGHP vec2 c) {
     return c.x + c.y * $g.0;  // an exact product: fused or not, it rounds once
 }
@@ -1685,10 +2070,10 @@ inline constexpr auto receiver_rg_name = detail::fill<16>("receiver_rg$b", {{'b'
 template <int Bits>
 inline constexpr auto receiver_rg_text = detail::fill<768>(R"GLSL(
 // umbrage_receiver_rg$b: receiver on the scale of umbrage_level_rg$b: it is <= a texel's level exactly when
-//   depth <= umbrage_decode_rg$b(texel, edge)
+//   depth <= umbrage_decode_rg$b(texel, edge), or beyond the far plane
 UMBRAGE_HIGHP float umbrage_receiver_rg$b(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * $n.0 - edge) - 0.5) * 0.00392156886;
-    return level;
+    return depth > 1.0 ? -1.0 : level;
 }
 )GLSL",
                                                            {{'b', Bits}, {'n', 1 << Bits}});
@@ -1741,11 +2126,11 @@ inline const glm::ivec2 rg_table_size{rg_table_width<Bits>, (1 << Bits) / rg_tab
 /// Depth to channels by one nearest fetch from the table: the texel encode_rg<Bits> computes.
 ///
 /// @param fetch   int 0 .. 2^Bits - 1 -> texel of the table
-/// @param depth   clamped to [0, 1]; NaN counts as 1
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
 /// @exactness     A
 template <int Bits, real T, class Fetch>
-[[nodiscard]] constexpr glm::u8vec2 encode_rg_table(Fetch&& fetch, T depth) {
-    const auto texel = fetch(static_cast<int>(to_code<Bits>(depth)));
+[[nodiscard]] constexpr glm::u8vec2 encode_rg_table(Fetch&& fetch, T depth, T far = T(1)) {
+    const auto texel = fetch(static_cast<int>(to_code<Bits>(depth, far)));
     return {texel[0], texel[1]};
 }
 
@@ -1756,7 +2141,7 @@ inline constexpr auto encode_rg_table_name = detail::fill<24>("encode_rg$b_table
 template <int Bits>
 inline constexpr auto encode_rg_table_text = detail::fill<1024>(R"GLSL(
 // umbrage_encode_rg$b_table: depth to the two channels of a $b-bit code through a look-up table, whole numbers 0..255
-//   table   $w x $h texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as 1
+//   table   $w x $h texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
     UMBRAGE_HIGHP float row = floor(x * (1.0 / $w.0));
@@ -1780,89 +2165,6 @@ inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view
 inline constexpr auto rg_table_snippets =
     list<&encode_rg_table<9>, &encode_rg_table<10>, &encode_rg_table<11>, &encode_rg_table<12>,
          &encode_rg_table<13>, &encode_rg_table<14>, &encode_rg_table<15>, &encode_rg_table<16>>;
-
-}  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/depth/rgb24.hpp
-// Depth in three 8-bit channels, 24 bits, R most significant.
-//
-//     glm::u8vec3 texel = umbrage::encode_rgb24(depth);
-//     float stored = umbrage::decode_rgb24(texel, umbrage::upper_edge<float>);
-//
-
-namespace umbrage {
-
-/// Depth to channels.
-///
-/// @param depth   clamped to [0, 1]; NaN counts as 1
-/// @return        integer channels 0..255, R most significant
-/// @formula       the bytes of min(floor(depth 2^24), 2^24 - 1)
-/// @exactness     A
-template <real T>
-[[nodiscard]] constexpr glm::u8vec3 encode_rgb24(T depth) {
-    const std::uint32_t x = to_code<24>(depth);
-    return {static_cast<std::uint8_t>(x >> 16), static_cast<std::uint8_t>(x >> 8 & 0xFF),
-            static_cast<std::uint8_t>(x & 0xFF)};
-}
-
-/// Values read from an 8-bit texture to depth.
-///
-/// @param c       as sampled, k / 255; any rounding of that quotient gives the same depth
-/// @param edge    lower_edge or upper_edge; the centre is exact in double only
-/// @formula       (65536 R + 256 G + B + edge) 2^-24, with R, G, B = floor(255 c + 1/2)
-/// @exactness     A;  |depth - decoded| <= 2^-24
-template <real T>
-[[nodiscard]] T decode_rgb24(glm::vec<3, T> c, T edge) {
-    const glm::vec<3, T> k = from_unorm(c);
-    return from_code<24>((k.x * T(256) + k.y) * T(256) + k.z, edge);
-}
-
-/// Bytes to depth.
-template <real T>
-[[nodiscard]] constexpr T decode_rgb24(glm::u8vec3 texel, T edge) {
-    return from_code<24>(T((texel.x << 16) + (texel.y << 8) + texel.z), edge);
-}
-
-/// The encoding as a value, for functions over images.
-struct rgb24 {
-    using texel = glm::u8vec3;
-    static constexpr int bits = 24;
-    static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
-    static constexpr double max_error = 1.0 / codes;
-
-    float edge = upper_edge<float>;
-
-    [[nodiscard]] constexpr texel encode(float depth) const { return encode_rgb24(depth); }
-    [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb24(t, edge); }
-};
-
-namespace glsl {
-
-inline constexpr snippet encode_rgb24{
-    .name = "encode_rgb24", .summary = "depth to three channels, R most significant", .exactness = tier::a,
-    .needs = list<&saturate>, .source = R"GLSL(
-// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as 1
-UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
-    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
-    UMBRAGE_HIGHP float rest = x - high * 65536.0;
-    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
-    return vec3(high, middle, rest - middle * 256.0);
-}
-)GLSL"};
-
-inline constexpr snippet decode_rgb24{
-    .name = "decode_rgb24", .summary = "three channels, R most significant, to depth", .exactness = tier::a,
-    .needs = list<&from_unorm>, .source = R"GLSL(
-// umbrage_decode_rgb24: three channels, as sampled, to depth
-//   edge   0.0 or 1.0: lower or upper edge of the code's interval
-UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
-    UMBRAGE_HIGHP vec3 k = umbrage_from_unorm(c);
-    return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
-}
-)GLSL"};
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -2339,6 +2641,51 @@ inline constexpr auto texture_matrix_snippets = list<&shadow_coordinate, &tap_co
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/filter/filter.hpp
+// What a filter is: a value that makes visibility of a map's texels, and knows what there is to know of itself.
+//
+//     umbrage::filters::box filter{.radius = 2, .is_lit = {light.clip.direction}};
+//     float visibility = filter(umbrage::clamped(map), coord, depth - bias);
+//
+// The library's own are listed in filters.hpp. Functions over images take any callable like them.
+
+namespace umbrage {
+namespace detail {
+
+/// A map as filters see it.
+struct any_fetch {
+    float operator()(glm::ivec2 texel) const;
+};
+
+}  // namespace detail
+
+/// A callable (fetch, coord, receiver) -> visibility: all that functions over images ask for.
+template <class Filter>
+concept filter = std::copyable<Filter> && requires(const Filter& f, const detail::any_fetch& fetch, float receiver) {
+    { f(fetch, glm::vec2(), receiver) } -> std::convertible_to<float>;
+};
+
+/// What a filter of the library tells of itself, for tools, tables and biases.
+template <class Filter>
+concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
+    { Filter::name } -> std::convertible_to<std::string_view>;             // a C++ identifier
+    { Filter::snippet } -> std::convertible_to<const glsl::snippet*>;      // of the same result
+    { f.reach() } -> std::same_as<float>;           // from a receiver to the farthest point of its texels, an axis, in texels
+    { f.is_lit(depth, depth) } -> std::same_as<bool>;                      // the comparison, its direction inside
+};
+
+namespace detail {
+
+/// Says in words what a type lacks that is used as a filter.
+template <class Filter>
+consteval bool is_filter() {
+    static_assert(filter<Filter>, "an umbrage filter is a callable (fetch, glm::vec2 coord, float receiver) -> float, const");
+    return true;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
 // ---- umbrage/filter/texel_space.hpp
 // What every filter over a map shares: the range of its coordinates and its macros in GLSL.
 //
@@ -2354,6 +2701,18 @@ template <real T>
 [[nodiscard]] constexpr bool inside_texel_space(glm::vec<2, T> coord) {
     const auto inside = [](T v) { return !is_nan(v) && v < T(32768) && v > T(-32768); };
     return inside(coord.x) && inside(coord.y);
+}
+
+/// Whether a filter compares a receiver at all. Two kinds are lit without: coordinates outside texel space, and depths
+/// beyond the far plane.
+/// @param is_lit   the comparison; one without beyond_far has no far plane
+/// @exactness      A
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr bool is_compared(glm::vec<2, T> coord, T receiver, const Compare& is_lit = {}) {
+    if constexpr (requires { is_lit.beyond_far(receiver); })
+        return inside_texel_space(coord) && !is_lit.beyond_far(receiver);
+    else
+        return inside_texel_space(coord);
 }
 
 /// Stored depth of a texel: the fetch callable of every filter, by name.
@@ -2387,6 +2746,23 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 }
 )GLSL"};
 
+inline constexpr snippet is_compared{
+    .name = "is_compared", .summary = "receivers that a filter compares; it takes the others as lit",
+    .exactness = tier::a, .needs = list<&inside_texel_space>, .source = R"GLSL(
+// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
+#ifndef UMBRAGE_BEYOND_FAR
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
+#else
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
+#endif
+#endif
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    return umbrage_inside_texel_space(coord) && !UMBRAGE_BEYOND_FAR(receiver);
+}
+)GLSL"};
+
 /// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps, arrays, borders.
 inline constexpr snippet fetch_depth{
     .name = "fetch_depth", .summary = "stored depth of a texel, as a macro to redefine", .exactness = tier::a,
@@ -2401,7 +2777,7 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 }
 )GLSL"};
 
-inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_space>;
+inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_space, &is_compared>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -2420,7 +2796,7 @@ inline constexpr int max_box_radius = 8;
 ///
 /// @param fetch      ivec2 texel -> stored depth; called (2r+1)^2 times, texels may lie r outside the map
 /// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: all lit
-/// @param receiver   depth, biased; NaN is in shadow
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param radius     r, clamped to 0..8
 /// @return           0 .. (2r+1)^2
 /// @formula          sum over |i|, |j| <= r of [receiver <= fetch(floor(coord) + (i, j))]
@@ -2429,7 +2805,7 @@ inline constexpr int max_box_radius = 8;
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T box_count(Fetch&& fetch, glm::vec<2, T> coord, T receiver, int radius, Compare is_lit = {}) {
     const int r = radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius);
-    if (!inside_texel_space(coord)) return T((2 * r + 1) * (2 * r + 1));
+    if (!is_compared(coord, receiver, is_lit)) return T((2 * r + 1) * (2 * r + 1));
     const glm::ivec2 texel(glm::floor(coord));
     int count = 0;
     for (int j = -r; j <= r; ++j)
@@ -2466,7 +2842,7 @@ namespace glsl {
 
 inline constexpr snippet box_count{
     .name = "box_count", .summary = "lit texels in a box of radius 0..8", .exactness = tier::a,
-    .needs = list<&compare, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
+    .needs = list<&compare, &is_compared, &fetch_depth>, .source = R"GLSL(
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
@@ -2474,8 +2850,8 @@ UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                       UMBRAGE_HIGHP float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
     int width = 2 * r + 1;
-    bool inside = umbrage_inside_texel_space(coord);
-    UMBRAGE_HIGHP vec2 first = inside ? floor(coord) - float(r) : vec2(0.0, 0.0);
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 first = compared ? floor(coord) - float(r) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float count = 0.0;
     for (int j = 0; j < 17; j++) {
         if (j >= width) break;
@@ -2484,7 +2860,7 @@ UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
             count += UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, first + vec2(float(i), float(j))));
         }
     }
-    return inside ? count : float(width * width);
+    return compared ? count : float(width * width);
 }
 )GLSL"};
 
@@ -2517,6 +2893,43 @@ UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 )GLSL"};
 
 }  // namespace glsl
+
+namespace filters {
+
+/// The filter as a value.
+struct box {
+    static constexpr std::string_view name = "box";
+    static constexpr const glsl::snippet* snippet = &glsl::box;
+
+    int radius = 1;  ///< clamped to 0..8
+    comparison is_lit{};
+
+    [[nodiscard]] constexpr float reach() const {
+        return static_cast<float>(radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius)) + 0.5f;
+    }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::box(fetch, coord, receiver, radius, is_lit);
+    }
+};
+
+/// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
+/// Pays off for large radii, and where shadows have more inside than border.
+struct hierarchical_box {
+    static constexpr std::string_view name = "hierarchical_box";
+    static constexpr const glsl::snippet* snippet = &glsl::box;
+
+    int radius = 1;  ///< clamped to 0..8
+    comparison is_lit{};
+
+    [[nodiscard]] constexpr float reach() const { return box{radius}.reach(); }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::box(fetch, coord, receiver, radius, is_lit);
+    }
+};
+
+}  // namespace filters
 }  // namespace umbrage
 
 // ---- umbrage/filter/pcf/hard.hpp
@@ -2529,14 +2942,14 @@ namespace umbrage {
 
 /// @param fetch      ivec2 texel -> stored depth; called once
 /// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; NaN is in shadow
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return           1 lit, 0 in shadow
 /// @formula          [receiver <= fetch(floor(coord))]
 /// @exactness        A
 /// @cite             Williams: Casting curved shadows on curved surfaces, SIGGRAPH 1978
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T hard(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    if (!inside_texel_space(coord)) return T(1);
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
     return compare(receiver, T(fetch(glm::ivec2(glm::floor(coord)))), is_lit);
 }
 
@@ -2544,20 +2957,38 @@ namespace glsl {
 
 inline constexpr snippet hard{
     .name = "hard", .summary = "nearest texel, one test", .exactness = tier::a,
-    .needs = list<&compare, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
+    .needs = list<&compare, &is_compared, &fetch_depth>, .source = R"GLSL(
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                  UMBRAGE_HIGHP float receiver) {
-    bool inside = umbrage_inside_texel_space(coord);
-    UMBRAGE_HIGHP vec2 texel = inside ? floor(coord) : vec2(0.0, 0.0);  // no branch: fetches of several taps overlap
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 texel = compared ? floor(coord) : vec2(0.0, 0.0);  // no branch: fetches of several taps overlap
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel));
-    return inside ? lit : 1.0;
+    return compared ? lit : 1.0;
 }
 )GLSL"};
 
 }  // namespace glsl
+
+namespace filters {
+
+/// The filter as a value.
+struct hard {
+    static constexpr std::string_view name = "hard";
+    static constexpr const glsl::snippet* snippet = &glsl::hard;
+
+    comparison is_lit{};
+
+    [[nodiscard]] constexpr float reach() const { return 0.5f; }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::hard(fetch, coord, receiver, is_lit);
+    }
+};
+
+}  // namespace filters
 }  // namespace umbrage
 
 // ---- umbrage/filter/pcf/four_tap.hpp
@@ -2571,7 +3002,7 @@ namespace umbrage {
 
 /// @param fetch        ivec2 texel -> stored depth; called up to four times
 /// @param a, b, c, d   the taps in texels; a tap outside texel space, or NaN, is lit
-/// @param receiver     depth, biased; NaN is in shadow
+/// @param receiver     depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return             visibility: 0, 1/4, 1/2, 3/4 or 1
 /// @formula            mean of hard() at the four taps
 /// @exactness          A
@@ -2600,6 +3031,31 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 )GLSL"};
 
 }  // namespace glsl
+
+namespace filters {
+
+/// The filter as a value.
+struct four_tap {
+    static constexpr std::string_view name = "four_tap";
+    static constexpr const glsl::snippet* snippet = &glsl::four_tap;
+
+    std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< in texels
+    comparison is_lit{};
+
+    [[nodiscard]] constexpr float reach() const {
+        float farthest = 0.0f;
+        for (glm::vec2 offset : offsets)
+            for (float along : {offset.x, -offset.x, offset.y, -offset.y}) farthest = along > farthest ? along : farthest;
+        return farthest + 0.5f;
+    }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::four_tap(fetch, coord + offsets[0], coord + offsets[1], coord + offsets[2], coord + offsets[3],
+                                 receiver, is_lit);
+    }
+};
+
+}  // namespace filters
 }  // namespace umbrage
 
 // ---- umbrage/filter/pcf/pcf_2x2.hpp
@@ -2616,14 +3072,14 @@ namespace umbrage {
 ///
 /// @param fetch      ivec2 texel -> stored depth; called four times, texels may lie one outside the map
 /// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; NaN is in shadow
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return           visibility, a multiple of 2^-16: 0 in shadow, 1 lit
 /// @formula          sum of w_i [receiver <= fetch(texel_i)], w the bilinear weights in steps of 1/256
 /// @exactness        A: integers below 2^24 times a power of two
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    if (!inside_texel_space(coord)) return T(1);
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);  // position between texel centres, in 1/256 texel
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
     const glm::vec<2, T> hi = x - texel * T(256);                  // weight of the farther texel, 0..255
@@ -2640,7 +3096,7 @@ template <real T, class Fetch, class Compare = less_equal>
 ///
 /// @param fetch      ivec2 texel -> stored depth; called four times
 /// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, not biased
+/// @param receiver   depth, not biased; beyond 1: lit
 /// @param epsilon    in depth, added to the stored side of each comparison
 /// @return           visibility, 0 in shadow, 1 lit
 /// @formula          lerp of compare_dx_sdk over x, then y, at coord - 1/2
@@ -2648,7 +3104,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @cite             Microsoft DirectX SDK, ShadowMap sample
 template <real T, class Fetch>
 [[nodiscard]] T pcf_2x2_dx_sdk(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T epsilon) {
-    if (!inside_texel_space(coord)) return T(1);
+    if (!is_compared(coord, receiver)) return T(1);
     const glm::vec<2, T> x = coord - T(0.5);
     const glm::vec<2, T> texel = glm::floor(x);
     const glm::vec<2, T> weight = x - texel;
@@ -2665,14 +3121,14 @@ namespace glsl {
 
 inline constexpr snippet pcf_2x2{
     .name = "pcf_2x2", .summary = "bilinear 2x2, weights in steps of 1/256", .exactness = tier::a,
-    .needs = list<&compare, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
+    .needs = list<&compare, &is_compared, &fetch_depth>, .source = R"GLSL(
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                     UMBRAGE_HIGHP float receiver) {
-    bool inside = umbrage_inside_texel_space(coord);
-    UMBRAGE_HIGHP vec2 x = inside ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
     UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
@@ -2681,20 +3137,20 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
     UMBRAGE_HIGHP float c = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(0.0, 1.0)));
     UMBRAGE_HIGHP float d = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 1.0)));
     UMBRAGE_HIGHP float visibility = (lo.y * (lo.x * a + hi.x * b) + hi.y * (lo.x * c + hi.x * d)) * (1.0 / 65536.0);
-    return inside ? visibility : 1.0;
+    return compared ? visibility : 1.0;
 }
 )GLSL"};
 
 inline constexpr snippet pcf_2x2_dx_sdk{
     .name = "pcf_2x2_dx_sdk", .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats", .exactness = tier::b,
-    .needs = list<&compare_dx_sdk, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
+    .needs = list<&compare_dx_sdk, &is_compared, &fetch_depth>, .source = R"GLSL(
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
 UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float epsilon) {
-    bool inside = umbrage_inside_texel_space(coord);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = inside ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;
     UMBRAGE_HIGHP float a = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel), epsilon);
@@ -2704,11 +3160,44 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 s
     UMBRAGE_PRECISE UMBRAGE_HIGHP float low = a + weight.x * (b - a);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float high = c + weight.x * (d - c);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float visibility = low + weight.y * (high - low);
-    return inside ? visibility : 1.0;
+    return compared ? visibility : 1.0;
 }
 )GLSL"};
 
 }  // namespace glsl
+
+namespace filters {
+
+/// The filter as a value.
+struct pcf_2x2 {
+    static constexpr std::string_view name = "pcf_2x2";
+    static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2;
+
+    comparison is_lit{};
+
+    [[nodiscard]] constexpr float reach() const { return 1.0f; }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::pcf_2x2(fetch, coord, receiver, is_lit);
+    }
+};
+
+/// The DirectX SDK's form as a value; its comparison is compare_dx_sdk.
+struct pcf_2x2_dx_sdk {
+    static constexpr std::string_view name = "pcf_2x2_dx_sdk";
+    static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2_dx_sdk;
+
+    float epsilon = 0.0f;  ///< in depth
+    less_equal is_lit{};   ///< depth runs forward; the epsilon comes on top
+
+    [[nodiscard]] constexpr float reach() const { return 1.0f; }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::pcf_2x2_dx_sdk(fetch, coord, receiver, epsilon);
+    }
+};
+
+}  // namespace filters
 }  // namespace umbrage
 
 // ---- umbrage/shade/lighting.hpp
@@ -2796,13 +3285,13 @@ inline constexpr auto lighting_snippets = list<&spot_cone, &diffuse_ambient>;
 
 namespace umbrage {
 
-/// @param v       clamped to [0, 1]; NaN counts as 1
+/// @param v       clamped to [0, 1]; NaN counts as far
 /// @return        RGB in [0, 1]; brightness ramps up at both ends: 0 is dark blue, 1 dark red
 /// @formula       3/2 - |4 v - c|, clamped, with c = 3, 2, 1 for red, green, blue
 /// @exactness     B: one rounded difference a channel
 template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> false_colour(T v) {
-    const T x = saturate(v) * T(4);
+[[nodiscard]] constexpr glm::vec<3, T> false_colour(T v, T far = T(1)) {
+    const T x = saturate(v, far) * T(4);
     const auto ramp = [x](T peak) {
         const T distance = x < peak ? peak - x : x - peak;
         return saturate(T(1.5) - distance);
@@ -2833,73 +3322,242 @@ inline constexpr auto false_colour_snippets = list<&false_colour>;
 // whole images, the depth pass among them, and the registry of snippets come with <umbrage/umbrage.hpp>.
 
 
-// ---- umbrage/filter/filters.hpp
-// The filters as values, for functions over images.
+// ---- umbrage/simd/blocks/form.hpp
+// The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has none
+// is called receiver by receiver.
 //
-//     umbrage::visibility(map.view(), umbrage::rg<11>{}, receivers.view(), umbrage::filters::box{.radius = 2}, out.view());
+// A form says what it needs of a map, the least side of a map that it can take, and makes its blocks, for a map of floats
+// or of rg and a direction. Blocks work in two steps, some blocks apart, so that texels have come from memory when they
+// are needed: place() says where to look and prefetches it; the second step loads it, compares and weighs.
+//
+//     template <>
+//     struct block_form<filters::pcf_2x2> {
+//         static constexpr map_need need = map_need::texels;
+//         static constexpr int least = 2;
+//         template <depth_direction Direction, class Map, class ParallelFor, class Use>
+//         static void with_blocks(const Map& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
+//             use(pcf_2x2_blocks<Direction, Map>{map});
+//         }
+//     };
+//
+
+namespace umbrage::detail {
+
+/// What the blocks of a filter read.
+enum class map_need {
+    texels,  ///< a few texels a receiver: as they are stored, where that has a fast form, or floats
+    floats,  ///< many: decoding each for each receiver would cost more than decoding the map once
+};
+
+template <class Filter>
+struct block_form;
+
+template <class Filter>
+concept has_block_form = requires { block_form<Filter>::need; };
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/receivers.hpp
+// The receivers of a whole image, in the forms that visibility() takes: an image of vec3s (x and y in texels of the map,
+// z depth, biased), three images of floats, or the depth image that a camera saw.
+//
+//     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(clip_to_world, to_texels, size, clip), bias};
 //
 
 namespace umbrage {
 
-/// The filters as values: what they need beyond map, coordinate and receiver.
-namespace filters {
-
-struct hard {
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::hard(fetch, coord, receiver);
-    }
+/// Receivers as three images of the same size: x and y in texels of the map, depth, biased.
+struct receiver_planes {
+    image_view<const float> x, y, depth;
 };
 
-struct four_tap {
-    std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< in texels
-
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::four_tap(fetch, coord + offsets[0], coord + offsets[1], coord + offsets[2], coord + offsets[3],
-                                 receiver);
-    }
+/// Receivers as a camera's depth image.
+struct depth_receivers {
+    image_view<const float> depth;  ///< as the depth pass leaves it, in [0, 1]
+    glm::mat4 matrix;               ///< receiver_matrix
+    float bias = 0.0f;              ///< in the map's depth, taken off each receiver's
 };
 
-struct pcf_2x2 {
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::pcf_2x2(fetch, coord, receiver);
+/// The way from a camera's depth image to the shadow map.
+///
+/// @param clip_to_world    inverse of the camera's projection * view
+/// @param texture_matrix   world to texels of the map
+/// @param size             of the depth image in texels, each >= 1
+/// @param clip             the camera's convention
+/// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
+///                         the camera; the product is taken in double
+/// @throws std::invalid_argument  size below 1, or a matrix that is not finite
+[[nodiscard]] inline glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
+                                               glm::ivec2 size, clip_space clip) {
+    detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
+    const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
+    glm::dmat4 to_clip(1.0);
+    to_clip[0][0] = 2.0 / size.x;
+    to_clip[1][1] = up * 2.0 / size.y;
+    to_clip[3] = {-1.0, -up, 0.0, 1.0};
+    if (clip.range == depth_range::minus_one_to_one) {
+        to_clip[2][2] = 2.0;
+        to_clip[3][2] = -1.0;
     }
-};
+    const glm::mat4 m(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
+    detail::require(detail::all_finite(m), "receiver_matrix", "clip_to_world and texture_matrix",
+                    "give a matrix that is not finite");
+    return m;
+}
 
-struct pcf_2x2_dx_sdk {
-    float epsilon = 0.0f;  ///< in depth
+/// One receiver of a camera's depth image.
+/// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), bias taken off its depth
+/// @exactness     C, as project_coordinate
+[[nodiscard]] inline glm::vec3 receiver_at(const depth_receivers& seen, glm::ivec2 texel) {
+    const glm::vec3 at(static_cast<float>(texel.x) + 0.5f, static_cast<float>(texel.y) + 0.5f, seen.depth[texel]);
+    const glm::vec3 p = project_coordinate(shadow_coordinate(seen.matrix, at));
+    return {p.x, p.y, p.z - seen.bias};
+}
 
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::pcf_2x2_dx_sdk(fetch, coord, receiver, epsilon);
-    }
-};
+namespace detail {
 
-struct box {
-    int radius = 1;  ///< clamped to 0..8
+[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
+    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
+        fail("umbrage::visibility: sizes differ");
+    return receivers.depth.size;
+}
 
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::box(fetch, coord, receiver, radius);
-    }
-};
-
-/// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
-/// Pays off for large radii, and where shadows have more inside than border.
-struct hierarchical_box {
-    int radius = 1;  ///< clamped to 0..8
-
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::box(fetch, coord, receiver, radius);
-    }
-};
-
-}  // namespace filters
-
+}  // namespace detail
 }  // namespace umbrage
+
+// ---- umbrage/simd/strict_math.hpp
+// Keeps -ffast-math out of code whose bits are promised:
+//
+//     UMBRAGE_STRICT_MATH
+//     namespace umbrage { ... }  // sums stay in their order, quotients stay quotients, -0 stays -0
+//     UMBRAGE_END_STRICT_MATH
+//
+// Comparisons with NaN are not kept: under -ffinite-math-only GCC shortens them even here, so that code which may meet a
+// NaN tests its bits. Denormals may be flushed, which is a mode of the processor. Without the flag these macros are empty,
+// as they are for clang where it has no such pragma (version 14: all but x86).
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#if defined(__clang__) && (defined(__x86_64__) || __clang_major__ > 14)
+#define UMBRAGE_STRICT_MATH _Pragma("float_control(precise, on, push)")
+#define UMBRAGE_END_STRICT_MATH _Pragma("float_control(pop)")
+#elif defined(__GNUC__) && !defined(__clang__)
+#define UMBRAGE_STRICT_MATH _Pragma("GCC push_options") _Pragma("GCC optimize(\"no-fast-math\")")
+#define UMBRAGE_END_STRICT_MATH _Pragma("GCC pop_options")
+#endif
+#endif
+
+#ifndef UMBRAGE_STRICT_MATH
+#define UMBRAGE_STRICT_MATH
+#define UMBRAGE_END_STRICT_MATH
+#endif
+
+namespace umbrage::detail {
+
+/// Whether the compiler takes it that no float is a NaN. Without external linkage: files may differ.
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+constexpr bool finite_math_only = true;
+#else
+constexpr bool finite_math_only = false;
+#endif
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/simd/bits.hpp
+// Comparisons, selections and conversions of floats as operations on their bits: without a branch, so that loops over
+// blocks vectorise, and with NaN where -ffast-math forgets it. Masks are all bits of a number, or none.
+//
+//     visibility[i] = select(texel_space_mask(x, y), sum, 1.0f);
+//
+
+namespace umbrage::detail {
+
+/// Mask of the floats that are not NaN.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t number_mask(float v) {
+    return -std::int32_t((detail::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000);
+}
+
+/// inside_texel_space as a mask.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t texel_space_mask(float x, float y) {
+    constexpr auto limit = detail::bit_cast<std::int32_t>(32768.0f);
+    return -(std::int32_t((detail::bit_cast<std::int32_t>(x) & 0x7FFFFFFF) < limit) &
+             std::int32_t((detail::bit_cast<std::int32_t>(y) & 0x7FFFFFFF) < limit));
+}
+
+/// beyond_far of a comparison as a mask.
+template <bool Forward>
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t beyond_far_mask(float depth) {
+    constexpr std::int32_t one = 0x3F800000, infinity = 0x7F800000;
+    const auto bits = detail::bit_cast<std::int32_t>(depth);
+    if constexpr (Forward) return -(std::int32_t(bits > one) & std::int32_t(bits <= infinity));
+    const std::int32_t magnitude = bits & 0x7FFFFFFF;
+    return -(std::int32_t(bits < 0) & std::int32_t(magnitude > 0) & std::int32_t(magnitude <= infinity));
+}
+
+[[nodiscard]] UMBRAGE_INLINE inline float masked(float v, std::int32_t mask) {
+    return detail::bit_cast<float>(detail::bit_cast<std::int32_t>(v) & mask);
+}
+[[nodiscard]] UMBRAGE_INLINE inline double masked(double v, std::int64_t mask) {
+    return detail::bit_cast<double>(detail::bit_cast<std::int64_t>(v) & mask);
+}
+[[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
+    return detail::bit_cast<float>((detail::bit_cast<std::int32_t>(a) & mask) | (detail::bit_cast<std::int32_t>(b) & ~mask));
+}
+
+/// less_equal as 0 or 1, NaN 0 whatever the compiler believes.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
+    if constexpr (finite_math_only)
+        return std::int32_t(receiver <= stored) & number_mask(receiver) & number_mask(stored);
+    else
+        return std::int32_t(receiver <= stored);
+}
+
+/// saturate: the magnitude up to `highest`, or 0 for what is negative and not a NaN.
+[[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v, float highest = 1.0f) {
+    constexpr auto minus_infinity = static_cast<std::int32_t>(0xFF800000u);
+    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
+    const std::int32_t magnitude = bits & 0x7FFFFFFF, kept = -std::int32_t(bits > minus_infinity);
+    return detail::bit_cast<float>((magnitude < top ? magnitude : top) & kept);
+}
+
+/// floor; |v| < 2^31.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_int(float v) {
+    const auto toward_zero = static_cast<std::int32_t>(v);
+    return toward_zero - std::int32_t(static_cast<float>(toward_zero) > v);
+}
+
+/// v clamped to 0 .. highest.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t clamp_int(std::int32_t v, std::int32_t highest) {
+    v = v > 0 ? v : 0;
+    return v < highest ? v : highest;
+}
+
+/// floor of v clamped to 0 .. highest <= 2^24; NaN gives one of the ends. A float that is not negative truncates to its
+/// floor, and is ordered as its bits are.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_within(float v, float highest) {
+    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
+    const std::int32_t positive = bits > 0 ? bits : 0;
+    return static_cast<std::int32_t>(detail::bit_cast<float>(positive < top ? positive : top));
+}
+
+/// Floats as integers in the same order, -0 below +0, NaN below everything; and back.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t order_key(float v) {
+    const auto bits = detail::bit_cast<std::int32_t>(v);
+    const std::int32_t number = number_mask(v);
+    return ((bits ^ (bits >> 31 & 0x7FFFFFFF)) & number) | (INT32_MIN & ~number);
+}
+[[nodiscard]] UMBRAGE_INLINE inline float from_order_key(std::int32_t key) {
+    return detail::bit_cast<float>(key ^ (key >> 31 & 0x7FFFFFFF));
+}
+struct least_of {
+    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a < b ? a : b; }
+};
+struct greatest_of {
+    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a > b ? a : b; }
+};
+
+}  // namespace umbrage::detail
 
 // ---- umbrage/simd/dispatch.hpp
 // One loop, compiled for each instruction set, the machine's best chosen when the program runs. No flags, no intrinsics.
@@ -2984,152 +3642,6 @@ inline constexpr int block = 64;
 
 }  // namespace umbrage::detail
 
-// ---- umbrage/images/parallel.hpp
-// How image functions use threads: they have none, and ask the caller's scheduler.
-//
-//     auto parallel_for = [&](int count, auto&& piece) {
-//         tbb::parallel_for(tbb::blocked_range<int>(0, count),
-//                           [&](const auto& range) { piece(range.begin(), range.end()); });
-//     };
-//     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
-//
-// parallel_for(count, piece) calls piece(first, last) so that the pieces cover 0 .. count once, in any order, on any
-// threads, and returns when all are done. Pieces are bands of rows; no way to cut them changes a bit.
-
-namespace umbrage {
-
-/// The default: everything in one piece, on the caller's thread.
-struct serial {
-    template <class Piece>
-    void operator()(int count, Piece&& piece) const {
-        if (count > 0) piece(0, count);
-    }
-};
-
-}  // namespace umbrage
-
-// ---- umbrage/simd/strict_math.hpp
-// Keeps -ffast-math out of code whose bits are promised:
-//
-//     UMBRAGE_STRICT_MATH
-//     namespace umbrage { ... }  // sums stay in their order, quotients stay quotients, -0 stays -0
-//     UMBRAGE_END_STRICT_MATH
-//
-// Comparisons with NaN are not kept: under -ffinite-math-only GCC shortens them even here, so that code which may meet a
-// NaN tests its bits. Denormals may be flushed, which is a mode of the processor. Without the flag these macros are empty,
-// as they are for clang where it has no such pragma (version 14: all but x86).
-
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
-#if defined(__clang__) && (defined(__x86_64__) || __clang_major__ > 14)
-#define UMBRAGE_STRICT_MATH _Pragma("float_control(precise, on, push)")
-#define UMBRAGE_END_STRICT_MATH _Pragma("float_control(pop)")
-#elif defined(__GNUC__) && !defined(__clang__)
-#define UMBRAGE_STRICT_MATH _Pragma("GCC push_options") _Pragma("GCC optimize(\"no-fast-math\")")
-#define UMBRAGE_END_STRICT_MATH _Pragma("GCC pop_options")
-#endif
-#endif
-
-#ifndef UMBRAGE_STRICT_MATH
-#define UMBRAGE_STRICT_MATH
-#define UMBRAGE_END_STRICT_MATH
-#endif
-
-namespace umbrage::detail {
-
-/// Whether the compiler takes it that no float is a NaN. Without external linkage: files may differ.
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-constexpr bool finite_math_only = true;
-#else
-constexpr bool finite_math_only = false;
-#endif
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/simd/bits.hpp
-// Comparisons, selections and conversions of floats as operations on their bits: without a branch, so that loops over
-// blocks vectorise, and with NaN where -ffast-math forgets it. Masks are all bits of a number, or none.
-//
-//     visibility[i] = select(texel_space_mask(x, y), sum, 1.0f);
-//
-
-namespace umbrage::detail {
-
-/// Mask of the floats that are not NaN.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t number_mask(float v) {
-    return -std::int32_t((detail::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000);
-}
-
-/// inside_texel_space as a mask.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t texel_space_mask(float x, float y) {
-    constexpr auto limit = detail::bit_cast<std::int32_t>(32768.0f);
-    return -(std::int32_t((detail::bit_cast<std::int32_t>(x) & 0x7FFFFFFF) < limit) &
-             std::int32_t((detail::bit_cast<std::int32_t>(y) & 0x7FFFFFFF) < limit));
-}
-
-[[nodiscard]] UMBRAGE_INLINE inline float masked(float v, std::int32_t mask) {
-    return detail::bit_cast<float>(detail::bit_cast<std::int32_t>(v) & mask);
-}
-[[nodiscard]] UMBRAGE_INLINE inline double masked(double v, std::int64_t mask) {
-    return detail::bit_cast<double>(detail::bit_cast<std::int64_t>(v) & mask);
-}
-[[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
-    return detail::bit_cast<float>((detail::bit_cast<std::int32_t>(a) & mask) | (detail::bit_cast<std::int32_t>(b) & ~mask));
-}
-
-/// less_equal as 0 or 1, NaN 0 whatever the compiler believes.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
-    if constexpr (finite_math_only)
-        return std::int32_t(receiver <= stored) & number_mask(receiver) & number_mask(stored);
-    else
-        return std::int32_t(receiver <= stored);
-}
-
-/// saturate: the magnitude up to `highest`, or 0 for what is negative and not a NaN.
-[[nodiscard]] UMBRAGE_INLINE inline float saturate_bits(float v, float highest = 1.0f) {
-    constexpr auto minus_infinity = static_cast<std::int32_t>(0xFF800000u);
-    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
-    const std::int32_t magnitude = bits & 0x7FFFFFFF, kept = -std::int32_t(bits > minus_infinity);
-    return detail::bit_cast<float>((magnitude < top ? magnitude : top) & kept);
-}
-
-/// floor; |v| < 2^31.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_int(float v) {
-    const auto toward_zero = static_cast<std::int32_t>(v);
-    return toward_zero - std::int32_t(static_cast<float>(toward_zero) > v);
-}
-
-/// v clamped to 0 .. highest.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t clamp_int(std::int32_t v, std::int32_t highest) {
-    v = v > 0 ? v : 0;
-    return v < highest ? v : highest;
-}
-
-/// floor of v clamped to 0 .. highest <= 2^24; NaN gives one of the ends. A float that is not negative truncates to its
-/// floor, and is ordered as its bits are.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_within(float v, float highest) {
-    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
-    const std::int32_t positive = bits > 0 ? bits : 0;
-    return static_cast<std::int32_t>(detail::bit_cast<float>(positive < top ? positive : top));
-}
-
-/// Floats as integers in the same order, -0 below +0, NaN below everything; and back.
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t order_key(float v) {
-    const auto bits = detail::bit_cast<std::int32_t>(v);
-    const std::int32_t number = number_mask(v);
-    return ((bits ^ (bits >> 31 & 0x7FFFFFFF)) & number) | (INT32_MIN & ~number);
-}
-[[nodiscard]] UMBRAGE_INLINE inline float from_order_key(std::int32_t key) {
-    return detail::bit_cast<float>(key ^ (key >> 31 & 0x7FFFFFFF));
-}
-struct least_of {
-    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a < b ? a : b; }
-};
-struct greatest_of {
-    UMBRAGE_INLINE std::int32_t operator()(std::int32_t a, std::int32_t b) const { return a > b ? a : b; }
-};
-
-}  // namespace umbrage::detail
-
 // ---- umbrage/simd/lanes.hpp
 // Registers: several values side by side, an operation on all of them at once.
 //
@@ -3194,10 +3706,10 @@ inline void shuffle(const plain_lanes<T, Count>& a, const plain_lanes<T, Count>&
     result = {{(From < Count ? a[From % Count] : b[From % Count])...}};
 }
 
-/// is_lit as a mask for each lane; the receiver is not NaN.
-template <int Count>
+/// is_lit, or is_lit the other way round, as a mask for each lane; the receiver is not NaN.
+template <int Count, bool Forward>
 inline void lit_lanes(float receiver, const plain_lanes<float, Count>& stored, plain_lanes<std::int32_t, Count>& lit) {
-    for (int i = 0; i < Count; ++i) lit[i] = -is_lit(receiver, stored[i]);
+    for (int i = 0; i < Count; ++i) lit[i] = -(Forward ? is_lit(receiver, stored[i]) : is_lit(stored[i], receiver));
 }
 
 /// The sum of each of two registers of 4 or 8 numbers between 0 and 127.
@@ -3221,10 +3733,11 @@ UMBRAGE_INLINE inline void shuffle(const Lanes& a, const Lanes& b, Lanes& result
 #endif
 }
 
-template <int Count>
+template <int Count, bool Forward>
 UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count>& stored,
                                      lanes_of<std::int32_t, Count>& lit) {
-    lit = receiver <= stored;
+    if constexpr (Forward) lit = receiver <= stored;
+    else lit = receiver >= stored;
     if constexpr (finite_math_only) lit &= ((lanes_of<std::int32_t, Count>)stored & 0x7FFFFFFF) <= 0x7F800000;
 }
 
@@ -3372,6 +3885,952 @@ UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead
 }
 
 }  // namespace umbrage::detail
+
+// ---- umbrage/simd/blocks/receivers.hpp
+// Blocks of 64 receivers, wherever they come from: x(i), y(i) in texels, z(i) depth.
+//
+//     use_receivers(receivers, walk, set, [&](const auto& of_block) { blocks.place(of_block, placed); });
+//
+
+namespace umbrage::detail {
+
+/// A block of receivers in an image, read where they are. Element by element: GCC does not vectorise whole vec3s.
+struct receiver_texels {
+    const glm::vec3* first;
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first[i].x; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first[i].y; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first[i].z; }
+};
+
+/// The same in three planes.
+struct receiver_rows {
+    const float *first_x, *first_y, *first_z;
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first_x[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first_y[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
+};
+
+/// The same in memory of its own; what lies behind the last receiver of a row is not read into any result.
+struct receiver_block {
+    alignas(64) float xs[block]{}, ys[block]{}, zs[block]{};
+    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return xs[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return ys[i]; }
+    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return zs[i]; }
+    UMBRAGE_INLINE void set(int i, float x_at, float y_at, float depth) {
+        xs[i] = x_at;
+        ys[i] = y_at;
+        zs[i] = depth;
+    }
+    template <class Receivers>
+    UMBRAGE_INLINE void copy(const Receivers& from) {
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) set(i, from.x(i), from.y(i), from.z(i));
+    }
+};
+
+/// A walk over the blocks of some rows.
+struct block_walk {
+    int x, y, width;
+
+    [[nodiscard]] UMBRAGE_INLINE int count() const { return width - x < block ? width - x : block; }
+    UMBRAGE_INLINE void step() {
+        x += block;
+        if (x < width) return;
+        x = 0;
+        ++y;
+    }
+};
+
+/// Hands a block of receivers on: whole ones where they are, others as a copy.
+template <class Receivers, class Use>
+UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, const Use& use) {
+    if (count == block) return use(receivers);
+    receiver_block copy;
+    for (int i = 0; i < count; ++i) copy.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
+    use(copy);
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa, const Use& use) {
+    const receiver_texels receivers{from.row(at.y) + at.x};
+    if (Isa::value != isa::base || at.count() != block) return use_block(receivers, at.count(), use);
+    receiver_block copy;  // GCC takes vec3s apart for SSE only in a loop that does nothing else
+    copy.copy(receivers);
+    use(copy);
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, Isa, const Use& use) {
+    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(), use);
+}
+
+/// receiver_at for a block.
+inline void load(const depth_receivers& seen, const block_walk& at, receiver_block& r) {
+    copy_floats(r.zs, seen.depth.row(at.y) + at.x, at.count());
+    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+        const glm::mat4 m = seen.matrix;
+        const float bias = seen.bias;
+        const float y = static_cast<float>(at.y) + 0.5f;
+        for (int i = 0; i < block; ++i) {
+            const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
+            const auto sum = [&](int k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
+            const float w = sum(3);
+            const auto bits = detail::bit_cast<std::int32_t>(w);
+            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
+            r.xs[i] = select(in_front, sum(0) / w, 65536.0f);
+            r.ys[i] = select(in_front, sum(1) / w, 65536.0f);
+            r.zs[i] = masked(sum(2) / w, in_front) - bias;
+        }
+    });
+}
+template <class Isa, class Use>
+UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const block_walk& at, Isa, const Use& use) {
+    receiver_block r;
+    load(seen, at, r);
+    use(r);
+}
+
+/// Starts to fetch the receivers some blocks ahead. Hardware prefetching stops at the end of a page.
+template <class T>
+UMBRAGE_INLINE inline void prefetch(const image_view<const T>& from, const block_walk& at) {
+    constexpr int bytes = block * static_cast<int>(sizeof(T)), blocks = 4;
+    prefetch_bytes(from.row(at.y) + at.x, blocks * bytes, bytes);
+}
+UMBRAGE_INLINE inline void prefetch(const receiver_planes& from, const block_walk& at) {
+    for (const auto* plane : {&from.x, &from.y, &from.depth}) prefetch(*plane, at);
+}
+UMBRAGE_INLINE inline void prefetch(const depth_receivers& from, const block_walk& at) { prefetch(from.depth, at); }
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/simd/blocks/texels.hpp
+// Maps as blocks of receivers see them: floats, and the two channels of rg with any number of bits. What else there is
+// is decoded to floats first. A block's texels are loaded word by word, and compared in loops that vectorise.
+//
+//     umbrage::detail::loaded_texels<float_texels> texels(map);
+//     texels.load_one([&](int i) { return memory.at(offsets[i]); });
+//     lit += test::lit(texels.receiver(depth), texels.one(i));
+//
+
+namespace umbrage::detail {
+
+/// The comparison of a direction, in numbers and masks.
+template <depth_direction Direction>
+struct block_test {
+    static constexpr bool forward = Direction == depth_direction::forward;
+
+    /// 1 when lit. A NaN is not.
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t lit(float receiver, float stored) {
+        return forward ? is_lit(receiver, stored) : is_lit(stored, receiver);
+    }
+    /// Of texels whose depths lie between bounds, the lower a NaN where one is: whether all are lit; whether none is.
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t all_lit(float receiver, float least, float greatest) {
+        return forward ? is_lit(receiver, least) : is_lit(greatest, receiver) & is_lit(least, greatest);
+    }
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t none_lit(float receiver, float least, float greatest) {
+        return forward ? std::int32_t(receiver > greatest) : std::int32_t(receiver < least) & number_mask(least);
+    }
+    /// is_compared as a mask.
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t compared(float x, float y, float z) {
+        return texel_space_mask(x, y) & ~beyond_far_mask<forward>(z);
+    }
+};
+
+/// A map of floats.
+struct float_texels {
+    using texel = float;
+    image_view<const float> map;
+};
+
+/// A map of rg.
+struct rg_texels {
+    using texel = glm::u8vec2;
+    image_view<const glm::u8vec2> map;
+    int bits;
+    float edge;
+};
+
+/// Where a block of words comes from, at(i), and where it goes.
+template <class At>
+struct gathered {
+    void* to;
+    At at;
+};
+template <class At>
+gathered(void*, At) -> gathered<At>;
+
+/// Blocks of words, in turns. As many as fill a small register make one store: left alone, compilers want more at once than
+/// they can hold.
+template <class Word, class... At>
+UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
+    const auto word = [](const void* from) UMBRAGE_INLINE {
+        Word w;
+        std::memcpy(&w, from, sizeof w);
+        return w;
+    };
+    using words = lanes_of<Word, 16 / sizeof(Word)>;
+    constexpr std::size_t some = sizeof(words) / sizeof(Word);
+    const auto load = [&]<std::size_t... I>(int i, const auto& from, std::index_sequence<I...>) UMBRAGE_INLINE {
+        const words together{word(from.at(i + static_cast<int>(I)))...};
+        std::memcpy(static_cast<std::byte*>(from.to) + static_cast<std::size_t>(i) * sizeof(Word), &together, sizeof together);
+    };
+    for (int i = 0; i < block; i += static_cast<int>(some)) (load(i, blocks, std::make_index_sequence<some>{}), ...);
+}
+
+/// What is loaded for a block of receivers, from where at(i) points to: a texel each, or two neighbours of two rows.
+template <class Map>
+struct loaded_texels;
+
+/// Floats need no decoding, and two of them are one word.
+template <>
+struct loaded_texels<float_texels> {
+    alignas(64) float depths[2 * block];
+    explicit loaded_texels(const float_texels&) {}
+    template <class At>
+    UMBRAGE_INLINE void load_one(const At& at) {
+        gather<std::uint32_t>(gathered{depths, at});
+    }
+    template <class At, class Below>
+    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
+        gather<std::uint64_t>(gathered{low.depths, at}, gathered{high.depths, below});
+    }
+    UMBRAGE_INLINE float receiver(float depth) const { return depth; }
+    UMBRAGE_INLINE float one(int i) const { return depths[i]; }
+    UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
+    UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
+};
+
+/// Byte pairs, two of them to a word. Both sides of the comparison stay 2^bits times the depth, which changes no result.
+template <>
+struct loaded_texels<rg_texels> {
+    static constexpr bool little = std::endian::native == std::endian::little;
+    static constexpr std::uint32_t low_bytes = 0x00FF00FF;
+    alignas(64) std::uint32_t words[block];
+    float edge, scale;
+    int up;  ///< the bits of R and of what G holds of the code's overlap by so many
+    std::uint32_t high_bytes;
+
+    explicit UMBRAGE_INLINE loaded_texels(const rg_texels& map)
+        : edge(map.edge), scale(static_cast<float>(1 << map.bits)), up(map.bits - 8), high_bytes(low_bytes << up) {}
+    template <class At>
+    UMBRAGE_INLINE void load_one(const At& at) {
+        for (int i = 0; i < block; ++i) {
+            std::uint16_t word;
+            std::memcpy(&word, at(i), sizeof word);
+            words[i] = word;
+        }
+    }
+    template <class At, class Below>
+    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
+        gather<std::uint32_t>(gathered{low.words, at}, gathered{high.words, below});
+    }
+    UMBRAGE_INLINE float receiver(float depth) const { return depth * scale; }
+    UMBRAGE_INLINE float one(int i) const { return number(codes(i) & 0xFFFF); }
+    UMBRAGE_INLINE float first(int i) const { return number(little ? codes(i) & 0xFFFF : codes(i) >> 16); }
+    UMBRAGE_INLINE float second(int i) const { return number(little ? codes(i) >> 16 : codes(i) & 0xFFFF); }
+    /// R + 2^(bits - 8) G of both texels at once, in the two halves of a word.
+    UMBRAGE_INLINE std::uint32_t codes(int i) const {
+        const std::uint32_t w = words[i];
+        return little ? (w & low_bytes) + (w >> (8 - up) & high_bytes) : (w >> 8 & low_bytes) + ((w & low_bytes) << up);
+    }
+    UMBRAGE_INLINE float number(std::uint32_t code) const {
+        return static_cast<float>(static_cast<std::int32_t>(code)) + edge;
+    }
+};
+
+/// Texels of a map by their distance from the first in bytes, which fits 32 bits so that it vectorises.
+template <class T>
+struct texel_bytes {
+    const std::byte* data;
+    std::int32_t stride;
+
+    explicit texel_bytes(const image_view<T>& map)
+        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
+    static bool fits(const image_view<T>& map) {
+        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
+        return map.size.x <= highest / std::ptrdiff_t(sizeof(T)) && map.size.y <= highest / 2 &&
+               (map.stride < 0 ? -map.stride : map.stride) <= highest / (map.size.y + 1);
+    }
+    UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
+        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
+    }
+    UMBRAGE_INLINE T* at(std::int32_t offset) const { return reinterpret_cast<T*>(data + offset); }
+    UMBRAGE_INLINE T* below(std::int32_t offset) const { return reinterpret_cast<T*>(data + stride + offset); }
+};
+
+/// Texel inside the map, without the assertion of image_view.
+template <class T>
+[[nodiscard]] UMBRAGE_INLINE inline T* texel_at(const image_view<T>& map, std::int32_t x, std::int32_t y) {
+    return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
+}
+
+/// The last texel of a map that a receiver in texel space can ask for, `beyond` texels farther than its own.
+[[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size, int beyond = 0) {
+    const int space = (1 << 15) + beyond;
+    return (size < space ? size : space) - 1;
+}
+
+/// Starts to fetch the texels of a block, of which neighbours mostly share a cache line. Where a block starts on
+/// another row of the map than the one before, the machine cannot guess them; and the rows above and below are where
+/// receivers come to that lie askew to the map.
+template <class T>
+UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
+    for (int row = -1; row <= rows; ++row)
+#pragma GCC unroll 4
+        for (int i = 0; i < block; i += 16) prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
+}
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/simd/blocks/box.hpp
+// The box filter over maps of floats: whole rows of the box are loaded at once, never one texel after the other.
+//
+//     std::int32_t lit = umbrage::detail::box_rows<umbrage::depth_direction::forward, 8, 0>(map.stride, 5).count(row, 0, receiver);
+//
+
+namespace umbrage::detail {
+
+/// Lit texels of boxes that lie inside a map at least as wide as a register.
+/// @tparam Lanes   of a register;   Whole  registers that a row of the box fills;   Width  of the box, 0 if not known here
+template <depth_direction Direction, int Lanes, int Whole, int Width = 0>
+struct box_rows {
+    using ints = lanes_of<std::int32_t, Lanes>;
+    static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
+    std::ptrdiff_t stride;
+    int width;
+    std::int32_t window[3 * Lanes]{};  ///< lanes that the rest of a row has in a register, slid to where they are
+
+    UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(Width ? Width : box_width) {
+        for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
+    }
+
+    /// @param row     first texel of the box
+    /// @param moved   by how much the last register of a row is moved back, so that it ends inside the map
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
+        ints lit;
+        std::int32_t sums[2];
+        count_lanes(row, moved, receiver, lit);
+        sum_two_lanes<Lanes>(lit, lit, sums);
+        return sums[0];
+    }
+
+    /// Of two boxes, which costs less than of each alone.
+    UMBRAGE_INLINE void count_two(const std::byte* const rows[2], const float* receivers, std::int32_t* counts) const {
+        ints first, second;
+        count_lanes(rows[0], 0, receivers[0], first);
+        count_lanes(rows[1], 0, receivers[1], second);
+        sum_two_lanes<Lanes>(first, second, counts);
+    }
+
+private:
+    UMBRAGE_INLINE void count_lanes(const std::byte* row, std::ptrdiff_t moved, float receiver, ints& lit) const {
+        lit = ints{};
+        ints rest{};
+        const auto add_row = [&]() UMBRAGE_INLINE {
+            const float* texels = reinterpret_cast<const float*>(row);
+            lanes_of<float, Lanes> stored;
+            ints lanes;
+            for (int i = 0; i < Whole; ++i) {
+                load_lanes(texels + i * Lanes, stored);
+                lit_lanes<Lanes, block_test<Direction>::forward>(receiver, stored, lanes);
+                lit -= lanes;
+            }
+            load_lanes(texels + Whole * Lanes - moved, stored);
+            lit_lanes<Lanes, block_test<Direction>::forward>(receiver, stored, lanes);
+            rest -= lanes;
+            row += stride;
+        };
+        if constexpr (Width > 0) {
+#pragma GCC unroll 8
+            for (int j = 0; j < Width; ++j) add_row();
+        } else
+            for (int j = 0; j < width; ++j) add_row();
+        ints wanted;
+        std::memcpy(&wanted, window + Lanes - moved, sizeof wanted);
+        lit += rest & wanted;
+    }
+};
+
+/// The part of a map that a block's boxes lie in. Rows of a map that lie a multiple of 2048 bytes apart share their places
+/// in a first-level cache, which has few for each: high boxes push their own rows out of it. Here they do not.
+struct map_tile {
+    static constexpr int columns = 100, rows = 96;
+    float texels[rows][columns];
+
+    [[nodiscard]] static bool helps(std::ptrdiff_t stride, int width) { return width > 8 && stride % 2048 == 0; }
+
+    /// @param last   texel of the map, within columns and rows of the first; at least eight columns
+    UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
+        const int count = last.x - first.x + 1;
+        const auto eight = [](const float* from, float* to) UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
+        for (int y = first.y; y <= last.y; ++y) {
+            const float* from = texel_at(map, first.x, y);
+            float* to = texels[y - first.y];
+            for (int i = 0; i + 8 < count; i += 8) eight(from + i, to + i);
+            eight(from + count - 8, to + count - 8);
+        }
+    }
+};
+
+/// A map of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
+template <depth_direction Direction>
+struct box_blocks {
+    using test = block_test<Direction>;
+    template <int Lanes, int Whole, int Width = 0>
+    using rows = box_rows<Direction, Lanes, Whole, Width>;
+    struct placed {
+        alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
+        alignas(64) std::int32_t inside[block], compared[block];
+        alignas(64) float z[block];
+        std::int32_t all_plain;  ///< all bits if all boxes and what is loaded beside them are inside, and no depth is NaN
+    };
+    image_view<const float> map;
+    int radius;  ///< 0 .. max_box_radius
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const texel_bytes memory(map);
+        const int before = radius, width = 2 * radius + 1, last_x = map.size.x - width, last_y = map.size.y - width;
+        const int last_load = last_x - 7;  // where registers of eight lanes still end inside
+        std::int32_t plain = -1;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
+            const std::int32_t x = floor_int(masked(receivers.x(i), at.compared[i])) - before;
+            const std::int32_t y = floor_int(masked(receivers.y(i), at.compared[i])) - before;
+            at.inside[i] = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
+            at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
+            at.x[i] = x;
+            at.y[i] = y;
+            at.z[i] = receivers.z(i);
+            const std::int32_t magnitude = detail::bit_cast<std::int32_t>(receivers.z(i)) & 0x7FFFFFFF;
+            const auto loads_inside = std::int32_t(x <= last_load), number = std::int32_t(magnitude <= 0x7F800000);
+            plain &= at.inside[i] & at.compared[i] & -(loads_inside & number);
+        }
+        at.all_plain = plain;
+        prefetch(memory, at.offsets, last_y < 0 ? 1 : width);
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
+        const int width = 2 * radius + 1;
+        constexpr int lanes = Isa::value == isa::base ? 4 : 8;
+        if constexpr (lanes == 8) {
+            if (width == 3) return count_with<rows<8, 0, 3>>(at, count, visibility);
+            if (width == 5) return count_with<rows<8, 0, 5>>(at, count, visibility);
+            if (width == 7) return count_with<rows<8, 0, 7>>(at, count, visibility);
+        }
+        if (width / lanes == 0) return count_with<rows<lanes, 0>>(at, count, visibility);
+        if (width / lanes == 1) return count_with<rows<lanes, 1>>(at, count, visibility);
+        if (width / lanes == 2) return count_with<rows<lanes, 2>>(at, count, visibility);
+        if constexpr (lanes == 4) {
+            if (width / lanes == 3) return count_with<rows<4, 3>>(at, count, visibility);
+            count_with<rows<4, 4>>(at, count, visibility);
+        }
+    }
+
+private:
+    template <class Boxes>
+    UMBRAGE_INLINE void count_with(const placed& at, int count, float* visibility) const {
+        const int width = 2 * radius + 1, last_load = map.size.x - Boxes::reach;
+        const Boxes boxes(map.stride, width);
+        const texel_bytes memory(map);
+        alignas(64) std::int32_t lit[block]{};
+        if (at.all_plain)  // as nearly always
+            count_inside(boxes, at, count, lit);
+        else
+            for (int i = 0; i < count; ++i) {
+                if (is_nan(at.z[i]) || !at.compared[i]) continue;
+                const int moved = at.x[i] > last_load ? at.x[i] - last_load : 0;
+                lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved, at.z[i])
+                                                        : count_at_border<Boxes>({at.x[i], at.y[i]}, width, at.z[i]);
+            }
+        const float scale = box_scale<float>(radius);
+        for (int i = 0; i < block; ++i)
+            visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~at.compared[i], 1.0f,
+                                   static_cast<float>(lit[i]) * scale);
+    }
+
+    /// All 64 boxes lie inside the map, with what is loaded beside them.
+    template <class Boxes>
+    UMBRAGE_INLINE void count_inside(const Boxes& boxes, const placed& at, int count, std::int32_t* lit) const {
+        const auto count_all = [&](const Boxes& of, const auto& row) UMBRAGE_INLINE {
+            for (int i = 0; i < count; i += 2) {  // a block is even
+                const std::byte* const starts[]{row(i), row(i + 1)};
+                of.count_two(starts, at.z + i, lit + i);
+            }
+        };
+        if (map_tile::helps(map.stride, 2 * radius + 1)) {
+            glm::ivec2 first(at.x[0], at.y[0]), last = first;
+            for (int i = 0; i < block; ++i) {
+                first.x = at.x[i] < first.x ? at.x[i] : first.x;
+                first.y = at.y[i] < first.y ? at.y[i] : first.y;
+                last.x = at.x[i] > last.x ? at.x[i] : last.x;
+                last.y = at.y[i] > last.y ? at.y[i] : last.y;
+            }
+            last += glm::ivec2(Boxes::reach - 1, 2 * radius);
+            if (last.x - first.x < map_tile::columns && last.y - first.y < map_tile::rows) {
+                map_tile tile;
+                tile.copy(map, first, last);
+                return count_all(Boxes(sizeof tile.texels[0], 2 * radius + 1), [&](int i) UMBRAGE_INLINE {
+                    return reinterpret_cast<const std::byte*>(&tile.texels[at.y[i] - first.y][at.x[i] - first.x]);
+                });
+            }
+        }
+        const texel_bytes memory(map);
+        count_all(boxes, [&](int i) UMBRAGE_INLINE { return memory.data + at.offsets[i]; });
+    }
+
+    /// The same from a copy of the box, the map's border texels repeated.
+    template <class Boxes>
+    std::int32_t count_at_border(glm::ivec2 first, int width, float receiver) const {
+        constexpr int widest = 2 * max_box_radius + 1;
+        float texels[widest][Boxes::reach > widest ? Boxes::reach : widest]{};
+        for (int j = 0; j < width; ++j) {
+            const float* row = texel_at(map, 0, clamp_int(first.y + j, map.size.y - 1));
+            for (int i = 0; i < width; ++i) texels[j][i] = row[clamp_int(first.x + i, map.size.x - 1)];
+        }
+        return Boxes(sizeof texels[0], width).count(reinterpret_cast<const std::byte*>(texels), 0, receiver);
+    }
+};
+
+template <>
+struct block_form<filters::box> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::box& filter, ParallelFor&&, const Use& use) {
+        use(box_blocks<Direction>{map.map, clamp_int(filter.radius, max_box_radius)});
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/simd/blocks/hard.hpp
+// The unfiltered test over blocks of receivers, and the tap that it shares with other filters.
+
+namespace umbrage::detail {
+
+/// Taps that are receivers' own texels, clamped to the map.
+struct placed_tap {
+    alignas(64) std::int32_t offsets[block], compared[block];
+
+    template <class Test, class T>
+    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset) {
+        const texel_bytes memory(map);
+        const auto last_x = static_cast<float>(last_in_space(map.size.x)), last_y = static_cast<float>(last_in_space(map.size.y));
+        for (int i = 0; i < block; ++i) {
+            const float x = receivers.x(i) + offset.x, y = receivers.y(i) + offset.y;
+            compared[i] = Test::compared(x, y, receivers.z(i));
+            offsets[i] = memory.offset(floor_within(x, last_x), floor_within(y, last_y));
+        }
+        prefetch(memory, offsets, 1);
+    }
+
+    /// Adds 1 for each receiver that is lit.
+    template <class Test, class Map>
+    UMBRAGE_INLINE void count(const Map& map, const float* z, std::int32_t* lit) const {
+        const texel_bytes memory(map.map);
+        loaded_texels<Map> texels(map);
+        texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+        for (int i = 0; i < block; ++i)
+            lit[i] += (Test::lit(texels.receiver(z[i]), texels.one(i)) & compared[i]) | (1 & ~compared[i]);
+    }
+};
+
+template <depth_direction Direction, class Map>
+struct hard_blocks {
+    using test = block_test<Direction>;
+    struct placed {
+        receiver_block r;
+        placed_tap tap;
+    };
+    Map map;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.r.copy(receivers);
+        at.tap.template place<test>(map.map, at.r, glm::vec2(0.0f));
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
+        alignas(64) std::int32_t lit[block]{};
+        at.tap.template count<test>(map, at.r.zs, lit);
+        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
+    }
+};
+
+template <>
+struct block_form<filters::hard> {
+    static constexpr map_need need = map_need::texels;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class Map, class ParallelFor, class Use>
+    static void with_blocks(const Map& map, const filters::hard&, ParallelFor&&, const Use& use) {
+        use(hard_blocks<Direction, Map>{map});
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/simd/blocks/four_tap.hpp
+// Four taps over blocks of receivers.
+
+namespace umbrage::detail {
+
+template <depth_direction Direction, class Map>
+struct four_tap_blocks {
+    using test = block_test<Direction>;
+    struct placed {
+        receiver_block r;
+        placed_tap taps[4];
+    };
+    Map map;
+    std::array<glm::vec2, 4> offsets;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.r.copy(receivers);
+        for (std::size_t tap = 0; tap < 4; ++tap) at.taps[tap].template place<test>(map.map, at.r, offsets[tap]);
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
+        alignas(64) std::int32_t lit[block]{};
+        for (const placed_tap& tap : at.taps) tap.template count<test>(map, at.r.zs, lit);
+        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]) * 0.25f;
+    }
+};
+
+template <>
+struct block_form<filters::four_tap> {
+    static constexpr map_need need = map_need::texels;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class Map, class ParallelFor, class Use>
+    static void with_blocks(const Map& map, const filters::four_tap& filter, ParallelFor&&, const Use& use) {
+        use(four_tap_blocks<Direction, Map>{map, filter.offsets});
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/parallel.hpp
+// How image functions use threads: they have none, and ask the caller's scheduler.
+//
+//     auto parallel_for = [&](int count, auto&& piece) {
+//         tbb::parallel_for(tbb::blocked_range<int>(0, count),
+//                           [&](const auto& range) { piece(range.begin(), range.end()); });
+//     };
+//     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
+//
+// parallel_for(count, piece) calls piece(first, last) so that the pieces cover 0 .. count once, in any order, on any
+// threads, and returns when all are done. Pieces are bands of rows; no way to cut them changes a bit.
+
+namespace umbrage {
+
+/// The default: everything in one piece, on the caller's thread.
+struct serial {
+    template <class Piece>
+    void operator()(int count, Piece&& piece) const {
+        if (count > 0) piece(0, count);
+    }
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/simd/blocks/hierarchical_box.hpp
+// The box filter for receivers most of which are wholly lit or wholly in shadow: those ask one number for the whole box.
+// visibility() does it for filters::hierarchical_box; bit for bit what filters::box gives.
+//
+//     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out);
+//
+
+namespace umbrage::detail {
+
+/// For every place where a box may start, the bounds of the squares of texels that the box touches. A box of 2r + 1 texels
+/// touches at most `cells` squares of 2^level texels in a row.
+struct box_bounds {
+    int level, cells;
+    glm::ivec2 last;          ///< of the starts, which begin cells - 1 squares in front of the map
+    image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
+
+    template <class ParallelFor>
+    box_bounds(image_view<const float> map, int radius, ParallelFor&& parallel)
+        : level(radius < 4 ? 1 : 2), cells(((1 << level) - 1 + 2 * radius) / (1 << level) + 1) {
+        const glm::ivec2 squares = (map.size + ((1 << level) - 1)) >> level;
+        last = squares + (cells - 2);
+        bounds = image<glm::vec2>({(last.x + block) / block * block, last.y + 1});
+        image<std::int32_t> least({bounds.size().x, squares.y}), greatest(least.size());
+        parallel(squares.y, [&](int from, int to) {
+            const int blocks = (squares.x + block - 1) / block;
+            const auto columns = static_cast<std::size_t>(blocks * block) << level;
+            std::vector<std::int32_t> low(columns), high(columns), padded(static_cast<std::size_t>(bounds.size().x + cells));
+            on_best_isa([&](auto) UMBRAGE_INLINE {
+                for (int y = from; y < to; ++y) {
+                    bounds_of_columns(map, y << level, low, high);
+                    along_row(low, squares.x, padded, least_of{}, least.view().row(y));
+                    along_row(high, squares.x, padded, greatest_of{}, greatest.view().row(y));
+                }
+            });
+        });
+        parallel(bounds.size().y, [&](int from, int to) {
+            const auto row = [&](const image<std::int32_t>& of, int y) {
+                return of.view().row(clamp_int(y - (cells - 1), squares.y - 1));
+            };
+            on_best_isa([&](auto) UMBRAGE_INLINE {
+                for (int y = from; y < to; ++y)
+                    for (int x = 0; x < bounds.size().x; x += block) {
+                        alignas(64) std::int32_t lows[block], highs[block];
+                        widen(least_of{}, lows, [&](int k) UMBRAGE_INLINE { return row(least, y + k) + x; });
+                        widen(greatest_of{}, highs, [&](int k) UMBRAGE_INLINE { return row(greatest, y + k) + x; });
+                        glm::vec2* out = bounds.view().row(y) + x;
+                        for (int i = 0; i < block; ++i) out[i] = {from_order_key(lows[i]), from_order_key(highs[i])};
+                    }
+            });
+        });
+    }
+
+private:
+    /// Over 2^level rows; the last row and column are repeated.
+    UMBRAGE_INLINE void bounds_of_columns(const image_view<const float>& map, int y, std::vector<std::int32_t>& low,
+                                          std::vector<std::int32_t>& high) const {
+        for (int x = 0; x < static_cast<int>(low.size()); x += block) {
+            alignas(64) std::int32_t lows[block], highs[block], keys[block];
+            for (int k = 0; k < 1 << level; ++k) {
+                const float* depths = map.row(clamp_int(y + k, map.size.y - 1)) + x;
+                alignas(64) float repeated[block];
+                if (x + block > map.size.x) {
+                    for (int i = 0; i < block; ++i) repeated[i] = depths[clamp_int(x + i, map.size.x - 1) - x];
+                    depths = repeated;
+                }
+                for (int i = 0; i < block; ++i) {
+                    keys[i] = order_key(depths[i]);
+                    lows[i] = k ? least_of{}(lows[i], keys[i]) : keys[i];
+                    highs[i] = k ? greatest_of{}(highs[i], keys[i]) : keys[i];
+                }
+            }
+            std::memcpy(&low[std::size_t(x)], lows, sizeof lows);
+            std::memcpy(&high[std::size_t(x)], highs, sizeof highs);
+        }
+    }
+
+    /// to[x] = pick over the `cells` squares from x - (cells - 1) on, those at the border repeated.
+    template <class Pick>
+    UMBRAGE_INLINE void along_row(std::vector<std::int32_t>& columns, int squares, std::vector<std::int32_t>& padded,
+                                  Pick pick, std::int32_t* to) const {
+        auto count = static_cast<int>(columns.size());
+        for (int halving = 0; halving < level; ++halving) {
+            count /= 2;
+            for (int x = 0; x < count; x += block) {
+                alignas(64) std::int32_t halves[block];
+                const std::int32_t* pairs = &columns[std::size_t(2 * x)];
+                for (int i = 0; i < block; ++i) halves[i] = pick(pairs[2 * i], pairs[2 * i + 1]);
+                std::memcpy(&columns[std::size_t(x)], halves, sizeof halves);
+            }
+        }
+        const auto before = padded.begin() + (cells - 1);
+        std::fill(padded.begin(), before, columns.front());
+        std::copy_n(columns.begin(), squares, before);
+        std::fill(before + squares, padded.end(), columns[std::size_t(squares - 1)]);
+        for (int x = 0; x < bounds.size().x; x += block)
+            widen(pick, to + x, [&](int k) UMBRAGE_INLINE { return padded.data() + k + x; });
+    }
+
+    /// to[i] = pick of from(k)[i] over k < cells, for a block.
+    template <class Pick, class From>
+    UMBRAGE_INLINE void widen(Pick pick, std::int32_t* to, const From& from) const {
+        alignas(64) std::int32_t best[block];
+        std::memcpy(best, from(0), sizeof best);
+        for (int k = 1; k < cells; ++k) {
+            const std::int32_t* other = from(k);
+            for (int i = 0; i < block; ++i) best[i] = pick(best[i], other[i]);
+        }
+        std::memcpy(to, best, sizeof best);
+    }
+};
+
+template <depth_direction Direction>
+struct hierarchical_box_blocks {
+    using test = block_test<Direction>;
+    struct placed {
+        receiver_block r;
+        alignas(64) std::int32_t offsets[block], compared[block];
+    };
+    const box_bounds& tree;
+    box_blocks<Direction> every_texel;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const int radius = every_texel.radius;
+        const texel_bytes memory(tree.bounds.view());
+        const int before = tree.cells - 1, level = tree.level;
+        const glm::ivec2 last = tree.last;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t compared = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
+            const std::int32_t x = floor_int(masked(receivers.x(i), compared)) - radius;
+            const std::int32_t y = floor_int(masked(receivers.y(i), compared)) - radius;
+            at.r.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
+            at.offsets[i] = memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
+            at.compared[i] = compared;
+        }
+        prefetch(memory, at.offsets, 1);
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+        const texel_bytes memory(tree.bounds.view());
+        const receiver_block& r = at.r;
+        alignas(64) std::int32_t open[block];
+        alignas(64) glm::vec2 bounds[block];
+        std::int32_t any = 0;
+        gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }});
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t lit = test::all_lit(r.z(i), bounds[i].x, bounds[i].y);
+            const std::int32_t dark = test::none_lit(r.z(i), bounds[i].x, bounds[i].y);
+            visibility[i] = select(-lit | ~at.compared[i], 1.0f, 0.0f);
+            open[i] = at.compared[i] & ~-(lit | dark);
+            any |= open[i];
+        }
+        if (!any) return;
+
+        receiver_block rest;  // those that need the box
+        alignas(64) float shares[block];
+        int indices[block], found = 0;
+        for (int i = 0; i < count; ++i) {
+            indices[found] = i;
+            rest.set(found, r.x(i), r.y(i), r.z(i));
+            found -= open[i];
+        }
+        // Copies behind them: if all 64 boxes are in the map, none needs care.
+        for (int i = found; i < block; ++i) rest.set(i, rest.xs[0], rest.ys[0], rest.zs[0]);
+        typename box_blocks<Direction>::placed boxes;
+        every_texel.place(rest, boxes);
+        every_texel(boxes, found, shares, set);
+        for (int i = 0; i < found; ++i) visibility[indices[i]] = shares[i];
+    }
+};
+
+template <>
+struct block_form<filters::hierarchical_box> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::hierarchical_box& filter, ParallelFor&& parallel,
+                            const Use& use) {
+        const box_blocks<Direction> every_texel{map.map, clamp_int(filter.radius, max_box_radius)};
+        if (map.map.size.x < block) return use(every_texel);  // bounds come in whole blocks: they would outgrow the map
+        const box_bounds tree(map.map, every_texel.radius, parallel);
+        use(hierarchical_box_blocks<Direction>{tree, every_texel});
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/simd/blocks/pcf_2x2.hpp
+// Bilinear 2x2 percentage-closer filtering over blocks of receivers.
+
+namespace umbrage::detail {
+
+/// A position clamped to the middles of the map's border texels has the same neighbours and weights that add up to the
+/// same, so that both neighbours are in the map and one load gets them.
+template <depth_direction Direction, class Map>
+struct pcf_2x2_blocks {
+    using test = block_test<Direction>;
+    struct placed {
+        alignas(64) std::int32_t offsets[block], compared[block];
+        alignas(64) float hi_x[block], hi_y[block], z[block];
+    };
+    Map map;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const texel_bytes memory(map.map);
+        const int last_x = last_in_space(map.map.size.x, 1), last_y = last_in_space(map.map.size.y, 1);
+        const auto axis = [](float coord, int last, float& hi) UMBRAGE_INLINE {
+            const std::int32_t position = floor_within(coord * 256.0f - 128.0f, static_cast<float>(last * 256));
+            const std::int32_t here = position >> 8, last_pair = last - 1;
+            const std::int32_t texel = here < last_pair ? here : last_pair;
+            hi = static_cast<float>(position - texel * 256);
+            return texel;
+        };
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const float x = receivers.x(i), y = receivers.y(i), z = receivers.z(i);
+            at.compared[i] = test::compared(x, y, z);
+            at.offsets[i] = memory.offset(axis(x, last_x, at.hi_x[i]), axis(y, last_y, at.hi_y[i]));
+            at.z[i] = z;
+        }
+        prefetch(memory, at.offsets, 2);
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
+        const texel_bytes memory(map.map);
+        loaded_texels<Map> low(map), high(map);
+        loaded_texels<Map>::load_two(low, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); },
+                                     high, [&](int i) UMBRAGE_INLINE { return memory.below(at.offsets[i]); });
+        for (int i = 0; i < block; ++i) {
+            const float z = low.receiver(at.z[i]), lo_x = 256.0f - at.hi_x[i], lo_y = 256.0f - at.hi_y[i];
+            const auto weigh = [&](const auto& row) UMBRAGE_INLINE {
+                return masked(lo_x, -test::lit(z, row.first(i))) + masked(at.hi_x[i], -test::lit(z, row.second(i)));
+            };
+            const float sum = lo_y * weigh(low) + at.hi_y[i] * weigh(high);
+            visibility[i] = select(at.compared[i], sum * (1.0f / 65536.0f), 1.0f);
+        }
+    }
+};
+
+template <>
+struct block_form<filters::pcf_2x2> {
+    static constexpr map_need need = map_need::texels;
+    static constexpr int least = 2;
+    template <depth_direction Direction, class Map, class ParallelFor, class Use>
+    static void with_blocks(const Map& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
+        use(pcf_2x2_blocks<Direction, Map>{map});
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/filter/filters.hpp
+// Every filter of the library, in one list: what tools, tables, proofs and examples walk. Each comes with its form for
+// blocks of receivers.
+//
+//     umbrage::visibility(map, umbrage::rg<11>{}, receivers, umbrage::filters::box{.radius = 2}, out);
+//
+
+namespace umbrage::filters {
+
+/// One value of each. (GLM's vectors are no constants where they are registers.)
+inline const std::tuple<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box> all{};
+
+}  // namespace umbrage::filters
+
+namespace umbrage {
+
+/// Calls use(filter) for one after the other.
+template <class Use>
+void for_each_filter(Use&& use) {
+    std::apply([&](const auto&... filter) { (use(filter), ...); }, filters::all);
+}
+
+/// Calls use(filter) with the one of that name.
+/// @return   false where none is called so
+template <class Use>
+bool with_filter(std::string_view name, Use&& use) {
+    bool found = false;
+    for_each_filter([&](const auto& filter) {
+        if (found || filter.name != name) return;
+        found = true;
+        use(filter);
+    });
+    return found;
+}
+
+namespace glsl {
+
+inline constexpr auto filter_snippets = []<class... Filters>(const std::tuple<Filters...>*) {
+    return std::array<const snippet*, sizeof...(Filters)>{Filters::snippet...};
+}(static_cast<decltype(&filters::all)>(nullptr));
+
+}  // namespace glsl
+}  // namespace umbrage
 
 // ---- umbrage/images/blur.hpp
 // Separable blur of images of one to four floats a texel, such as moments.
@@ -3534,109 +4993,159 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
 
 }  // namespace umbrage
 
-// ---- umbrage/images/encode.hpp
-// Whole depth images into texels of an encoding, and back, about as fast as memory can be copied.
+// ---- umbrage/simd/blocks/codec.hpp
+// Encodings over blocks of 64 depths, in loops that vectorise: bit for bit what their own encode and decode give.
 //
-//     umbrage::image<glm::u8vec2> packed(depth.size());
-//     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{});
+//     const auto codec = umbrage::detail::codec_of(umbrage::rg<11>{});
+//     codec.encode(depths, texels);
 //
-// Bit for bit what the encoding's own encode and decode give. The encodings of this library have loops of their own that
-// compilers can vectorise; any other type like them works as well.
 
-namespace umbrage {
-namespace detail {
+namespace umbrage::detail {
 
-/// to_code() in a form that vectorises: what is 1 or more has the code of the last float below 1.
-template <int Bits>
-[[nodiscard]] UMBRAGE_INLINE inline std::int32_t to_code_bits(float depth) {
-    return static_cast<std::int32_t>(saturate_bits(depth, 0x1.fffffep-1f) * float(std::int32_t(1) << Bits));
-}
+/// saturate() as saturate_bits has it, NaN to `highest` or, reversed, to 0.
+struct saturated {
+    std::int32_t last_kept;  ///< greatest magnitude, as bits, that is not taken for 0
 
-/// A block of 64 depths to texels and back; this general one leaves the work to the encoding.
-template <class Encoding>
-struct block_codec {
-    using texel = typename Encoding::texel;
-    static UMBRAGE_INLINE void encode(const float* depth, texel* texels, const Encoding& encoding) {
-        for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    explicit saturated(depth_direction direction)
+        : last_kept(direction == depth_direction::forward ? 0x7FFFFFFF : 0x7F800000) {}
+    [[nodiscard]] UMBRAGE_INLINE float operator()(float v, float highest) const {
+        const auto bits = bit_cast<std::int32_t>(v);
+        return bit_cast<float>(bit_cast<std::int32_t>(saturate_bits(v, highest)) &
+                               -std::int32_t((bits & 0x7FFFFFFF) <= last_kept));
     }
-    static UMBRAGE_INLINE void decode(const texel* texels, float* depth, const Encoding& encoding) {
-        for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
+    /// to_code: what is 1 or more has the code of the last float below 1.
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t code(float depth, float codes) const {
+        return static_cast<std::int32_t>((*this)(depth, 0x1.fffffep-1f) * codes);
     }
 };
 
-/// Texels as 16-bit words, so that twice as many fit a register.
-template <int Bits>
-struct block_codec<rg<Bits>> {
+/// Any encoding, texel by texel.
+template <class Encoding>
+struct codec {
+    using texel = typename Encoding::texel;
+    Encoding encoding;
+
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
+        for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    }
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
+        for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
+    }
+};
+template <class Encoding>
+[[nodiscard]] codec<Encoding> codec_of(const Encoding& encoding) {
+    return {encoding};
+}
+
+/// rg of any number of bits. Texels are 16-bit words, so that twice as many fit a register.
+struct rg_codec {
+    using texel = glm::u8vec2;
+    int bits;
+    float edge;
+    saturated saturate_depth;
+
     /// R | G << 8 to what this machine has in memory, and back.
     static UMBRAGE_INLINE std::uint16_t in_memory(std::uint16_t word) {
         if constexpr (std::endian::native == std::endian::little) return word;
         else return static_cast<std::uint16_t>(word << 8 | word >> 8);
     }
-    static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec2* texels, const rg<Bits>&) {
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
+        const saturated s = saturate_depth;  // copies: as far as a compiler knows, texels may overwrite the others
+        const auto codes = static_cast<float>(1 << bits);
+        const auto up = static_cast<std::uint16_t>(1 << (16 - bits));
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
-            const auto x = static_cast<std::uint16_t>(to_code_bits<Bits>(depth[i]));
-            const std::uint16_t word = in_memory(static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) << (16 - Bits)));
+            const auto x = static_cast<std::uint16_t>(s.code(depth[i], codes));
+            const std::uint16_t word = in_memory(static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) * up));
             std::memcpy(static_cast<void*>(texels + i), &word, sizeof word);
         }
     }
-    static UMBRAGE_INLINE void decode(const glm::u8vec2* texels, float* depth, const rg<Bits>& encoding) {
-        const float edge = encoding.edge;  // a copy: as far as a compiler knows, depth may overwrite the other
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
+        const float from = edge, step = 1.0f / static_cast<float>(1 << bits);
+        const auto up = static_cast<std::uint16_t>(1 << (bits - 8));
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
             std::uint16_t word;
             std::memcpy(&word, texels + i, sizeof word);
             word = in_memory(word);
-            const auto x = static_cast<std::uint16_t>((word & 0xFF) + (word >> (16 - Bits) & 0xFF << (Bits - 8)));
-            depth[i] = from_code<Bits>(float(x), edge);
+            const auto x = static_cast<std::uint16_t>((word & 0xFF) + (word >> 8) * up);
+            depth[i] = (static_cast<float>(x) + from) * step;
         }
     }
 };
+template <int Bits>
+[[nodiscard]] rg_codec codec_of(const rg<Bits>& encoding) {
+    return {Bits, encoding.edge, saturated(encoding.direction)};
+}
 
 template <>
-struct block_codec<rgb24> {
-    static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec3* texels, const rgb24&) {
+struct codec<rgb24> {
+    using texel = glm::u8vec3;
+    rgb24 encoding;
+
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
+        const saturated s(encoding.direction);
         alignas(64) std::int32_t x[block];
-        for (int i = 0; i < block; ++i) x[i] = to_code_bits<24>(depth[i]);
+        for (int i = 0; i < block; ++i) x[i] = s.code(depth[i], 0x1p24f);
         for (int i = 0; i < block; ++i)
             texels[i] = {static_cast<std::uint8_t>(x[i] >> 16), static_cast<std::uint8_t>(x[i] >> 8 & 0xFF),
                          static_cast<std::uint8_t>(x[i] & 0xFF)};
     }
-    static UMBRAGE_INLINE void decode(const glm::u8vec3* texels, float* depth, const rgb24& encoding) {
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
         const float edge = encoding.edge;
         for (int i = 0; i < block; ++i) {
             const std::int32_t x = (texels[i].x << 16) + (texels[i].y << 8) + texels[i].z;
-            depth[i] = from_code<24>(float(x), edge);
+            depth[i] = from_code<24>(static_cast<float>(x), edge);
         }
     }
 };
 
 template <>
-struct block_codec<float_bits> {
+struct codec<float_bits> {
     static_assert(sizeof(glm::u8vec4) == sizeof(float));
-    static UMBRAGE_INLINE void encode(const float* depth, glm::u8vec4* texels, const float_bits& encoding) {
+    using texel = glm::u8vec4;
+    float_bits encoding;
+
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
         if constexpr (std::endian::native == std::endian::little)
             std::memcpy(static_cast<void*>(texels), depth, block * sizeof(float));
         else
             for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
     }
-    static UMBRAGE_INLINE void decode(const glm::u8vec4* texels, float* depth, const float_bits& encoding) {
-        if constexpr (std::endian::native == std::endian::little)
-            std::memcpy(depth, texels, block * sizeof(float));
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
+        if constexpr (std::endian::native == std::endian::little) std::memcpy(depth, texels, block * sizeof(float));
         else
             for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
     }
 };
 
 template <>
-struct block_codec<depth32f> {
-    static UMBRAGE_INLINE void encode(const float* depth, float* texels, const depth32f&) {
-        for (int i = 0; i < block; ++i) texels[i] = saturate_bits(depth[i]);
+struct codec<depth32f> {
+    using texel = float;
+    depth32f encoding;
+
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
+        const saturated s(encoding.direction);
+        for (int i = 0; i < block; ++i) texels[i] = s(depth[i], 1.0f);
     }
-    static UMBRAGE_INLINE void decode(const float* texels, float* depth, const depth32f&) {
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
         std::memcpy(depth, texels, block * sizeof(float));
     }
 };
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/encode.hpp
+// Whole depth images into texels of an encoding, and back, about as fast as memory can be copied.
+//
+//     umbrage::image<glm::u8vec2> packed(depth.size());
+//     umbrage::encode(depth, packed, umbrage::rg<11>{});
+//
+// Bit for bit what the encoding's own encode and decode give. The encodings of this library have loops of their own that
+// compilers can vectorise; any other type like them works as well.
+
+namespace umbrage {
+namespace detail {
 
 /// A row in blocks; the last one goes through copies as long as a block.
 template <class From, class To, class Convert>
@@ -3651,36 +5160,55 @@ UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, cons
     for (int i = 0; i < count - x; ++i) to[x + i] = result[i];
 }
 
+template <class Codec, class ParallelFor>
+void encode_rows(image_view<const float> depth, image_view<typename Codec::texel> texels, const Codec& codec,
+                 ParallelFor&& parallel) {
+    using texel = typename Codec::texel;
+    if (depth.size != texels.size) fail("umbrage::encode: sizes differ");
+    if (depth.empty()) return;
+    const bool large = past_cache(texels);
+    parallel(depth.size.y, [&](int first, int last) {
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            const auto in_place = [&](const float* from, texel* to) UMBRAGE_INLINE { codec.encode(from, to); };
+            const auto by_a_copy = [&](const float* from, texel* to) UMBRAGE_INLINE {
+                alignas(64) texel texels_of_block[block];
+                codec.encode(from, texels_of_block);
+                stream_block(to, texels_of_block);
+            };
+            for (int y = first; y < last; ++y)
+                if (large) convert_row(depth.row(y), texels.row(y), depth.size.x, by_a_copy);
+                else convert_row(depth.row(y), texels.row(y), depth.size.x, in_place);
+        });
+        if (large) finish_streaming();
+    });
+}
+
+template <class Codec, class ParallelFor>
+void decode_rows(image_view<const typename Codec::texel> texels, image_view<float> depth, const Codec& codec,
+                 ParallelFor&& parallel) {
+    if (depth.size != texels.size) fail("umbrage::decode: sizes differ");
+    if (depth.empty()) return;
+    parallel(depth.size.y, [&](int first, int last) {
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            for (int y = first; y < last; ++y)
+                convert_row(texels.row(y), depth.row(y), depth.size.x,
+                            [&](const auto* from, auto* to) UMBRAGE_INLINE { codec.decode(from, to); });
+        });
+    });
+}
+
 }  // namespace detail
 
 /// @param depth      any values; what the encoding makes of them
 /// @param texels     same size, in memory of its own
-/// @param encoding   rg<Bits>, rgb24, float_bits, depth32f, or a type like them
+/// @param encoding   one of the library's (encodings.hpp), or a type like them: texel, encode, decode
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ
 template <class Encoding, class ParallelFor = serial>
-void encode(image_view<const float> depth, image_view<typename Encoding::texel> texels, Encoding encoding,
+void encode(image_view<const float> depth, image_view<typename Encoding::texel> texels, const Encoding& encoding,
             ParallelFor&& parallel = {}) {
-    if (depth.size != texels.size) detail::fail("umbrage::encode: sizes differ");
-    if (depth.empty()) return;
-    const bool large = detail::past_cache(texels);
-    parallel(depth.size.y, [&](int first, int last) {
-        detail::on_best_isa([&](auto) UMBRAGE_INLINE {
-            using texel = typename Encoding::texel;
-            const auto in_place = [&](const float* from, texel* to) UMBRAGE_INLINE {
-                detail::block_codec<Encoding>::encode(from, to, encoding);
-            };
-            const auto by_a_copy = [&](const float* from, texel* to) UMBRAGE_INLINE {
-                alignas(64) texel texels_of_block[detail::block];
-                in_place(from, texels_of_block);
-                detail::stream_block(to, texels_of_block);
-            };
-            for (int y = first; y < last; ++y)
-                if (large) detail::convert_row(depth.row(y), texels.row(y), depth.size.x, by_a_copy);
-                else detail::convert_row(depth.row(y), texels.row(y), depth.size.x, in_place);
-        });
-        if (large) detail::finish_streaming();
-    });
+    static_assert(detail::is_encoding<Encoding>());
+    detail::encode_rows(depth, texels, detail::codec_of(encoding), parallel);
 }
 
 /// @param texels     any texels of the encoding
@@ -3688,19 +5216,10 @@ void encode(image_view<const float> depth, image_view<typename Encoding::texel> 
 /// @param parallel   cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ
 template <class Encoding, class ParallelFor = serial>
-void decode(image_view<const typename Encoding::texel> texels, image_view<float> depth, Encoding encoding,
+void decode(image_view<const typename Encoding::texel> texels, image_view<float> depth, const Encoding& encoding,
             ParallelFor&& parallel = {}) {
-    if (depth.size != texels.size) detail::fail("umbrage::decode: sizes differ");
-    if (depth.empty()) return;
-    parallel(depth.size.y, [&](int first, int last) {
-        detail::on_best_isa([&](auto) UMBRAGE_INLINE {
-            for (int y = first; y < last; ++y)
-                detail::convert_row(texels.row(y), depth.row(y), depth.size.x,
-                                    [&](const auto* from, auto* to) UMBRAGE_INLINE {
-                                        detail::block_codec<Encoding>::decode(from, to, encoding);
-                                    });
-        });
-    });
+    static_assert(detail::is_encoding<Encoding>());
+    detail::decode_rows(texels, depth, detail::codec_of(encoding), parallel);
 }
 
 }  // namespace umbrage
@@ -5011,900 +6530,41 @@ template <class T>
 }  // namespace umbrage
 UMBRAGE_END_STRICT_MATH
 
-// ---- umbrage/simd/blocks/texels.hpp
-// The filters over blocks of 64 receivers: what visibility() is made of. Each works in two steps, some blocks apart, so
-// that texels have come from memory when they are needed: place() says where to look and starts to fetch what is there;
-// the second step loads it (two neighbours at a time), compares and weighs. All but the loads vectorises.
-//
-//     umbrage::detail::block_filter<umbrage::filters::pcf_2x2, umbrage::rg<11>> filter{map, {}, {}};
-//     filter.place(receiver_texels{receivers}, placed);
-//     filter(placed, count, visibility, isa);
-//
-
-namespace umbrage::detail {
-
-/// A block of receivers in an image, read where they are. Element by element: GCC does not vectorise whole vec3s.
-struct receiver_texels {
-    const glm::vec3* first;
-    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first[i].x; }
-    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first[i].y; }
-    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first[i].z; }
-};
-
-/// The same in three planes.
-struct receiver_rows {
-    const float *first_x, *first_y, *first_z;
-    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return first_x[i]; }
-    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return first_y[i]; }
-    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return first_z[i]; }
-};
-
-/// The same in memory of its own; what lies behind the last receiver of a row is not read into any result.
-struct receiver_block {
-    alignas(64) float xs[block]{}, ys[block]{}, zs[block]{};
-    [[nodiscard]] UMBRAGE_INLINE float x(int i) const { return xs[i]; }
-    [[nodiscard]] UMBRAGE_INLINE float y(int i) const { return ys[i]; }
-    [[nodiscard]] UMBRAGE_INLINE float z(int i) const { return zs[i]; }
-    UMBRAGE_INLINE void set(int i, float x_at, float y_at, float depth) {
-        xs[i] = x_at;
-        ys[i] = y_at;
-        zs[i] = depth;
-    }
-    template <class Receivers>
-    UMBRAGE_INLINE void copy(const Receivers& from) {
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) set(i, from.x(i), from.y(i), from.z(i));
-    }
-};
-
-/// Where a block of words comes from, at(i), and where it goes.
-template <class At>
-struct gathered {
-    void* to;
-    At at;
-};
-template <class At>
-gathered(void*, At) -> gathered<At>;
-
-/// Blocks of words, in turns. As many as fill a small register make one store: left alone, compilers want more at once than
-/// they can hold.
-template <class Word, class... At>
-UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
-    const auto word = [](const void* from) UMBRAGE_INLINE {
-        Word w;
-        std::memcpy(&w, from, sizeof w);
-        return w;
-    };
-    using words = lanes_of<Word, 16 / sizeof(Word)>;
-    constexpr std::size_t some = sizeof(words) / sizeof(Word);
-    const auto load = [&]<std::size_t... I>(int i, const auto& from, std::index_sequence<I...>) UMBRAGE_INLINE {
-        const words together{word(from.at(i + static_cast<int>(I)))...};
-        std::memcpy(static_cast<std::byte*>(from.to) + static_cast<std::size_t>(i) * sizeof(Word), &together, sizeof together);
-    };
-    for (int i = 0; i < block; i += static_cast<int>(some)) (load(i, blocks, std::make_index_sequence<some>{}), ...);
-}
-
-/// What is loaded for a block of receivers, from where at(i) points to: a texel each, or two neighbours of two rows. The
-/// depths in them and the receiver's are asked for in loops that vectorise; this general form decodes while it loads.
-template <class Encoding>
-struct loaded_texels {
-    const Encoding& encoding;
-    alignas(64) float depths[2 * block];
-    explicit loaded_texels(const Encoding& e) : encoding(e) {}
-    template <class At>
-    UMBRAGE_INLINE void load_one(const At& at) {
-        for (int i = 0; i < block; ++i) depths[i] = encoding.decode(*at(i));
-    }
-    template <class At, class Below>
-    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
-        for (int i = 0; i < block; ++i)
-            for (int k = 0; k < 2; ++k) {
-                low.depths[2 * i + k] = low.encoding.decode(at(i)[k]);
-                high.depths[2 * i + k] = high.encoding.decode(below(i)[k]);
-            }
-    }
-    static UMBRAGE_INLINE float receiver(float depth) { return depth; }
-    UMBRAGE_INLINE float one(int i) const { return depths[i]; }
-    UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
-    UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
-};
-
-/// Floats need no decoding, and two of them are one word.
-template <>
-struct loaded_texels<depth32f> {
-    alignas(64) float depths[2 * block];
-    explicit loaded_texels(const depth32f&) {}
-    template <class At>
-    UMBRAGE_INLINE void load_one(const At& at) {
-        gather<std::uint32_t>(gathered{depths, at});
-    }
-    template <class At, class Below>
-    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
-        gather<std::uint64_t>(gathered{low.depths, at}, gathered{high.depths, below});
-    }
-    static UMBRAGE_INLINE float receiver(float depth) { return depth; }
-    UMBRAGE_INLINE float one(int i) const { return depths[i]; }
-    UMBRAGE_INLINE float first(int i) const { return depths[2 * i]; }
-    UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
-};
-
-/// Byte pairs, two of them to a word. Both sides of the comparison stay 2^Bits times the depth, which changes no result.
-template <int Bits>
-struct loaded_texels<rg<Bits>> {
-    static constexpr bool little = std::endian::native == std::endian::little;
-    float edge;
-    alignas(64) std::uint32_t words[block];
-    explicit loaded_texels(const rg<Bits>& encoding) : edge(encoding.edge) {}
-    template <class At>
-    UMBRAGE_INLINE void load_one(const At& at) {
-        for (int i = 0; i < block; ++i) {
-            std::uint16_t word;
-            std::memcpy(&word, at(i), sizeof word);
-            words[i] = word;
-        }
-    }
-    template <class At, class Below>
-    static UMBRAGE_INLINE void load_two(loaded_texels& low, const At& at, loaded_texels& high, const Below& below) {
-        gather<std::uint32_t>(gathered{low.words, at}, gathered{high.words, below});
-    }
-    static UMBRAGE_INLINE float receiver(float depth) { return depth * float(1 << Bits); }
-    UMBRAGE_INLINE float one(int i) const { return number(codes(i) & 0xFFFF); }
-    UMBRAGE_INLINE float first(int i) const { return number(little ? codes(i) & 0xFFFF : codes(i) >> 16); }
-    UMBRAGE_INLINE float second(int i) const { return number(little ? codes(i) >> 16 : codes(i) & 0xFFFF); }
-    /// R + 2^(Bits - 8) G of both texels at once, in the two halves of a word.
-    UMBRAGE_INLINE std::uint32_t codes(int i) const {
-        constexpr std::uint32_t low = 0x00FF00FF, high = low << (Bits - 8);
-        const std::uint32_t w = words[i];
-        return little ? (w & low) + (w >> (16 - Bits) & high) : (w >> 8 & low) + ((w & low) << (Bits - 8));
-    }
-    UMBRAGE_INLINE float number(std::uint32_t code) const { return static_cast<float>(static_cast<std::int32_t>(code)) + edge; }
-};
-
-/// Texels of a map by their distance from the first in bytes, which fits 32 bits so that it vectorises.
-template <class T>
-struct texel_bytes {
-    const std::byte* data;
-    std::int32_t stride;
-
-    explicit texel_bytes(const image_view<T>& map)
-        : data(reinterpret_cast<const std::byte*>(map.data)), stride(static_cast<std::int32_t>(map.stride)) {}
-    static bool fits(const image_view<T>& map) {
-        constexpr std::ptrdiff_t highest = 0x7FFFFFFF;
-        return map.size.x <= highest / std::ptrdiff_t(sizeof(T)) && map.size.y <= highest / 2 &&
-               (map.stride < 0 ? -map.stride : map.stride) <= highest / (map.size.y + 1);
-    }
-    UMBRAGE_INLINE std::int32_t offset(std::int32_t x, std::int32_t y) const {
-        return y * stride + x * static_cast<std::int32_t>(sizeof(T));
-    }
-    UMBRAGE_INLINE T* at(std::int32_t offset) const { return reinterpret_cast<T*>(data + offset); }
-    UMBRAGE_INLINE T* below(std::int32_t offset) const { return reinterpret_cast<T*>(data + stride + offset); }
-};
-
-/// Texel inside the map, without the assertion of image_view.
-template <class T>
-[[nodiscard]] UMBRAGE_INLINE inline T* texel_at(const image_view<T>& map, std::int32_t x, std::int32_t y) {
-    return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
-}
-
-/// The last texel of so many that a receiver can ask for: none in texel space is farther.
-[[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size) {
-    constexpr int space = 1 << 15;
-    return (size < space ? size : space) - 1;
-}
-
-/// Starts to fetch the texels of a block, of which neighbours mostly share a line of the cache. Where a block starts on
-/// another row of the map than the one before, the machine cannot guess them; and the rows above and below are where
-/// receivers come to that lie askew to the map.
-template <class T>
-UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
-    for (int row = -1; row <= rows; ++row)
-#pragma GCC unroll 4
-        for (int i = 0; i < block; i += 16) prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
-}
-
-/// Any filter, one receiver after the other.
-template <class Filter, class Encoding>
-struct one_by_one {
-    using placed = receiver_block;
-    image_view<const typename Encoding::texel> map;
-    const Encoding& encoding;
-    const Filter& filter;
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        at.copy(receivers);
-    }
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
-        const auto fetch = decoded(map, encoding);
-        for (int i = 0; i < count; ++i) visibility[i] = filter(fetch, glm::vec2(at.x(i), at.y(i)), at.z(i));
-    }
-};
-
-/// Taps that are receivers' own texels, clamped to the map.
-struct placed_tap {
-    alignas(64) std::int32_t offsets[block], inside[block];
-
-    template <class T>
-    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset) {
-        const texel_bytes memory(map);
-        const auto last_x = static_cast<float>(last_in_space(map.size.x)), last_y = static_cast<float>(last_in_space(map.size.y));
-        for (int i = 0; i < block; ++i) {
-            const float x = receivers.x(i) + offset.x, y = receivers.y(i) + offset.y;
-            inside[i] = texel_space_mask(x, y);
-            offsets[i] = memory.offset(floor_within(x, last_x), floor_within(y, last_y));
-        }
-        prefetch(memory, offsets, 1);
-    }
-
-    /// Adds 1 for each receiver that is lit.
-    template <class Encoding>
-    UMBRAGE_INLINE void count(image_view<const typename Encoding::texel> map, const Encoding& encoding, const float* z,
-                              std::int32_t* lit) const {
-        const texel_bytes memory(map);
-        loaded_texels<Encoding> texels(encoding);
-        texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
-        for (int i = 0; i < block; ++i)
-            lit[i] += (is_lit(texels.receiver(z[i]), texels.one(i)) & inside[i]) | (1 & ~inside[i]);
-    }
-};
-
-/// The filters that have a form for blocks; `least` is the side of the smallest map that it can take.
-template <class Filter, class Encoding>
-struct block_filter {
-    static constexpr int least = 0;  ///< none
-};
-
-template <class Encoding>
-struct block_filter<filters::hard, Encoding> {
-    static constexpr int least = 1;
-    struct placed {
-        receiver_block r;
-        placed_tap tap;
-    };
-    image_view<const typename Encoding::texel> map;
-    const Encoding& encoding;
-    const filters::hard& filter;
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        at.r.copy(receivers);
-        at.tap.place(map, at.r, glm::vec2(0.0f));
-    }
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
-        alignas(64) std::int32_t lit[block]{};
-        at.tap.count(map, encoding, at.r.zs, lit);
-        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
-    }
-};
-
-template <class Encoding>
-struct block_filter<filters::four_tap, Encoding> {
-    static constexpr int least = 1;
-    struct placed {
-        receiver_block r;
-        placed_tap taps[4];
-    };
-    image_view<const typename Encoding::texel> map;
-    const Encoding& encoding;
-    const filters::four_tap& filter;
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        at.r.copy(receivers);
-        for (int tap = 0; tap < 4; ++tap) at.taps[tap].place(map, at.r, filter.offsets[static_cast<std::size_t>(tap)]);
-    }
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
-        alignas(64) std::int32_t lit[block]{};
-        for (const placed_tap& tap : at.taps) tap.count(map, encoding, at.r.zs, lit);
-        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]) * 0.25f;
-    }
-};
-
-/// A position clamped to the middles of the map's border texels has the same neighbours and weights that add up to the
-/// same, so that both neighbours are in the map and one load gets them.
-template <class Encoding>
-struct block_filter<filters::pcf_2x2, Encoding> {
-    static constexpr int least = 2;
-    struct placed {
-        alignas(64) std::int32_t offsets[block], inside[block];
-        alignas(64) float hi_x[block], hi_y[block], z[block];
-    };
-    image_view<const typename Encoding::texel> map;
-    const Encoding& encoding;
-    const filters::pcf_2x2& filter;
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        const texel_bytes memory(map);
-        const int last_x = last_in_space(map.size.x), last_y = last_in_space(map.size.y);
-        const auto axis = [](float coord, int last, float& hi) UMBRAGE_INLINE {
-            const std::int32_t position = floor_within(coord * 256.0f - 128.0f, static_cast<float>(last * 256));
-            const std::int32_t here = position >> 8, last_pair = last - 1;
-            const std::int32_t texel = here < last_pair ? here : last_pair;
-            hi = static_cast<float>(position - texel * 256);
-            return texel;
-        };
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            const float x = receivers.x(i), y = receivers.y(i);
-            at.inside[i] = texel_space_mask(x, y);
-            at.offsets[i] = memory.offset(axis(x, last_x, at.hi_x[i]), axis(y, last_y, at.hi_y[i]));
-            at.z[i] = receivers.z(i);
-        }
-        prefetch(memory, at.offsets, 2);
-    }
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
-        const texel_bytes memory(map);
-        loaded_texels<Encoding> low(encoding), high(encoding);
-        loaded_texels<Encoding>::load_two(low, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); },
-                                          high, [&](int i) UMBRAGE_INLINE { return memory.below(at.offsets[i]); });
-        for (int i = 0; i < block; ++i) {
-            const float z = low.receiver(at.z[i]), lo_x = 256.0f - at.hi_x[i], lo_y = 256.0f - at.hi_y[i];
-            const auto weigh = [&](const auto& row) UMBRAGE_INLINE {
-                return masked(lo_x, -is_lit(z, row.first(i))) + masked(at.hi_x[i], -is_lit(z, row.second(i)));
-            };
-            const float sum = lo_y * weigh(low) + at.hi_y[i] * weigh(high);
-            visibility[i] = select(at.inside[i], sum * (1.0f / 65536.0f), 1.0f);
-        }
-    }
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/simd/blocks/box.hpp
-// The box filter over maps of floats: whole rows of the box are loaded at once, never one texel after the other.
-//
-//     std::int32_t lit = umbrage::detail::box_rows<8, 0>(map.stride, 5).count(row, 0, receiver);
-//
-
-namespace umbrage::detail {
-
-/// Lit texels of boxes that lie inside a map at least as wide as a register.
-/// @tparam Lanes   of a register;   Whole  registers that a row of the box fills;   Width  of the box, 0 if not known here
-template <int Lanes, int Whole, int Width = 0>
-struct box_rows {
-    using ints = lanes_of<std::int32_t, Lanes>;
-    static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
-    std::ptrdiff_t stride;
-    int width;
-    std::int32_t window[3 * Lanes]{};  ///< lanes that the rest of a row has in a register, slid to where they are
-
-    UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(Width ? Width : box_width) {
-        for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
-    }
-
-    /// @param row     first texel of the box
-    /// @param moved   by how much the last register of a row is moved back, so that it ends inside the map
-    [[nodiscard]] UMBRAGE_INLINE std::int32_t count(const std::byte* row, std::ptrdiff_t moved, float receiver) const {
-        ints lit;
-        std::int32_t sums[2];
-        count_lanes(row, moved, receiver, lit);
-        sum_two_lanes<Lanes>(lit, lit, sums);
-        return sums[0];
-    }
-
-    /// Of two boxes, which costs less than of each alone.
-    UMBRAGE_INLINE void count_two(const std::byte* const rows[2], const float* receivers, std::int32_t* counts) const {
-        ints first, second;
-        count_lanes(rows[0], 0, receivers[0], first);
-        count_lanes(rows[1], 0, receivers[1], second);
-        sum_two_lanes<Lanes>(first, second, counts);
-    }
-
-private:
-    UMBRAGE_INLINE void count_lanes(const std::byte* row, std::ptrdiff_t moved, float receiver, ints& lit) const {
-        lit = ints{};
-        ints rest{};
-        const auto add_row = [&]() UMBRAGE_INLINE {
-            const float* texels = reinterpret_cast<const float*>(row);
-            lanes_of<float, Lanes> stored;
-            ints lanes;
-            for (int i = 0; i < Whole; ++i) {
-                load_lanes(texels + i * Lanes, stored);
-                lit_lanes<Lanes>(receiver, stored, lanes);
-                lit -= lanes;
-            }
-            load_lanes(texels + Whole * Lanes - moved, stored);
-            lit_lanes<Lanes>(receiver, stored, lanes);
-            rest -= lanes;
-            row += stride;
-        };
-        if constexpr (Width > 0) {
-#pragma GCC unroll 8
-            for (int j = 0; j < Width; ++j) add_row();
-        } else
-            for (int j = 0; j < width; ++j) add_row();
-        ints wanted;
-        std::memcpy(&wanted, window + Lanes - moved, sizeof wanted);
-        lit += rest & wanted;
-    }
-};
-
-/// The part of a map that a block's boxes lie in. Rows of a map that lie a multiple of 2048 bytes apart share their places
-/// in a first-level cache, which has few for each: high boxes push their own rows out of it. Here they do not.
-struct map_tile {
-    static constexpr int columns = 100, rows = 96;
-    float texels[rows][columns];
-
-    [[nodiscard]] static bool helps(std::ptrdiff_t stride, int width) { return width > 8 && stride % 2048 == 0; }
-
-    /// @param last   texel of the map, within columns and rows of the first; at least eight columns
-    UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
-        const int count = last.x - first.x + 1;
-        const auto eight = [](const float* from, float* to) UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
-        for (int y = first.y; y <= last.y; ++y) {
-            const float* from = texel_at(map, first.x, y);
-            float* to = texels[y - first.y];
-            for (int i = 0; i + 8 < count; i += 8) eight(from + i, to + i);
-            eight(from + count - 8, to + count - 8);
-        }
-    }
-};
-
-/// Only maps of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
-template <>
-struct block_filter<filters::box, depth32f> {
-    static constexpr int least = 1;
-    struct placed {
-        alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
-        alignas(64) std::int32_t inside[block], in_space[block];
-        alignas(64) float z[block];
-        std::int32_t all_plain;  ///< all bits if all boxes and what is loaded beside them are inside, and no depth is NaN
-    };
-    image_view<const float> map;
-    const depth32f& encoding;
-    const filters::box& filter;
-
-    [[nodiscard]] UMBRAGE_INLINE int radius() const { return clamp_int(filter.radius, max_box_radius); }
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        const texel_bytes memory(map);
-        const int before = radius(), width = 2 * before + 1, last_x = map.size.x - width, last_y = map.size.y - width;
-        const int last_load = last_x - 7;  // where registers of eight lanes still end inside
-        std::int32_t plain = -1;
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            at.in_space[i] = texel_space_mask(receivers.x(i), receivers.y(i));
-            const std::int32_t x = floor_int(masked(receivers.x(i), at.in_space[i])) - before;
-            const std::int32_t y = floor_int(masked(receivers.y(i), at.in_space[i])) - before;
-            at.inside[i] = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
-            at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
-            at.x[i] = x;
-            at.y[i] = y;
-            at.z[i] = receivers.z(i);
-            const std::int32_t magnitude = detail::bit_cast<std::int32_t>(receivers.z(i)) & 0x7FFFFFFF;
-            const auto loads_inside = std::int32_t(x <= last_load), number = std::int32_t(magnitude <= 0x7F800000);
-            plain &= at.inside[i] & at.in_space[i] & -(loads_inside & number);
-        }
-        at.all_plain = plain;
-        prefetch(memory, at.offsets, last_y < 0 ? 1 : width);
-    }
-
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
-        const int width = 2 * radius() + 1;
-        constexpr int lanes = Isa::value == isa::base ? 4 : 8;
-        if constexpr (lanes == 8) {
-            if (width == 3) return count_with<box_rows<8, 0, 3>>(at, count, visibility);
-            if (width == 5) return count_with<box_rows<8, 0, 5>>(at, count, visibility);
-            if (width == 7) return count_with<box_rows<8, 0, 7>>(at, count, visibility);
-        }
-        if (width / lanes == 0) return count_with<box_rows<lanes, 0>>(at, count, visibility);
-        if (width / lanes == 1) return count_with<box_rows<lanes, 1>>(at, count, visibility);
-        if (width / lanes == 2) return count_with<box_rows<lanes, 2>>(at, count, visibility);
-        if constexpr (lanes == 4) {
-            if (width / lanes == 3) return count_with<box_rows<4, 3>>(at, count, visibility);
-            count_with<box_rows<4, 4>>(at, count, visibility);
-        }
-    }
-
-private:
-    template <class Boxes>
-    UMBRAGE_INLINE void count_with(const placed& at, int count, float* visibility) const {
-        const int width = 2 * radius() + 1, last_load = map.size.x - Boxes::reach;
-        const Boxes boxes(map.stride, width);
-        const texel_bytes memory(map);
-        alignas(64) std::int32_t lit[block]{};
-        if (at.all_plain)  // as nearly always
-            count_inside(boxes, at, count, lit);
-        else
-            for (int i = 0; i < count; ++i) {
-                if (is_nan(at.z[i]) || !at.in_space[i]) continue;
-                const int moved = at.x[i] > last_load ? at.x[i] - last_load : 0;
-                lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved, at.z[i])
-                                                        : count_at_border<Boxes>({at.x[i], at.y[i]}, width, at.z[i]);
-            }
-        const float scale = box_scale<float>(radius());
-        for (int i = 0; i < block; ++i)
-            visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~at.in_space[i], 1.0f,
-                                   static_cast<float>(lit[i]) * scale);
-    }
-
-    /// All 64 boxes lie inside the map, with what is loaded beside them.
-    template <class Boxes>
-    UMBRAGE_INLINE void count_inside(const Boxes& boxes, const placed& at, int count, std::int32_t* lit) const {
-        const auto count_all = [&](const Boxes& of, const auto& row) UMBRAGE_INLINE {
-            for (int i = 0; i < count; i += 2) {  // a block is even
-                const std::byte* const rows[]{row(i), row(i + 1)};
-                of.count_two(rows, at.z + i, lit + i);
-            }
-        };
-        if (map_tile::helps(map.stride, 2 * radius() + 1)) {
-            glm::ivec2 first(at.x[0], at.y[0]), last = first;
-            for (int i = 0; i < block; ++i) {
-                first.x = at.x[i] < first.x ? at.x[i] : first.x;
-                first.y = at.y[i] < first.y ? at.y[i] : first.y;
-                last.x = at.x[i] > last.x ? at.x[i] : last.x;
-                last.y = at.y[i] > last.y ? at.y[i] : last.y;
-            }
-            last += glm::ivec2(Boxes::reach - 1, 2 * radius());
-            if (last.x - first.x < map_tile::columns && last.y - first.y < map_tile::rows) {
-                map_tile tile;
-                tile.copy(map, first, last);
-                return count_all(Boxes(sizeof tile.texels[0], 2 * radius() + 1), [&](int i) UMBRAGE_INLINE {
-                    return reinterpret_cast<const std::byte*>(&tile.texels[at.y[i] - first.y][at.x[i] - first.x]);
-                });
-            }
-        }
-        const texel_bytes memory(map);
-        count_all(boxes, [&](int i) UMBRAGE_INLINE { return memory.data + at.offsets[i]; });
-    }
-
-    /// The same from a copy of the box, the map's border texels repeated.
-    template <class Boxes>
-    std::int32_t count_at_border(glm::ivec2 first, int width, float receiver) const {
-        constexpr int widest = 2 * max_box_radius + 1;
-        float texels[widest][Boxes::reach > widest ? Boxes::reach : widest]{};
-        for (int j = 0; j < width; ++j) {
-            const float* row = texel_at(map, 0, clamp_int(first.y + j, map.size.y - 1));
-            for (int i = 0; i < width; ++i) texels[j][i] = row[clamp_int(first.x + i, map.size.x - 1)];
-        }
-        return Boxes(sizeof texels[0], width).count(reinterpret_cast<const std::byte*>(texels), 0, receiver);
-    }
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/simd/blocks/hierarchical_box.hpp
-// The box filter for receivers most of which are wholly lit or wholly in shadow: those ask one number for the whole box.
-// visibility() does it for filters::hierarchical_box; bit for bit what filters::box gives.
-//
-//     umbrage::visibility(map.view(), umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out.view());
-//
-
-namespace umbrage::detail {
-
-/// For every place where a box may start, the bounds of the squares of texels that the box touches. A box of 2r + 1 texels
-/// touches at most `cells` squares of 2^level texels in a row.
-struct box_bounds {
-    int level, cells;
-    glm::ivec2 last;          ///< of the starts, which begin cells - 1 squares in front of the map
-    image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
-
-    template <class ParallelFor>
-    box_bounds(image_view<const float> map, int radius, ParallelFor&& parallel)
-        : level(radius < 4 ? 1 : 2), cells(((1 << level) - 1 + 2 * radius) / (1 << level) + 1) {
-        const glm::ivec2 squares = (map.size + ((1 << level) - 1)) >> level;
-        last = squares + (cells - 2);
-        bounds = image<glm::vec2>({(last.x + block) / block * block, last.y + 1});
-        image<std::int32_t> least({bounds.size().x, squares.y}), greatest(least.size());
-        parallel(squares.y, [&](int from, int to) {
-            const int blocks = (squares.x + block - 1) / block;
-            const auto columns = static_cast<std::size_t>(blocks * block) << level;
-            std::vector<std::int32_t> low(columns), high(columns), padded(static_cast<std::size_t>(bounds.size().x + cells));
-            on_best_isa([&](auto) UMBRAGE_INLINE {
-                for (int y = from; y < to; ++y) {
-                    bounds_of_columns(map, y << level, low, high);
-                    along_row(low, squares.x, padded, least_of{}, least.view().row(y));
-                    along_row(high, squares.x, padded, greatest_of{}, greatest.view().row(y));
-                }
-            });
-        });
-        parallel(bounds.size().y, [&](int from, int to) {
-            const auto row = [&](const image<std::int32_t>& of, int y) {
-                return of.view().row(clamp_int(y - (cells - 1), squares.y - 1));
-            };
-            on_best_isa([&](auto) UMBRAGE_INLINE {
-                for (int y = from; y < to; ++y)
-                    for (int x = 0; x < bounds.size().x; x += block) {
-                        alignas(64) std::int32_t lows[block], highs[block];
-                        widen(least_of{}, lows, [&](int k) UMBRAGE_INLINE { return row(least, y + k) + x; });
-                        widen(greatest_of{}, highs, [&](int k) UMBRAGE_INLINE { return row(greatest, y + k) + x; });
-                        glm::vec2* out = bounds.view().row(y) + x;
-                        for (int i = 0; i < block; ++i) out[i] = {from_order_key(lows[i]), from_order_key(highs[i])};
-                    }
-            });
-        });
-    }
-
-private:
-    /// Over 2^level rows; the last row and column are repeated.
-    UMBRAGE_INLINE void bounds_of_columns(const image_view<const float>& map, int y, std::vector<std::int32_t>& low,
-                                          std::vector<std::int32_t>& high) const {
-        for (int x = 0; x < static_cast<int>(low.size()); x += block) {
-            alignas(64) std::int32_t lows[block], highs[block], keys[block];
-            for (int k = 0; k < 1 << level; ++k) {
-                const float* depths = map.row(clamp_int(y + k, map.size.y - 1)) + x;
-                alignas(64) float repeated[block];
-                if (x + block > map.size.x) {
-                    for (int i = 0; i < block; ++i) repeated[i] = depths[clamp_int(x + i, map.size.x - 1) - x];
-                    depths = repeated;
-                }
-                for (int i = 0; i < block; ++i) {
-                    keys[i] = order_key(depths[i]);
-                    lows[i] = k ? least_of{}(lows[i], keys[i]) : keys[i];
-                    highs[i] = k ? greatest_of{}(highs[i], keys[i]) : keys[i];
-                }
-            }
-            std::memcpy(&low[std::size_t(x)], lows, sizeof lows);
-            std::memcpy(&high[std::size_t(x)], highs, sizeof highs);
-        }
-    }
-
-    /// to[x] = pick over the `cells` squares from x - (cells - 1) on, those at the border repeated.
-    template <class Pick>
-    UMBRAGE_INLINE void along_row(std::vector<std::int32_t>& columns, int squares, std::vector<std::int32_t>& padded,
-                                  Pick pick, std::int32_t* to) const {
-        auto count = static_cast<int>(columns.size());
-        for (int halving = 0; halving < level; ++halving) {
-            count /= 2;
-            for (int x = 0; x < count; x += block) {
-                alignas(64) std::int32_t halves[block];
-                const std::int32_t* pairs = &columns[std::size_t(2 * x)];
-                for (int i = 0; i < block; ++i) halves[i] = pick(pairs[2 * i], pairs[2 * i + 1]);
-                std::memcpy(&columns[std::size_t(x)], halves, sizeof halves);
-            }
-        }
-        const auto before = padded.begin() + (cells - 1);
-        std::fill(padded.begin(), before, columns.front());
-        std::copy_n(columns.begin(), squares, before);
-        std::fill(before + squares, padded.end(), columns[std::size_t(squares - 1)]);
-        for (int x = 0; x < bounds.size().x; x += block)
-            widen(pick, to + x, [&](int k) UMBRAGE_INLINE { return padded.data() + k + x; });
-    }
-
-    /// to[i] = pick of from(k)[i] over k < cells, for a block.
-    template <class Pick, class From>
-    UMBRAGE_INLINE void widen(Pick pick, std::int32_t* to, const From& from) const {
-        alignas(64) std::int32_t best[block];
-        std::memcpy(best, from(0), sizeof best);
-        for (int k = 1; k < cells; ++k) {
-            const std::int32_t* other = from(k);
-            for (int i = 0; i < block; ++i) best[i] = pick(best[i], other[i]);
-        }
-        std::memcpy(to, best, sizeof best);
-    }
-};
-
-struct hierarchical_blocks {
-    struct placed {
-        receiver_block r;
-        alignas(64) std::int32_t offsets[block], in_space[block];
-    };
-    const box_bounds& tree;
-    block_filter<filters::box, depth32f> brute_force;
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        const int radius = brute_force.radius();
-        const texel_bytes memory(tree.bounds.view());
-        const int before = tree.cells - 1, level = tree.level;
-        const glm::ivec2 last = tree.last;
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t in_space = texel_space_mask(receivers.x(i), receivers.y(i));
-            const std::int32_t x = floor_int(masked(receivers.x(i), in_space)) - radius;
-            const std::int32_t y = floor_int(masked(receivers.y(i), in_space)) - radius;
-            at.r.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
-            at.offsets[i] = memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
-            at.in_space[i] = in_space;
-        }
-        prefetch(memory, at.offsets, 1);
-    }
-
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
-        const texel_bytes memory(tree.bounds.view());
-        const receiver_block& r = at.r;
-        alignas(64) std::int32_t open[block];
-        alignas(64) glm::vec2 bounds[block];
-        std::int32_t any = 0;
-        gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }});
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t lit = is_lit(r.z(i), bounds[i].x), dark = std::int32_t(r.z(i) > bounds[i].y);
-            visibility[i] = select(-lit | ~at.in_space[i], 1.0f, 0.0f);
-            open[i] = at.in_space[i] & ~-(lit | dark);
-            any |= open[i];
-        }
-        if (!any) return;
-
-        receiver_block rest;  // those that need the box
-        alignas(64) float shares[block];
-        int indices[block], found = 0;
-        for (int i = 0; i < count; ++i) {
-            indices[found] = i;
-            rest.set(found, r.x(i), r.y(i), r.z(i));
-            found -= open[i];
-        }
-        // Copies behind them: if all 64 boxes are in the map, none needs care.
-        for (int i = found; i < block; ++i) rest.set(i, rest.xs[0], rest.ys[0], rest.zs[0]);
-        block_filter<filters::box, depth32f>::placed boxes;
-        brute_force.place(rest, boxes);
-        brute_force(boxes, found, shares, set);
-        for (int i = 0; i < found; ++i) visibility[indices[i]] = shares[i];
-    }
-};
-
-}  // namespace umbrage::detail
-
 // ---- umbrage/images/visibility.hpp
 // A whole image of receivers against a shadow map, with any filter and any encoding.
 //
-//     umbrage::visibility(map.view(), umbrage::rg<11>{}, receivers.view(), umbrage::filters::pcf_2x2{}, out.view());
+//     umbrage::visibility(map, umbrage::rg<11>{}, receivers, umbrage::filters::pcf_2x2{}, out);
 //
 // Straight from what a camera saw, with no image of receivers in between:
 //
-//     umbrage::depth_receivers seen{depth.view(), umbrage::receiver_matrix(inverse, to_texels, size, clip), bias};
-//     umbrage::visibility(map.view(), umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out.view());
+//     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(inverse, to_texels, size, clip), bias};
+//     umbrage::visibility(map, umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out);
 //
 // Bit for bit what the filter gives for each receiver alone.
 
 namespace umbrage {
-
-/// Receivers as three images of the same size: x and y in texels of the map, depth, biased.
-struct receiver_planes {
-    image_view<const float> x, y, depth;
-};
-
-/// Receivers as a camera's depth image.
-struct depth_receivers {
-    image_view<const float> depth;  ///< as the depth pass leaves it, in [0, 1]
-    glm::mat4 matrix;               ///< receiver_matrix
-    float bias = 0.0f;              ///< in the map's depth, taken off each receiver's
-};
-
-/// The way from a camera's depth image to the shadow map.
-///
-/// @param clip_to_world    inverse of the camera's projection * view
-/// @param texture_matrix   world to texels of the map
-/// @param size             of the depth image in texels, each >= 1
-/// @param clip             the camera's convention
-/// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
-///                         the camera; the product is taken in double
-/// @throws std::invalid_argument  size below 1, or a matrix that is not finite
-[[nodiscard]] inline glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
-                                               glm::ivec2 size, clip_space clip) {
-    detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
-    const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
-    glm::dmat4 to_clip(1.0);
-    to_clip[0][0] = 2.0 / size.x;
-    to_clip[1][1] = up * 2.0 / size.y;
-    to_clip[3] = {-1.0, -up, 0.0, 1.0};
-    if (clip.range == depth_range::minus_one_to_one) {
-        to_clip[2][2] = 2.0;
-        to_clip[3][2] = -1.0;
-    }
-    const glm::mat4 m(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
-    detail::require(detail::all_finite(m), "receiver_matrix", "clip_to_world and texture_matrix",
-                    "give a matrix that is not finite");
-    return m;
-}
-
-/// One receiver of a camera's depth image.
-/// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), bias taken off its depth
-/// @exactness     C, as project_coordinate
-[[nodiscard]] inline glm::vec3 receiver_at(const depth_receivers& seen, glm::ivec2 texel) {
-    const glm::vec3 at(static_cast<float>(texel.x) + 0.5f, static_cast<float>(texel.y) + 0.5f, seen.depth[texel]);
-    const glm::vec3 p = project_coordinate(shadow_coordinate(seen.matrix, at));
-    return {p.x, p.y, p.z - seen.bias};
-}
-
 namespace detail {
 
-/// A walk over the blocks of some rows.
-struct block_walk {
-    int x, y, width;
-
-    [[nodiscard]] UMBRAGE_INLINE int count() const { return width - x < block ? width - x : block; }
-    UMBRAGE_INLINE void step() {
-        x += block;
-        if (x < width) return;
-        x = 0;
-        ++y;
-    }
-};
-
-/// Hands a block of receivers on: whole ones where they are, others as a copy.
-template <class Receivers, class Use>
-UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, const Use& use) {
-    if (count == block) return use(receivers);
-    receiver_block copy;
-    for (int i = 0; i < count; ++i) copy.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
-    use(copy);
-}
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa, const Use& use) {
-    const receiver_texels receivers{from.row(at.y) + at.x};
-    if (Isa::value != isa::base || at.count() != block) return use_block(receivers, at.count(), use);
-    receiver_block copy;  // GCC takes vec3s apart for SSE only in a loop that does nothing else
-    copy.copy(receivers);
-    use(copy);
-}
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, Isa, const Use& use) {
-    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(), use);
-}
-
-/// receiver_at for a block.
-inline void load(const depth_receivers& seen, const block_walk& at, receiver_block& r) {
-    copy_floats(r.zs, seen.depth.row(at.y) + at.x, at.count());
-    on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
-        const glm::mat4 m = seen.matrix;
-        const float bias = seen.bias;
-        const float y = static_cast<float>(at.y) + 0.5f;
-        for (int i = 0; i < block; ++i) {
-            const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
-            const auto sum = [&](int k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
-            const float w = sum(3);
-            const auto bits = detail::bit_cast<std::int32_t>(w);
-            const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
-            r.xs[i] = select(in_front, sum(0) / w, 65536.0f);
-            r.ys[i] = select(in_front, sum(1) / w, 65536.0f);
-            r.zs[i] = masked(sum(2) / w, in_front) - bias;
-        }
-    });
-}
-template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const depth_receivers& seen, const block_walk& at, Isa, const Use& use) {
-    receiver_block r;
-    load(seen, at, r);
-    use(r);
-}
-
-/// Starts to fetch the receivers some blocks ahead. A machine that guesses them stops at the end of a page, which is soon.
-template <class T>
-UMBRAGE_INLINE inline void prefetch(const image_view<const T>& from, const block_walk& at) {
-    constexpr int bytes = block * static_cast<int>(sizeof(T)), blocks = 4;
-    prefetch_bytes(from.row(at.y) + at.x, blocks * bytes, bytes);
-}
-UMBRAGE_INLINE inline void prefetch(const receiver_planes& from, const block_walk& at) {
-    for (const auto* plane : {&from.x, &from.y, &from.depth}) prefetch(*plane, at);
-}
-UMBRAGE_INLINE inline void prefetch(const depth_receivers& from, const block_walk& at) { prefetch(from.depth, at); }
-
-[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
-[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
-[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
-    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
-        detail::fail("umbrage::visibility: sizes differ");
-    return receivers.depth.size;
-}
-
-/// Every receiver through a filter in either form.
-template <class Receivers, class Filter, class ParallelFor>
-void filter_rows(const Receivers& receivers, const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+/// Every receiver through a filter's blocks.
+template <class Receivers, class Blocks, class ParallelFor>
+void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<float> out, ParallelFor&& parallel) {
     parallel(out.size.y, [&](int first, int last) {
         const bool large = past_cache(out);
         on_best_isa([&](auto set) UMBRAGE_INLINE {
             constexpr unsigned ring = 4;  // blocks on their way
-            typename Filter::placed placed[ring];
+            typename Blocks::placed placed[ring];
             alignas(64) float visibility[block];
             block_walk ahead{0, first, out.size.x}, at = ahead;
             for (unsigned n = 0; at.y < last; ++n) {
                 if (ahead.y < last) {
                     prefetch(receivers, ahead);
                     use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE {
-                        filter.place(of_block, placed[n % ring]);
+                        blocks.place(of_block, placed[n % ring]);
                     });
                     ahead.step();
                 }
                 if (n + 1 < ring) continue;
-                filter(placed[(n + 1) % ring], at.count(), visibility, set);
+                blocks(placed[(n + 1) % ring], at.count(), visibility, set);
                 float* const to = out.row(at.y) + at.x;
                 if (large && at.count() == block) stream_block(to, visibility);
                 else copy_floats(to, visibility, at.count());
@@ -5915,34 +6575,85 @@ void filter_rows(const Receivers& receivers, const Filter& filter, image_view<fl
     });
 }
 
+/// Any filter, one receiver after the other.
+template <class Filter, class Fetch>
+struct one_by_one {
+    using placed = receiver_block;
+    const Filter& filter;
+    const Fetch& fetch;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.copy(receivers);
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
+        for (int i = 0; i < count; ++i) visibility[i] = static_cast<float>(filter(fetch, glm::vec2(at.x(i), at.y(i)), at.z(i)));
+    }
+};
+
+/// A map's texels, decoded, as one type for all encodings: what is seldom used need not be compiled for each.
+struct erased_fetch {
+    const void* fetch;
+    float (*call)(const void*, glm::ivec2);
+    float operator()(glm::ivec2 texel) const { return call(fetch, texel); }
+};
+
+/// How blocks read maps of an encoding that has a fast form for single texels; others are decoded first.
+[[nodiscard]] inline float_texels texels_of(image_view<const float> map, const depth32f&) { return {map}; }
+template <int Bits>
+[[nodiscard]] rg_texels texels_of(image_view<const glm::u8vec2> map, const rg<Bits>& encoding) {
+    return {map, Bits, encoding.edge};
+}
+template <class Encoding>
+concept has_texels_form = requires(image_view<const typename Encoding::texel> map, const Encoding& e) { texels_of(map, e); };
+
+/// Calls use(map) with the map as a form wants it. The map is decoded where that is less work than the receivers.
+/// @return   false where it is not, or where the form cannot take such a map
+template <class Form, class Encoding, class ParallelFor, class Use>
+bool with_map(image_view<const typename Encoding::texel> map, const Encoding& encoding, glm::ivec2 receivers,
+              ParallelFor&& parallel, const Use& use) {
+    using texel = typename Encoding::texel;
+    constexpr bool floats = std::is_same_v<Encoding, depth32f>;
+    if (map.size.x < Form::least || map.size.y < Form::least) return false;
+    if constexpr (floats || (Form::need == map_need::texels && has_texels_form<Encoding>)) {
+        if (!texel_bytes<const texel>::fits(map)) return false;
+        use(texels_of(map, encoding));
+    } else {
+        const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
+        if (area(map.size) >= 16.0 * area(receivers)) return false;
+        image<float> depths(map.size);
+        if (!texel_bytes<const float>::fits(depths.view())) return false;
+        decode(map, depths, encoding, parallel);
+        use(float_texels{depths});
+    }
+    return true;
+}
+
 template <class Encoding, class Receivers, class Filter, class ParallelFor>
 void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
                   const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
-    if (size_of(receivers) != out.size) detail::fail("umbrage::visibility: sizes differ");
-    if (map.empty()) detail::fail("umbrage::visibility: empty map");
+    static_assert(is_encoding<Encoding>() && is_filter<Filter>());
+    if (size_of(receivers) != out.size) fail("umbrage::visibility: sizes differ");
+    if (map.empty()) fail("umbrage::visibility: empty map");
     if (out.empty()) return;
-    constexpr bool hierarchical = std::is_same_v<Filter, filters::hierarchical_box>;
-    if constexpr ((hierarchical || std::is_same_v<Filter, filters::box>) && !std::is_same_v<Encoding, depth32f>) {
-        // As floats, unless that is more work than the boxes.
-        const auto texels = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
-        if (texels(map.size) < 16.0 * texels(out.size)) {
-            image<float> depth(map.size);
-            decode(map, depth.view(), encoding, parallel);
-            return filter_image(image_view<const float>(depth), depth32f{}, receivers, filter, out, parallel);
-        }
+    const auto rows = [&](const auto& blocks) { filter_rows(receivers, blocks, out, parallel); };
+    const auto fetch = decoded(map, encoding);
+    if constexpr (has_block_form<Filter>) {
+        using form = block_form<Filter>;
+        const bool done = with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
+            if (filter.is_lit.direction == depth_direction::forward)
+                form::template with_blocks<depth_direction::forward>(texels, filter, parallel, rows);
+            else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
+        });
+        if (done) return;
+        const erased_fetch erased{&fetch, [](const void* f, glm::ivec2 texel) {
+                                      return (*static_cast<const decltype(fetch)*>(f))(texel);
+                                  }};
+        rows(one_by_one<Filter, erased_fetch>{filter, erased});
+    } else {
+        rows(one_by_one<Filter, std::remove_cvref_t<decltype(fetch)>>{filter, fetch});
     }
-    if constexpr (hierarchical && std::is_same_v<Encoding, depth32f>)
-        if (texel_bytes<const float>::fits(map)) {
-            const filters::box box{filter.radius};
-            const box_bounds tree(map, clamp_int(box.radius, max_box_radius), parallel);
-            return filter_rows(receivers, hierarchical_blocks{tree, {map, encoding, box}}, out, parallel);
-        }
-    using blocks = block_filter<Filter, Encoding>;
-    if constexpr (blocks::least > 0)
-        if (map.size.x >= blocks::least && map.size.y >= blocks::least &&
-            texel_bytes<const typename Encoding::texel>::fits(map))
-            return filter_rows(receivers, blocks{map, encoding, filter}, out, parallel);
-    filter_rows(receivers, one_by_one<Filter, Encoding>{map, encoding, filter}, out, parallel);
 }
 
 }  // namespace detail
@@ -5950,28 +6661,31 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 /// @param map         shadow map, texels of the encoding; outside, the nearest texel inside counts
 /// @param encoding    how the map's texels hold depth; its edge decides ties
 /// @param receivers   (x, y) in texels of the map, z depth, biased
-/// @param filter      one of filters::, or any callable (fetch, coord, receiver) -> visibility
+/// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable
+///                    (fetch, coord, receiver) -> visibility
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
 /// @throws std::invalid_argument  sizes differ, or the map is empty
 template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(image_view<const typename Encoding::texel> map, Encoding encoding,
-                image_view<const glm::vec3> receivers, Filter filter, image_view<float> out,
+void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
+                image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
                 ParallelFor&& parallel = {}) {
     detail::filter_image(map, encoding, receivers, filter, out, parallel);
 }
 
 /// Receivers as a structure of arrays.
 template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(image_view<const typename Encoding::texel> map, Encoding encoding, const receiver_planes& receivers,
-                Filter filter, image_view<float> out, ParallelFor&& parallel = {}) {
+void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
+                const receiver_planes& receivers, const Filter& filter, image_view<float> out,
+                ParallelFor&& parallel = {}) {
     detail::filter_image(map, encoding, receivers, filter, out, parallel);
 }
 
 /// Receivers from a camera's depth image: visibility of receiver_at for each of its texels.
 template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(image_view<const typename Encoding::texel> map, Encoding encoding, const depth_receivers& receivers,
-                Filter filter, image_view<float> out, ParallelFor&& parallel = {}) {
+void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
+                const depth_receivers& receivers, const Filter& filter, image_view<float> out,
+                ParallelFor&& parallel = {}) {
     detail::filter_image(map, encoding, receivers, filter, out, parallel);
 }
 
@@ -6004,7 +6718,8 @@ template <class... Lists>
 constexpr collection collect(const Lists&... lists) {
     collection all;
     const auto add = [&](const auto& some) {
-        for (const snippet* s : some) all.add(s);
+        for (const snippet* s : some)
+            if (s) all.add(s);
     };
     (add(lists), ...);
     return all;
@@ -6015,17 +6730,9 @@ inline constexpr collection everything = collect(
     texture_matrix_snippets,
     // depth
     kinds_snippets, scalar_snippets, unorm_snippets,
-    list<&encode_rg<9>, &encode_rg<10>, &encode_rg<11>, &encode_rg<12>, &encode_rg<13>, &encode_rg<14>, &encode_rg<15>,
-         &encode_rg<16>>,
-    rg_table_snippets,
-    list<&decode_rg<9>, &decode_rg<10>, &decode_rg<11>, &decode_rg<12>, &decode_rg<13>, &decode_rg<14>, &decode_rg<15>,
-         &decode_rg<16>>,
-    rg_level_snippets, ps14_snippets, list<&encode_rgb24, &decode_rgb24>, list<&encode_float_bits, &decode_float_bits>,
-    list<&write_threejs_rgba, &decode_threejs_rgba, &write_threejs_rgb, &decode_threejs_rgb, &write_threejs_rg,
-         &decode_threejs_rg, &write_threejs_legacy, &encode_threejs_legacy_repaired, &decode_threejs_legacy>,
-    list<&write_base255, &encode_base255_repaired, &decode_base255>,
+    encoding_snippets, rg_table_snippets, rg_level_snippets, ps14_snippets,
     // maps and filters
-    image_snippets, texel_space_snippets, compare_snippets, list<&hard, &four_tap, &pcf_2x2, &pcf_2x2_dx_sdk, &box>,
+    image_snippets, texel_space_snippets, compare_snippets, filter_snippets,
     // shade, view
     lighting_snippets, false_colour_snippets);
 

@@ -12,12 +12,10 @@
 #include <cstdint>
 #include <cstdlib>
 #include <tuple>
+#include <type_traits>
 
-#include <umbrage/depth/foreign/base255.hpp>
-#include <umbrage/depth/rg.hpp>
+#include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/rg_table.hpp>
-#include <umbrage/depth/rgb24.hpp>
-#include <umbrage/depth/foreign/threejs.hpp>
 #include <umbrage/unorm.hpp>
 
 namespace proof {
@@ -57,56 +55,60 @@ template <int L>
     return stored(umbrage::to_unorm(glm::vec<L, float>(channels)), store);
 }
 
-// Encodings of our own.
+/// Of the list of encodings, those that `Kind` holds for.
+template <template <class> class Kind, class... Encodings>
+auto select_encodings(const std::tuple<Encodings...>&)
+    -> decltype(std::tuple_cat(std::conditional_t<Kind<Encodings>::value, std::tuple<Encodings>, std::tuple<>>()...));
+template <template <class> class Kind>
+using encodings_that = decltype(select_encodings<Kind>(umbrage::encodings));
+
+// Encodings that answer for an edge of a code's interval: our own, of so many bits.
+
+template <class Encoding>
+using is_own = std::bool_constant<umbrage::has_edge<Encoding>>;
+using own = encodings_that<is_own>;
+
+/// The texel of a code, by the layout that the header states.
+template <int Bits>
+glm::u8vec2 of_code(const umbrage::rg<Bits>&, std::uint32_t x) {
+    return glm::u8vec2(x & 0xFF, (x >> 8) * (1u << (16 - Bits)));
+}
+inline glm::u8vec3 of_code(const umbrage::rgb24&, std::uint32_t x) { return glm::u8vec3(x / 65536, x / 256 % 256, x % 256); }
+
+/// Of bytes, or as sampled.
+template <int Bits, class From, class T>
+T decode(const umbrage::rg<Bits>&, From from, T edge) {
+    return umbrage::decode_rg<Bits>(from, edge);
+}
+template <class From, class T>
+T decode(const umbrage::rgb24&, From from, T edge) {
+    return umbrage::decode_rgb24(from, edge);
+}
 
 template <int Bits>
-struct rg : umbrage::rg<Bits> {
-    using texel = glm::u8vec2;
-    static constexpr const glsl::snippet& encoder = glsl::encode_rg<Bits>;
-    static constexpr const glsl::snippet& decoder = glsl::decode_rg<Bits>;
-    static texel of_code(std::uint32_t x) { return texel(x & 0xFF, (x >> 8) * (1u << (16 - Bits))); }
-    static texel encode(float depth) { return umbrage::encode_rg<Bits>(depth); }
-    template <class From, class T>
-    static T decode(From from, T edge) {
-        return umbrage::decode_rg<Bits>(from, edge);
-    }
-    static bool table_agrees(float depth) {
-        static const auto table = umbrage::make_rg_table<Bits>();
-        return umbrage::encode_rg_table<Bits>([](int x) { return table[std::size_t(x)]; }, depth) == encode(depth);
-    }
-};
-
-struct rgb24 : umbrage::rgb24 {
-    using texel = glm::u8vec3;
-    static constexpr const glsl::snippet& encoder = glsl::encode_rgb24;
-    static constexpr const glsl::snippet& decoder = glsl::decode_rgb24;
-    static texel of_code(std::uint32_t x) { return texel(x / 65536, x / 256 % 256, x % 256); }
-    static texel encode(float depth) { return umbrage::encode_rgb24(depth); }
-    template <class From, class T>
-    static T decode(From from, T edge) {
-        return umbrage::decode_rgb24(from, edge);
-    }
-    static bool table_agrees(float) { return true; }
-};
-
-using own = std::tuple<rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24>;
+bool table_agrees(const umbrage::rg<Bits>& encoding, float depth) {
+    static const auto table = umbrage::make_rg_table<Bits>();
+    return umbrage::encode_rg_table<Bits>([](int x) { return table[std::size_t(x)]; }, depth) == encoding.encode(depth);
+}
+inline bool table_agrees(const umbrage::rgb24&, float) { return true; }
 
 /// How many of the inputs n = first .. last - 1 break a promise: the code; the same texel through the table; each edge on
 /// its side and within the stated error; 1 decodes to 1; order, also against the input before the first.
 template <class Encoding>
 [[nodiscard]] std::uint64_t own_failures(float (*input)(std::uint64_t), std::uint64_t first, std::uint64_t last) {
-    constexpr double step = Encoding::max_error;
-    const auto upper_edge = [](float depth) { return Encoding::decode(Encoding::encode(depth), 1.0f); };
+    const Encoding encoding;
+    const double step = encoding.error().above;
+    const auto upper_edge = [&](float depth) { return decode(encoding, encoding.encode(depth), 1.0f); };
     float previous = first > 0 && !umbrage::is_nan(input(first - 1)) ? upper_edge(input(first - 1)) : 0.0f;
     std::uint64_t failures = 0;
     for (std::uint64_t n = first; n < last; ++n) {
         const float given = input(n);
         const bool nan = umbrage::is_nan(given);
         const double depth = nan || given >= 1.0f ? 1.0 : given > 0.0f ? double(given) : 0.0;
-        const auto texel = Encoding::encode(given);
-        const float upper = Encoding::decode(texel, 1.0f), lower = Encoding::decode(texel, 0.0f);
-        const double centre = Encoding::decode(texel, 0.5);
-        const bool good = texel == Encoding::of_code(code_of(given, Encoding::bits)) && Encoding::table_agrees(given) &&
+        const auto texel = encoding.encode(given);
+        const float upper = decode(encoding, texel, 1.0f), lower = decode(encoding, texel, 0.0f);
+        const double centre = decode(encoding, texel, 0.5);
+        const bool good = texel == of_code(encoding, code_of(given, Encoding::bits)) && table_agrees(encoding, given) &&
                           lower <= depth && depth <= upper && depth - lower <= step && upper - depth <= step &&
                           std::abs(centre - depth) <= step / 2 && (depth < 1.0 || upper == 1.0f) &&
                           (nan || previous <= upper);
@@ -120,84 +122,62 @@ template <class Encoding>
 /// code again; what an 8-bit target keeps, rounding or truncating, and reads off by ulp decode as the bytes do.
 template <class Encoding>
 [[nodiscard]] std::uint64_t code_failures(std::uint64_t first, std::uint64_t last) {
+    const Encoding encoding;
     std::uint64_t failures = 0;
     for (std::uint64_t n = first; n < last; ++n) {
         const auto x = static_cast<std::uint32_t>(n);
-        const auto texel = Encoding::of_code(x);
-        const float lower = Encoding::decode(texel, 0.0f), upper = Encoding::decode(texel, 1.0f);
+        const auto texel = of_code(encoding, x);
+        const float lower = decode(encoding, texel, 0.0f), upper = decode(encoding, texel, 1.0f);
         bool good = lower == float(x) / float(Encoding::codes) && upper == float(x + 1) / float(Encoding::codes) &&
-                    Encoding::encode(lower) == texel &&
-                    Encoding::encode(std::bit_cast<float>(std::bit_cast<std::uint32_t>(upper) - 1)) == texel;
+                    encoding.encode(lower) == texel &&
+                    encoding.encode(std::bit_cast<float>(std::bit_cast<std::uint32_t>(upper) - 1)) == texel;
         for (auto store : stores) {
             const auto sampled = stored(texel, store);
-            good = good && Encoding::decode(sampled, 0.0f) == lower && Encoding::decode(sampled, 1.0f) == upper;
+            good = good && decode(encoding, sampled, 0.0f) == lower && decode(encoding, sampled, 1.0f) == upper;
         }
         for (int ulp : {-4096, -1, 1, 4096}) {
             auto sampled = umbrage::load_unorm8(texel);
             for (int i = 0; i < sampled.length(); ++i)
                 if (sampled[i] > 0.0f || ulp > 0)
                     sampled[i] = std::bit_cast<float>(static_cast<std::uint32_t>(std::bit_cast<std::int32_t>(sampled[i]) + ulp));
-            good = good && Encoding::decode(sampled, 1.0f) == upper;
+            good = good && decode(encoding, sampled, 1.0f) == upper;
         }
         failures += !good;
     }
     return failures;
 }
 
-// Formats of others, with what is known of them.
+// Formats of others, and writers for their readers.
 
-/// Of depths in (0, 1): worst error over all floats, pairs of neighbours out of order; where the store rounds, truncates.
-struct facts {
-    std::array<double, 2> error;
-    std::array<std::uint64_t, 2> disorder_of_floats, disorder_of_lattice;
-    float one;  ///< what 1 decodes to
-};
+template <class Encoding>
+using is_foreign = std::bool_constant<!umbrage::has_edge<Encoding> && (Encoding{}.error().above > 0)>;
+using foreign = encodings_that<is_foreign>;
 
-struct threejs_rgba {
-    static constexpr const glsl::snippet& encoder = glsl::write_threejs_rgba;
-    static constexpr facts known{{0x1p-32, 0x1p-32 * 256 / 255}, {0, 0}, {0, 0}, 1.0f};
-    static auto write(float depth) { return umbrage::write_threejs_rgba(depth); }
-    static float read(glm::vec4 c) { return umbrage::decode_threejs_rgba(c); }
+/// What a format does wrong: pairs of neighbours among all floats, and in the lattice, that decode out of order, where the
+/// store rounds and where it truncates; what 1 decodes to.
+struct faults {
+    std::array<std::uint64_t, 2> disorder_of_floats{0, 0}, disorder_of_lattice{0, 0};
+    float one = 1.0f;
 };
-struct threejs_rgb {
-    static constexpr const glsl::snippet& encoder = glsl::write_threejs_rgb;
-    static constexpr facts known{{0x1p-24, 0x1p-24 * 256 / 255}, {0, 0}, {0, 0}, 1.0f};
-    static auto write(float depth) { return umbrage::write_threejs_rgb(depth); }
-    static float read(glm::vec3 c) { return umbrage::decode_threejs_rgb(c); }
-};
-struct threejs_rg {
-    static constexpr const glsl::snippet& encoder = glsl::write_threejs_rg;
-    static constexpr facts known{{0x1.02p-17, 0x1p-16 * 256 / 255}, {0, 0}, {0, 0}, 1.0f};
-    static auto write(float depth) { return umbrage::write_threejs_rg(depth); }
-    static float read(glm::vec2 c) { return umbrage::decode_threejs_rg(c); }
-};
-struct threejs_legacy {
-    static constexpr const glsl::snippet& encoder = glsl::write_threejs_legacy;
-    static constexpr facts known{{0x1p-32, 0x1p-32}, {0, 0}, {0, 0}, 255.0f / 256.0f};
-    static auto write(float depth) { return umbrage::write_threejs_legacy(depth); }
-    static float read(glm::vec4 c) { return umbrage::decode_threejs_legacy(c); }
-};
-struct threejs_legacy_repaired {
-    static constexpr const glsl::snippet& encoder = glsl::encode_threejs_legacy_repaired;
-    static constexpr facts known{{0x1p-24, 0x1p-24}, {0, 0}, {0, 0}, 1.0f};
-    static auto write(float depth) { return umbrage::encode_threejs_legacy_repaired(depth); }
-    static float read(glm::vec4 c) { return umbrage::decode_threejs_legacy(c); }
-};
-struct base255 {
-    static constexpr const glsl::snippet& encoder = glsl::write_base255;
-    static constexpr facts known{{0x1p-23, 0x1.021p-8}, {574, 2136572}, {0, 442398}, 0.0f};
-    static auto write(float depth) { return umbrage::write_base255(depth); }
-    static float read(glm::vec4 c) { return umbrage::decode_base255(c); }
-};
-struct base255_repaired {
-    static constexpr const glsl::snippet& encoder = glsl::encode_base255_repaired;
-    static constexpr facts known{{0x1p-23, 0x1p-23}, {2, 2}, {0, 0}, 1.0f};
-    static auto write(float depth) { return umbrage::encode_base255_repaired(depth); }
-    static float read(glm::vec4 c) { return umbrage::decode_base255(c); }
-};
+template <class Format>
+inline constexpr faults faults_of{};
+template <>
+inline constexpr faults faults_of<umbrage::threejs_legacy>{.one = 255.0f / 256.0f};
+template <>
+inline constexpr faults faults_of<umbrage::base255>{{574, 2136572}, {0, 442398}, 0.0f};
+template <>
+inline constexpr faults faults_of<umbrage::base255_repaired>{{2, 2}, {0, 0}, 1.0f};
 
-using foreign =
-    std::tuple<threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255, base255_repaired>;
+/// What the writer's snippet returns, in a texture.
+template <class Format>
+[[nodiscard]] auto texel_written(const Format& format, float depth, unorm_store store) {
+    if constexpr (Format::writes == umbrage::written::values) {
+        return umbrage::store_unorm8(format.write(depth), store);
+    } else {
+        const auto bytes = format.encode(depth);
+        return umbrage::store_unorm8(umbrage::to_unorm(glm::vec<bytes.length(), float>(bytes)), store);
+    }
+}
 
 /// What was seen of the inputs n = first .. last - 1.
 struct seen {
@@ -208,13 +188,14 @@ struct seen {
 
 template <class Format>
 [[nodiscard]] seen look_at(unorm_store store, float (*input)(std::uint64_t), std::uint64_t first, std::uint64_t last) {
-    const double stated = Format::known.error[store == unorm_store::truncates];
+    const Format format;
+    const double stated = format.error(store).above;
     // most floats are written as 0 or as 1: those two are read back once
-    const auto zero = Format::write(0.0f), one = Format::write(1.0f);
-    const float zero_read = Format::read(stored(zero, store)), one_read = Format::read(stored(one, store));
+    const auto zero = texel_written(format, 0.0f, store), one = texel_written(format, 1.0f, store);
+    const float zero_read = format.decode(zero), one_read = format.decode(one);
     const auto read_back = [&](float depth) {
-        const auto written = Format::write(depth);
-        return written == zero ? zero_read : written == one ? one_read : Format::read(stored(written, store));
+        const auto texel = texel_written(format, depth, store);
+        return texel == zero ? zero_read : texel == one ? one_read : format.decode(texel);
     };
     float previous = first > 0 && !umbrage::is_nan(input(first - 1)) ? read_back(input(first - 1)) : 0.0f;
     seen s;
@@ -226,7 +207,7 @@ template <class Format>
             s.error = std::max(s.error, error);
             s.failures += !(error <= stated);
         } else {
-            s.failures += decoded != (depth <= 0.0f ? 0.0f : Format::known.one);  // NaN counts as 1
+            s.failures += decoded != (depth <= 0.0f ? 0.0f : faults_of<Format>.one);  // NaN counts as 1
         }
         s.disorder += !umbrage::is_nan(depth) && decoded < previous;
         previous = umbrage::is_nan(depth) ? 0.0f : decoded;

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include <umbrage/depth/encoding.hpp>
 #include <umbrage/scalar.hpp>
 
 namespace umbrage {
@@ -22,15 +23,15 @@ inline constexpr T centre = T(0.5);
 template <real T>
 inline constexpr T upper_edge = T(1);
 
-/// @param depth   clamped to [0, 1]; NaN counts as 1
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
 /// @return        0 .. 2^Bits - 1
 /// @formula       min(floor(depth 2^Bits), 2^Bits - 1)
 /// @exactness     A: scaling by a power of two, floor, min
 template <int Bits, real T>
-[[nodiscard]] constexpr std::uint32_t to_code(T depth) {
+[[nodiscard]] constexpr std::uint32_t to_code(T depth, T far = T(1)) {
     static_assert(Bits >= 1 && Bits <= 24, "a binary32 significand has 24 bits");
     constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
-    const auto x = static_cast<std::uint32_t>(saturate(depth) * T(codes));
+    const auto x = static_cast<std::uint32_t>(saturate(depth, far) * T(codes));
     return x < codes ? x : codes - 1;
 }
 
@@ -41,6 +42,12 @@ template <int Bits, real T>
 template <int Bits, real T>
 [[nodiscard]] constexpr T from_code(T code, T edge) {
     return (code + edge) * (T(1) / T(std::uint32_t(1) << Bits));
+}
+
+/// How far from_code's answer may lie below and above a depth that to_code was given.
+[[nodiscard]] constexpr decoding_error edge_error(int bits, float edge) {
+    const double step = 1.0 / static_cast<double>(std::uint32_t(1) << bits);
+    return {.below = (1.0 - static_cast<double>(edge)) * step, .above = static_cast<double>(edge) * step};
 }
 
 }  // namespace umbrage

@@ -13,6 +13,7 @@
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/depth/encoding.hpp>
 #include <umbrage/scalar.hpp>
 #include <umbrage/unorm.hpp>
 
@@ -23,8 +24,7 @@ namespace umbrage {
 /// @param v       any value; infinities, NaN and its payload survive
 /// @return        integer channels 0..255, R least significant
 /// @exactness     A: no arithmetic. Hardware that flushes denormals may deliver them as zero before we see them.
-template <class = void>  // templates alone may be constexpr where GLM_FORCE_INTRINSICS makes vectors no constants
-[[nodiscard]] constexpr glm::u8vec4 encode_float_bits(float v) {
+[[nodiscard]] inline glm::u8vec4 encode_float_bits(float v) {
     const auto bits = detail::bit_cast<std::uint32_t>(v);
     return {static_cast<std::uint8_t>(bits & 0xFF), static_cast<std::uint8_t>(bits >> 8 & 0xFF),
             static_cast<std::uint8_t>(bits >> 16 & 0xFF), static_cast<std::uint8_t>(bits >> 24)};
@@ -44,26 +44,6 @@ template <class = void>  // templates alone may be constexpr where GLM_FORCE_INT
     for (glm::length_t i = 0; i < 4; ++i) texel[i] = static_cast<std::uint8_t>(from_unorm(saturate(c[i])));
     return decode_float_bits(texel);
 }
-
-/// The encoding as a value, for functions over images.
-struct float_bits {
-    using texel = glm::u8vec4;
-    static constexpr int bits = 32;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-    static constexpr double max_error = 0.0;
-
-    [[nodiscard]] texel encode(float depth) const { return encode_float_bits(depth); }
-    [[nodiscard]] constexpr float decode(texel t) const { return decode_float_bits(t); }
-};
-
-/// A map of plain floats, with the face of an encoding.
-struct depth32f {
-    using texel = float;
-    static constexpr double max_error = 0.0;
-
-    [[nodiscard]] constexpr texel encode(float depth) const { return saturate(depth); }
-    [[nodiscard]] constexpr float decode(texel t) const { return t; }
-};
 
 namespace glsl {
 
@@ -91,4 +71,23 @@ UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
 )GLSL"};
 
 }  // namespace glsl
+
+/// The encoding as a value.
+struct float_bits {
+    using texel = glm::u8vec4;
+    static constexpr std::string_view name = "float_bits";
+    static constexpr std::string_view summary = "The bit pattern of the float itself, R least significant.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_float_bits;
+    static constexpr const glsl::snippet* reader = &glsl::decode_float_bits;
+    static constexpr written writes = written::bytes;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] texel encode(float depth) const { return encode_float_bits(depth); }
+    [[nodiscard]] constexpr float decode(texel t) const { return decode_float_bits(t); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {}; }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
 }  // namespace umbrage

@@ -17,6 +17,7 @@
 #include <glm/vec2.hpp>
 
 #include <umbrage/depth/code.hpp>
+#include <umbrage/depth/encoding.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/unorm.hpp>
 
@@ -24,15 +25,15 @@ namespace umbrage {
 
 /// Depth to channels.
 ///
-/// @param depth   clamped to [0, 1]; NaN counts as 1
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
 /// @return        integer channels 0..255; to_unorm makes them what a shader writes
 /// @formula       x = min(floor(depth 2^Bits), 2^Bits - 1);  R = x mod 256, G = floor(x / 256) 2^(16 - Bits)
 /// @exactness     A
 /// @cite          ATI Radeon SDK, ShadowMap sample, 2002: R = x & 0xFF, G = (x & 0xFF00) >> 3
 template <int Bits, real T>
-[[nodiscard]] constexpr glm::u8vec2 encode_rg(T depth) {
+[[nodiscard]] constexpr glm::u8vec2 encode_rg(T depth, T far = T(1)) {
     static_assert(Bits >= 9 && Bits <= 16);
-    const std::uint32_t x = to_code<Bits>(depth);
+    const std::uint32_t x = to_code<Bits>(depth, far);
     return {static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>((x >> 8) << (16 - Bits))};
 }
 
@@ -57,20 +58,6 @@ template <int Bits, real T>
     return from_code<Bits>(T(texel.x + (texel.y << (Bits - 8))), edge);
 }
 
-/// The encoding as a value, for functions over images.
-template <int Bits>
-struct rg {
-    using texel = glm::u8vec2;
-    static constexpr int bits = Bits;
-    static constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
-    static constexpr double max_error = 1.0 / codes;  ///< at an edge; half of it at the centre
-
-    float edge = upper_edge<float>;
-
-    [[nodiscard]] constexpr texel encode(float depth) const { return encode_rg<Bits>(depth); }
-    [[nodiscard]] constexpr float decode(texel t) const { return decode_rg<Bits>(t, edge); }
-};
-
 namespace glsl {
 
 template <int Bits>
@@ -78,7 +65,7 @@ inline constexpr auto encode_rg_name = detail::fill<16>("encode_rg$b", {{'b', Bi
 template <int Bits>
 inline constexpr auto encode_rg_text = detail::fill<1024>(R"GLSL(
 // umbrage_encode_rg$b: depth to the two channels of a $b-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as 1
+//   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
@@ -113,4 +100,27 @@ inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
                                    .source = decode_rg_text<Bits>.view()};
 
 }  // namespace glsl
+
+/// The encoding as a value.
+template <int Bits>
+struct rg {
+    using texel = glm::u8vec2;
+    static constexpr auto name_text = glsl::detail::fill<8>("rg$b", {{'b', Bits}});
+    static constexpr std::string_view name = name_text.view();
+    static constexpr std::string_view summary = "Two channels: R the low byte, G the rest in its high bits.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_rg<Bits>;
+    static constexpr const glsl::snippet* reader = &glsl::decode_rg<Bits>;
+    static constexpr written writes = written::bytes;
+    static constexpr int bits = Bits;
+    static constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
+
+    depth_direction direction = depth_direction::forward;
+    float edge = detail::safe_edge(direction);  ///< that decoding answers
+
+    [[nodiscard]] constexpr texel encode(float depth) const { return encode_rg<Bits>(depth, cleared_depth(direction)); }
+    [[nodiscard]] constexpr float decode(texel t) const { return decode_rg<Bits>(t, edge); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(Bits, edge); }
+    [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
 }  // namespace umbrage

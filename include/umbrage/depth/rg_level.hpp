@@ -13,6 +13,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/compare.hpp>
 #include <umbrage/depth/rg.hpp>
 
 namespace umbrage {
@@ -27,15 +28,17 @@ template <int Bits, real T>
     return c.x + c.y * T(1 << (Bits - 8));
 }
 
-/// @param depth   of the receiver, biased; not clamped; NaN is in shadow, for no comparison with it holds
+/// @param depth   of the receiver, biased; beyond the far plane: -1, which every texel lights; NaN is in shadow, for no
+///                comparison with it holds
 /// @param edge    the one decode_rg would be given
 /// @return        receiver_rg(depth, edge) <= level_rg(c) exactly when depth <= decode_rg(c, edge), for texels c within
-///                2^-18 of k / 255. For this comparison only, not for reversed Z.
-/// @formula       (ceil(depth 2^Bits - edge) - 1/2) / 255
+///                2^-18 of k / 255. For less_equal_scaled only, not for reversed Z.
+/// @formula       depth > 1 ? -1 : (ceil(depth 2^Bits - edge) - 1/2) / 255
 /// @exactness     B: products and sums round once each; the test that it is made for is exact
 template <int Bits, real T>
 [[nodiscard]] T receiver_rg(T depth, T edge) {
     static_assert(Bits >= 9 && Bits <= 16);
+    if (less_equal::beyond_far(depth)) return T(-1);
     return (std::ceil(depth * T(1 << Bits) - edge) - T(0.5)) * T(1.0 / 255.0);
 }
 
@@ -45,7 +48,11 @@ template <int Bits>
 inline constexpr auto level_rg_name = detail::fill<16>("level_rg$b", {{'b', Bits}});
 template <int Bits>
 inline constexpr auto level_rg_text = detail::fill<512>(R"GLSL(
-// umbrage_level_rg$b: two channels of a $b-bit code, as sampled, to the scale of umbrage_receiver_rg$b
+// umbrage_level_rg$b: two channels of a $b-bit code, as sampled, to the scale of umbrage_receiver_rg$b, on which 1.0 is
+//   not the far plane
+#ifndef UMBRAGE_BEYOND_FAR
+#define UMBRAGE_BEYOND_FAR(receiver) false
+#endif
 UMBRAGE_HIGHP float umbrage_level_rg$b(UMBRAGE_HIGHP vec2 c) {
     return c.x + c.y * $g.0;  // an exact product: fused or not, it rounds once
 }
@@ -62,10 +69,10 @@ inline constexpr auto receiver_rg_name = detail::fill<16>("receiver_rg$b", {{'b'
 template <int Bits>
 inline constexpr auto receiver_rg_text = detail::fill<768>(R"GLSL(
 // umbrage_receiver_rg$b: receiver on the scale of umbrage_level_rg$b: it is <= a texel's level exactly when
-//   depth <= umbrage_decode_rg$b(texel, edge)
+//   depth <= umbrage_decode_rg$b(texel, edge), or beyond the far plane
 UMBRAGE_HIGHP float umbrage_receiver_rg$b(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * $n.0 - edge) - 0.5) * 0.00392156886;
-    return level;
+    return depth > 1.0 ? -1.0 : level;
 }
 )GLSL",
                                                            {{'b', Bits}, {'n', 1 << Bits}});

@@ -40,11 +40,11 @@ inline const glm::ivec2 rg_table_size{rg_table_width<Bits>, (1 << Bits) / rg_tab
 /// Depth to channels by one nearest fetch from the table: the texel encode_rg<Bits> computes.
 ///
 /// @param fetch   int 0 .. 2^Bits - 1 -> texel of the table
-/// @param depth   clamped to [0, 1]; NaN counts as 1
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
 /// @exactness     A
 template <int Bits, real T, class Fetch>
-[[nodiscard]] constexpr glm::u8vec2 encode_rg_table(Fetch&& fetch, T depth) {
-    const auto texel = fetch(static_cast<int>(to_code<Bits>(depth)));
+[[nodiscard]] constexpr glm::u8vec2 encode_rg_table(Fetch&& fetch, T depth, T far = T(1)) {
+    const auto texel = fetch(static_cast<int>(to_code<Bits>(depth, far)));
     return {texel[0], texel[1]};
 }
 
@@ -55,7 +55,7 @@ inline constexpr auto encode_rg_table_name = detail::fill<24>("encode_rg$b_table
 template <int Bits>
 inline constexpr auto encode_rg_table_text = detail::fill<1024>(R"GLSL(
 // umbrage_encode_rg$b_table: depth to the two channels of a $b-bit code through a look-up table, whole numbers 0..255
-//   table   $w x $h texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as 1
+//   table   $w x $h texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
     UMBRAGE_HIGHP float row = floor(x * (1.0 / $w.0));

@@ -17,13 +17,13 @@ namespace umbrage {
 
 /// Depth to channels.
 ///
-/// @param depth   clamped to [0, 1]; NaN counts as 1
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
 /// @return        integer channels 0..255, R most significant
 /// @formula       the bytes of min(floor(depth 2^24), 2^24 - 1)
 /// @exactness     A
 template <real T>
-[[nodiscard]] constexpr glm::u8vec3 encode_rgb24(T depth) {
-    const std::uint32_t x = to_code<24>(depth);
+[[nodiscard]] constexpr glm::u8vec3 encode_rgb24(T depth, T far = T(1)) {
+    const std::uint32_t x = to_code<24>(depth, far);
     return {static_cast<std::uint8_t>(x >> 16), static_cast<std::uint8_t>(x >> 8 & 0xFF),
             static_cast<std::uint8_t>(x & 0xFF)};
 }
@@ -46,26 +46,13 @@ template <real T>
     return from_code<24>(T((texel.x << 16) + (texel.y << 8) + texel.z), edge);
 }
 
-/// The encoding as a value, for functions over images.
-struct rgb24 {
-    using texel = glm::u8vec3;
-    static constexpr int bits = 24;
-    static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
-    static constexpr double max_error = 1.0 / codes;
-
-    float edge = upper_edge<float>;
-
-    [[nodiscard]] constexpr texel encode(float depth) const { return encode_rgb24(depth); }
-    [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb24(t, edge); }
-};
-
 namespace glsl {
 
 inline constexpr snippet encode_rgb24{
     .name = "encode_rgb24", .summary = "depth to three channels, R most significant", .exactness = tier::a,
     .needs = list<&saturate>, .source = R"GLSL(
 // umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as 1
+//   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
 UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
@@ -87,4 +74,25 @@ UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP flo
 )GLSL"};
 
 }  // namespace glsl
+
+/// The encoding as a value.
+struct rgb24 {
+    using texel = glm::u8vec3;
+    static constexpr std::string_view name = "rgb24";
+    static constexpr std::string_view summary = "Three channels, R most significant.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_rgb24;
+    static constexpr const glsl::snippet* reader = &glsl::decode_rgb24;
+    static constexpr written writes = written::bytes;
+    static constexpr int bits = 24;
+    static constexpr std::uint32_t codes = std::uint32_t(1) << 24;
+
+    depth_direction direction = depth_direction::forward;
+    float edge = detail::safe_edge(direction);  ///< that decoding answers; the centre rounds from code 2^23 on
+
+    [[nodiscard]] constexpr texel encode(float depth) const { return encode_rgb24(depth, cleared_depth(direction)); }
+    [[nodiscard]] constexpr float decode(texel t) const { return decode_rgb24(t, edge); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return edge_error(bits, edge); }
+    [[nodiscard]] constexpr texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
 }  // namespace umbrage

@@ -1,79 +1,55 @@
 // SPDX-License-Identifier: MIT
 //
-// The filters as values, for functions over images.
+// Every filter of the library, in one list: what tools, tables, proofs and examples walk. Each comes with its form for
+// blocks of receivers.
 //
-//     umbrage::visibility(map.view(), umbrage::rg<11>{}, receivers.view(), umbrage::filters::box{.radius = 2}, out.view());
+//     umbrage::visibility(map, umbrage::rg<11>{}, receivers, umbrage::filters::box{.radius = 2}, out);
 //
 #pragma once
 
 #include <array>
+#include <tuple>
 
-#include <glm/vec2.hpp>
+#include <umbrage/filter/filter.hpp>
+#include <umbrage/simd/blocks/box.hpp>
+#include <umbrage/simd/blocks/four_tap.hpp>
+#include <umbrage/simd/blocks/hard.hpp>
+#include <umbrage/simd/blocks/hierarchical_box.hpp>
+#include <umbrage/simd/blocks/pcf_2x2.hpp>
 
-#include <umbrage/filter/pcf/box.hpp>
-#include <umbrage/filter/pcf/four_tap.hpp>
-#include <umbrage/filter/pcf/hard.hpp>
-#include <umbrage/filter/pcf/pcf_2x2.hpp>
-#include <umbrage/light/texture_matrix.hpp>
+namespace umbrage::filters {
+
+/// One value of each. (GLM's vectors are no constants where they are registers.)
+inline const std::tuple<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box> all{};
+
+}  // namespace umbrage::filters
 
 namespace umbrage {
 
-/// The filters as values: what they need beyond map, coordinate and receiver.
-namespace filters {
+/// Calls use(filter) for one after the other.
+template <class Use>
+void for_each_filter(Use&& use) {
+    std::apply([&](const auto&... filter) { (use(filter), ...); }, filters::all);
+}
 
-struct hard {
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::hard(fetch, coord, receiver);
-    }
-};
+/// Calls use(filter) with the one of that name.
+/// @return   false where none is called so
+template <class Use>
+bool with_filter(std::string_view name, Use&& use) {
+    bool found = false;
+    for_each_filter([&](const auto& filter) {
+        if (found || filter.name != name) return;
+        found = true;
+        use(filter);
+    });
+    return found;
+}
 
-struct four_tap {
-    std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< in texels
+namespace glsl {
 
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::four_tap(fetch, coord + offsets[0], coord + offsets[1], coord + offsets[2], coord + offsets[3],
-                                 receiver);
-    }
-};
+inline constexpr auto filter_snippets = []<class... Filters>(const std::tuple<Filters...>*) {
+    return std::array<const snippet*, sizeof...(Filters)>{Filters::snippet...};
+}(static_cast<decltype(&filters::all)>(nullptr));
 
-struct pcf_2x2 {
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::pcf_2x2(fetch, coord, receiver);
-    }
-};
-
-struct pcf_2x2_dx_sdk {
-    float epsilon = 0.0f;  ///< in depth
-
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::pcf_2x2_dx_sdk(fetch, coord, receiver, epsilon);
-    }
-};
-
-struct box {
-    int radius = 1;  ///< clamped to 0..8
-
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::box(fetch, coord, receiver, radius);
-    }
-};
-
-/// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
-/// Pays off for large radii, and where shadows have more inside than border.
-struct hierarchical_box {
-    int radius = 1;  ///< clamped to 0..8
-
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::box(fetch, coord, receiver, radius);
-    }
-};
-
-}  // namespace filters
-
+}  // namespace glsl
 }  // namespace umbrage

@@ -24,6 +24,18 @@ template <real T>
     return inside(coord.x) && inside(coord.y);
 }
 
+/// Whether a filter compares a receiver at all. Two kinds are lit without: coordinates outside texel space, and depths
+/// beyond the far plane.
+/// @param is_lit   the comparison; one without beyond_far has no far plane
+/// @exactness      A
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr bool is_compared(glm::vec<2, T> coord, T receiver, const Compare& is_lit = {}) {
+    if constexpr (requires { is_lit.beyond_far(receiver); })
+        return inside_texel_space(coord) && !is_lit.beyond_far(receiver);
+    else
+        return inside_texel_space(coord);
+}
+
 /// Stored depth of a texel: the fetch callable of every filter, by name.
 /// @param fetch   ivec2 texel -> depth, e.g. clamped(map), or decoded(map, rg<11>{}) for packed maps
 template <class Fetch>
@@ -55,6 +67,23 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 }
 )GLSL"};
 
+inline constexpr snippet is_compared{
+    .name = "is_compared", .summary = "receivers that a filter compares; it takes the others as lit",
+    .exactness = tier::a, .needs = list<&inside_texel_space>, .source = R"GLSL(
+// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
+#ifndef UMBRAGE_BEYOND_FAR
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
+#else
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
+#endif
+#endif
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    return umbrage_inside_texel_space(coord) && !UMBRAGE_BEYOND_FAR(receiver);
+}
+)GLSL"};
+
 /// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps, arrays, borders.
 inline constexpr snippet fetch_depth{
     .name = "fetch_depth", .summary = "stored depth of a texel, as a macro to redefine", .exactness = tier::a,
@@ -69,7 +98,7 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 }
 )GLSL"};
 
-inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_space>;
+inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_space, &is_compared>;
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -11,19 +11,13 @@
 #include <cstddef>
 
 #include <umbrage/compare.hpp>
-#include <umbrage/depth/float_bits.hpp>
-#include <umbrage/depth/foreign/base255.hpp>
+#include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
-#include <umbrage/depth/foreign/threejs.hpp>
 #include <umbrage/depth/kinds.hpp>
-#include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rg_level.hpp>
 #include <umbrage/depth/rg_table.hpp>
-#include <umbrage/depth/rgb24.hpp>
-#include <umbrage/filter/pcf/box.hpp>
-#include <umbrage/filter/pcf/four_tap.hpp>
-#include <umbrage/filter/pcf/hard.hpp>
-#include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/filter/filters.hpp>
+#include <umbrage/filter/texel_space.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shade/lighting.hpp>
@@ -51,7 +45,8 @@ template <class... Lists>
 constexpr collection collect(const Lists&... lists) {
     collection all;
     const auto add = [&](const auto& some) {
-        for (const snippet* s : some) all.add(s);
+        for (const snippet* s : some)
+            if (s) all.add(s);
     };
     (add(lists), ...);
     return all;
@@ -62,17 +57,9 @@ inline constexpr collection everything = collect(
     texture_matrix_snippets,
     // depth
     kinds_snippets, scalar_snippets, unorm_snippets,
-    list<&encode_rg<9>, &encode_rg<10>, &encode_rg<11>, &encode_rg<12>, &encode_rg<13>, &encode_rg<14>, &encode_rg<15>,
-         &encode_rg<16>>,
-    rg_table_snippets,
-    list<&decode_rg<9>, &decode_rg<10>, &decode_rg<11>, &decode_rg<12>, &decode_rg<13>, &decode_rg<14>, &decode_rg<15>,
-         &decode_rg<16>>,
-    rg_level_snippets, ps14_snippets, list<&encode_rgb24, &decode_rgb24>, list<&encode_float_bits, &decode_float_bits>,
-    list<&write_threejs_rgba, &decode_threejs_rgba, &write_threejs_rgb, &decode_threejs_rgb, &write_threejs_rg,
-         &decode_threejs_rg, &write_threejs_legacy, &encode_threejs_legacy_repaired, &decode_threejs_legacy>,
-    list<&write_base255, &encode_base255_repaired, &decode_base255>,
+    encoding_snippets, rg_table_snippets, rg_level_snippets, ps14_snippets,
     // maps and filters
-    image_snippets, texel_space_snippets, compare_snippets, list<&hard, &four_tap, &pcf_2x2, &pcf_2x2_dx_sdk, &box>,
+    image_snippets, texel_space_snippets, compare_snippets, filter_snippets,
     // shade, view
     lighting_snippets, false_colour_snippets);
 

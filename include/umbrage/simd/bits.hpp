@@ -26,6 +26,16 @@ namespace umbrage::detail {
              std::int32_t((detail::bit_cast<std::int32_t>(y) & 0x7FFFFFFF) < limit));
 }
 
+/// beyond_far of a comparison as a mask.
+template <bool Forward>
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t beyond_far_mask(float depth) {
+    constexpr std::int32_t one = 0x3F800000, infinity = 0x7F800000;
+    const auto bits = detail::bit_cast<std::int32_t>(depth);
+    if constexpr (Forward) return -(std::int32_t(bits > one) & std::int32_t(bits <= infinity));
+    const std::int32_t magnitude = bits & 0x7FFFFFFF;
+    return -(std::int32_t(bits < 0) & std::int32_t(magnitude > 0) & std::int32_t(magnitude <= infinity));
+}
+
 [[nodiscard]] UMBRAGE_INLINE inline float masked(float v, std::int32_t mask) {
     return detail::bit_cast<float>(detail::bit_cast<std::int32_t>(v) & mask);
 }

@@ -71,10 +71,10 @@ inline void shuffle(const plain_lanes<T, Count>& a, const plain_lanes<T, Count>&
     result = {{(From < Count ? a[From % Count] : b[From % Count])...}};
 }
 
-/// is_lit as a mask for each lane; the receiver is not NaN.
-template <int Count>
+/// is_lit, or is_lit the other way round, as a mask for each lane; the receiver is not NaN.
+template <int Count, bool Forward>
 inline void lit_lanes(float receiver, const plain_lanes<float, Count>& stored, plain_lanes<std::int32_t, Count>& lit) {
-    for (int i = 0; i < Count; ++i) lit[i] = -is_lit(receiver, stored[i]);
+    for (int i = 0; i < Count; ++i) lit[i] = -(Forward ? is_lit(receiver, stored[i]) : is_lit(stored[i], receiver));
 }
 
 /// The sum of each of two registers of 4 or 8 numbers between 0 and 127.
@@ -98,10 +98,11 @@ UMBRAGE_INLINE inline void shuffle(const Lanes& a, const Lanes& b, Lanes& result
 #endif
 }
 
-template <int Count>
+template <int Count, bool Forward>
 UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count>& stored,
                                      lanes_of<std::int32_t, Count>& lit) {
-    lit = receiver <= stored;
+    if constexpr (Forward) lit = receiver <= stored;
+    else lit = receiver >= stored;
     if constexpr (finite_math_only) lit &= ((lanes_of<std::int32_t, Count>)stored & 0x7FFFFFFF) <= 0x7F800000;
 }
 

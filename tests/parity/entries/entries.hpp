@@ -9,7 +9,7 @@
 namespace parity {
 
 /// What a user defines for reversed Z.
-inline const std::string reversed = "#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)\n";
+inline const std::string reversed = "#define UMBRAGE_REVERSED\n";
 
 /// The coordinate that receivers() fills.
 [[nodiscard]] inline vec2 at(const sample& s) {

@@ -121,7 +121,7 @@ bool reads_bits(count n) {
 /// x / 2040 within a rounding, and the code can be had back.
 bool decodes_ps14(count n) {
     for (auto store : proof::stores) {
-        const float u = umbrage::decode_ps14(proof::stored(proof::rg<11>::of_code(static_cast<std::uint32_t>(n)), store));
+        const float u = umbrage::decode_ps14(proof::stored(proof::of_code(umbrage::rg<11>{}, static_cast<std::uint32_t>(n)), store));
         if (std::abs(double(u) - double(n) / 2040) > 6.4e-8 || std::floor(u * 2040.0f + 0.5f) != float(n)) return false;
     }
     return true;
@@ -130,10 +130,10 @@ bool decodes_ps14(count n) {
 template <class Encoding>
 void add_own(std::vector<line>& table) {
     for (const float_class& c : float_classes)
-        table.push_back({Encoding::encoder, c.name, c.first, c.last, [](count first, count last) {
+        table.push_back({*Encoding::writer, c.name, c.first, c.last, [](count first, count last) {
                              return seen{proof::own_failures<Encoding>(nth_float, first, last)};
                          }});
-    table.push_back({Encoding::decoder, "codes", 0, Encoding::codes,
+    table.push_back({*Encoding::reader, "codes", 0, Encoding::codes,
                      [](count first, count last) { return seen{proof::code_failures<Encoding>(first, last)}; }});
 }
 
@@ -143,13 +143,13 @@ void add_foreign(std::vector<line>& table) {
         for (const float_class& c : float_classes) {
             const bool truncates = store == proof::unorm_store::truncates;
             const std::string_view kind = c.name;
-            table.push_back({Format::encoder, std::string(kind) + (truncates ? ", store truncates" : ", store rounds"),
+            table.push_back({*Format::writer, std::string(kind) + (truncates ? ", store truncates" : ", store rounds"),
                              c.first, c.last,
                              [store](count first, count last) {
                                  return proof::look_at<Format>(store, nth_float, first, last);
                              },
-                             kind == "in (0, 1)" ? Format::known.disorder_of_floats[truncates]
-                                                 : kind == "1" && Format::known.one < 1.0f});
+                             kind == "in (0, 1)" ? proof::faults_of<Format>.disorder_of_floats[truncates]
+                                                 : kind == "1" && proof::faults_of<Format>.one < 1.0f});
         }
 }
 

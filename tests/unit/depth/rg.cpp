@@ -25,7 +25,7 @@ static_assert(encode_rg<16>(0.5f) == u8vec2(0, 128) && encode_rg<16>(1.0f) == u8
 static_assert(encode_rg<16>(258.0f / 65536.0f) == u8vec2(2, 1));
 static_assert(decode_rg<11>(u8vec2(0, 32), lower_edge<float>) == 0.125f);
 static_assert(decode_rg<11>(u8vec2(255, 224), upper_edge<float>) == 1.0f);
-static_assert(rg<11>::codes == 2048 && rg<16>::max_error == 1.0 / 65536);
+static_assert(rg<11>::codes == 2048 && rg<16>{}.error().above == 1.0 / 65536 && rg<16>{}.error().below == 0.0);
 static_assert(decode_rg<16>(u8vec2(2, 1), centre<float>) == 258.5f / 65536.0f);
 
 template <class Test>

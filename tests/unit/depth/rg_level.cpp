@@ -26,7 +26,7 @@ int wrong(float edge, int ulps) {
             for (int n = std::abs(ulps); n > 0; --n) c[i] = std::nextafter(c[i], ulps < 0 ? -1.0f : 2.0f);
         const float at = decode_rg<Bits>(texel, edge), step = 1.0f / float(rg<Bits>::codes);
         for (const float depth : {at, std::nextafter(at, 2.0f), std::nextafter(at, -1.0f), at + step, at - step, at + step / 2})
-            count += (receiver_rg<Bits>(depth, edge) <= level_rg<Bits>(c)) != (depth <= at);
+            count += (receiver_rg<Bits>(depth, edge) <= level_rg<Bits>(c)) != (depth <= at || depth > 1.0f);
     }
     return count;
 }
@@ -46,8 +46,8 @@ TEST_CASE("receiver_rg: depths that no map holds") {
     CHECK(receiver_rg<11>(-5.0f, 0.0f) <= 0.0f);
     CHECK(receiver_rg<11>(-infinity, 0.0f) <= 0.0f);
     CHECK(receiver_rg<11>(1.0f, 1.0f) <= top);   // a cleared map shadows nothing up to 1
-    CHECK_FALSE(receiver_rg<11>(std::nextafter(1.0f, 2.0f), 1.0f) <= top);
-    CHECK_FALSE(receiver_rg<11>(infinity, 1.0f) <= top);
+    CHECK(receiver_rg<11>(std::nextafter(1.0f, 2.0f), 1.0f) <= 0.0f);  // beyond the far plane nothing does
+    CHECK(receiver_rg<11>(infinity, 1.0f) <= 0.0f);
     CHECK_FALSE(receiver_rg<11>(std::nanf(""), 1.0f) <= top);
     CHECK(receiver_rg<11>(1e-30f, 1.0f) <= 0.0f);  // 2^11 depth - 1 rounds to -1: still the first code's
 }

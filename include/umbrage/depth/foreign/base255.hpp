@@ -15,19 +15,20 @@
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/depth/encoding.hpp>
 #include <umbrage/scalar.hpp>
 #include <umbrage/unorm.hpp>
 
 namespace umbrage {
 
-/// @param depth   clamped to [0, 1]; NaN counts as 1, which decodes to 0: the fault of the format
+/// @param depth   clamped to [0, 1], NaN counts as far: 1, or 0 where depth is reversed; 1 decodes to 0, the format's fault
 /// @return        UNORM values
 /// @formula       e_i = fract(255^i depth), each less 1/255 of the next
 /// @exactness     B
 /// @cite          Pranckevicius: Encoding floats to RGBA - the final?, 2009 (format)
 template <real T>
-[[nodiscard]] glm::vec<4, T> write_base255(T depth) {
-    const T v = saturate(depth);
+[[nodiscard]] glm::vec<4, T> write_base255(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
     const T x = v - std::floor(v);
     const T y = v * T(255) - std::floor(v * T(255));
     const T z = v * T(65025) - std::floor(v * T(65025));
@@ -48,8 +49,8 @@ template <real T>
 /// @return        integer channels 0..255 (to_unorm writes them); 1 gives (255, 0, 0, 0)
 /// @exactness     B
 template <real T>
-[[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth) {
-    T rest = saturate(depth) * T(255);
+[[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth, T far = T(1)) {
+    T rest = saturate(depth, far) * T(255);
     glm::u8vec4 digits(0);
     for (int i = 0; i < 4; ++i) {
         const T digit = std::floor(rest);
@@ -58,26 +59,6 @@ template <real T>
     }
     return digits;
 }
-
-/// The format as a value, for functions over images, faults and all; the store rounds.
-struct base255 {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-    static constexpr double max_error = 1.0;  ///< at 1.0; below it 2^-23, or 2^-7.98 where the store truncates
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_base255(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
-};
-
-/// The same, written without the faults.
-struct base255_repaired {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(255) * 255 * 255 * 255 + 1;
-    static constexpr double max_error = 0x1p-23;  ///< whether the store rounds or truncates
-
-    [[nodiscard]] texel encode(float depth) const { return encode_base255_repaired(depth); }
-    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
-};
 
 namespace glsl {
 
@@ -121,4 +102,46 @@ UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
 )GLSL"};
 
 }  // namespace glsl
+
+/// The format as a value, faults and all; the store rounds. An empty map is cleared to what decodes to 1.
+struct base255 {
+    using texel = glm::u8vec4;
+    static constexpr std::string_view name = "base255";
+    static constexpr std::string_view summary = "Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0.";
+    static constexpr const glsl::snippet* writer = &glsl::write_base255;
+    static constexpr const glsl::snippet* reader = &glsl::decode_base255;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_base255(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
+        const double either = store == unorm_store::rounds ? 0x1p-23 : 0x1.021p-8;
+        return {.below = either, .above = either};
+    }
+    [[nodiscard]] texel cleared() const { return direction == depth_direction::forward ? texel(255, 0, 0, 0) : texel(0); }
+};
+
+/// The same, written without the faults.
+struct base255_repaired {
+    using texel = glm::u8vec4;
+    static constexpr std::string_view name = "base255_repaired";
+    static constexpr std::string_view summary = "For readers of base 255, written without the fault.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_base255_repaired;
+    static constexpr const glsl::snippet* reader = &glsl::decode_base255;
+    static constexpr written writes = written::bytes;
+    static constexpr std::uint64_t codes = std::uint64_t(255) * 255 * 255 * 255 + 1;
+
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] texel encode(float depth) const { return encode_base255_repaired(depth, cleared_depth(direction)); }
+    [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {.below = 0x1p-23, .above = 0x1p-23}; }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
 }  // namespace umbrage

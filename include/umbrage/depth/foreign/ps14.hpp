@@ -9,6 +9,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/compare.hpp>
 #include <umbrage/scalar.hpp>
 
 namespace umbrage {
@@ -23,13 +24,13 @@ template <real T>
     return c.x * T(0.125) + c.y;
 }
 
-/// A depth on the scale of decode_ps14.
-/// @param depth   in [0, 1], not clamped
-/// @formula       depth * 256 / 255
+/// A depth on the scale of decode_ps14, for less_equal_scaled.
+/// @param depth   not clamped; beyond the far plane: -1, which every texel lights
+/// @formula       depth > 1 ? -1 : depth * 256 / 255
 /// @exactness     B: one product with the rounded quotient
 template <real T>
 [[nodiscard]] constexpr T receiver_ps14(T depth) {
-    return depth * T(256.0 / 255.0);
+    return less_equal::beyond_far(depth) ? T(-1) : depth * T(256.0 / 255.0);
 }
 
 namespace glsl {
@@ -37,7 +38,11 @@ namespace glsl {
 inline constexpr snippet decode_ps14{
     .name = "decode_ps14", .summary = "r / 8 + g as the Radeon 8500 computed it", .exactness = tier::b,
     .source = R"GLSL(
-// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14
+// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
+//   1.0 is not the far plane on this scale
+#ifndef UMBRAGE_BEYOND_FAR
+#define UMBRAGE_BEYOND_FAR(receiver) false
+#endif
 UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
     return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
 }
@@ -46,9 +51,9 @@ UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
 inline constexpr snippet receiver_ps14{
     .name = "receiver_ps14", .summary = "receiver on the scale of decode_ps14", .exactness = tier::b,
     .source = R"GLSL(
-// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14
+// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel lights
 UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
-    return depth * 1.00392163;
+    return depth > 1.0 ? -1.0 : depth * 1.00392163;
 }
 )GLSL"};
 

@@ -31,13 +31,13 @@
 namespace umbrage {
 
 /// Three whole bytes, R most significant, and the fraction that is left in A.
-/// @param depth   clamped to [0, 1]; NaN counts as 1; 1 gives all ones
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed; 1 gives all ones
 /// @return        UNORM values
 /// @exactness     B
 /// @cite          three.js r167 and later, packing chunk (format)
 template <real T>
-[[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth) {
-    const T v = saturate(depth);
+[[nodiscard]] glm::vec<4, T> write_threejs_rgba(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
     if (!(v < T(1))) return glm::vec<4, T>(1);
     const T x = v * T(16777216);
     const T whole = std::floor(x);
@@ -57,8 +57,8 @@ template <real T>
 
 /// Two whole bytes and the fraction that is left in B.  @exactness B  @cite three.js r167 and later (format)
 template <real T>
-[[nodiscard]] glm::vec<3, T> write_threejs_rgb(T depth) {
-    const T v = saturate(depth);
+[[nodiscard]] glm::vec<3, T> write_threejs_rgb(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
     if (!(v < T(1))) return glm::vec<3, T>(1);
     const T x = v * T(65536);
     const T whole = std::floor(x);
@@ -74,8 +74,8 @@ template <real T>
 
 /// One whole byte and the fraction that is left in G.  @exactness B  @cite three.js r167 and later (format)
 template <real T>
-[[nodiscard]] glm::vec<2, T> write_threejs_rg(T depth) {
-    const T v = saturate(depth);
+[[nodiscard]] glm::vec<2, T> write_threejs_rg(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
     if (!(v < T(1))) return glm::vec<2, T>(1);
     const T x = v * T(256);
     const T whole = std::floor(x);
@@ -93,8 +93,8 @@ template <real T>
 /// @exactness     B
 /// @cite          three.js r73 to r166, packing chunk (format)
 template <real T>
-[[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth) {
-    const T v = saturate(depth);
+[[nodiscard]] glm::vec<4, T> write_threejs_legacy(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
     const T x = v * T(16777216) - std::floor(v * T(16777216));
     const T y = v * T(65536) - std::floor(v * T(65536));
     const T z = v * T(256) - std::floor(v * T(256));
@@ -112,65 +112,13 @@ template <real T>
 /// @return        integer channels 0..255 (to_unorm writes them), A most significant
 /// @exactness     A
 template <real T>
-[[nodiscard]] constexpr glm::u8vec4 encode_threejs_legacy_repaired(T depth) {
-    const T v = saturate(depth);
+[[nodiscard]] constexpr glm::u8vec4 encode_threejs_legacy_repaired(T depth, T far = T(1)) {
+    const T v = saturate(depth, far);
     if (!(v < T(1))) return glm::u8vec4(255);
     const std::uint32_t x = to_code<24>(v);
     return {0, static_cast<std::uint8_t>(x & 0xFF), static_cast<std::uint8_t>(x >> 8 & 0xFF),
             static_cast<std::uint8_t>(x >> 16)};
 }
-
-// The formats as values, for functions over images; the store rounds.
-
-/// RGBA, r167 and later.
-struct threejs_rgba {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-    static constexpr double max_error = 0x1p-32;  ///< where the store truncates, 256/255 of it
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_rgba(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgba(load_unorm8(t)); }
-};
-
-/// RGB, r167 and later.
-struct threejs_rgb {
-    using texel = glm::u8vec3;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
-    static constexpr double max_error = 0x1p-24;  ///< where the store truncates, 256/255 of it
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_rgb(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgb(load_unorm8(t)); }
-};
-
-/// RG, r167 and later.
-struct threejs_rg {
-    using texel = glm::u8vec2;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 16;
-    static constexpr double max_error = 0x1.02p-17;  ///< 2^-16 * 256/255 where the store truncates
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_rg(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_rg(load_unorm8(t)); }
-};
-
-/// RGBA, r73 to r166, fault and all.
-struct threejs_legacy {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
-    static constexpr double max_error = 1.0 / 256.0;  ///< at 1.0; below it 2^-32
-
-    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write_threejs_legacy(depth)); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
-};
-
-/// RGBA for readers of r73 to r166, written without the fault.
-struct threejs_legacy_repaired {
-    using texel = glm::u8vec4;
-    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
-    static constexpr double max_error = 0x1p-24;  ///< whether the store rounds or truncates
-
-    [[nodiscard]] texel encode(float depth) const { return encode_threejs_legacy_repaired(depth); }
-    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
-};
 
 namespace glsl {
 
@@ -291,4 +239,114 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
 )GLSL"};
 
 }  // namespace glsl
+
+// The formats as values; the store rounds.
+
+/// RGBA, r167 and later.
+struct threejs_rgba {
+    using texel = glm::u8vec4;
+    static constexpr std::string_view name = "threejs_rgba";
+    static constexpr std::string_view summary = "RGBA of three.js since r167: three whole bytes and the rest.";
+    static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgba;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgba;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_threejs_rgba(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgba(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
+        const double either = store == unorm_store::rounds ? 0x1p-32 : 0x1p-32 * 256 / 255;
+        return {.below = either, .above = either};
+    }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+/// RGB, r167 and later.
+struct threejs_rgb {
+    using texel = glm::u8vec3;
+    static constexpr std::string_view name = "threejs_rgb";
+    static constexpr std::string_view summary = "RGB of three.js since r167: two whole bytes and the rest.";
+    static constexpr const glsl::snippet* writer = &glsl::write_threejs_rgb;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rgb;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_threejs_rgb(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rgb(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
+        const double either = store == unorm_store::rounds ? 0x1p-24 : 0x1p-24 * 256 / 255;
+        return {.below = either, .above = either};
+    }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+/// RG, r167 and later.
+struct threejs_rg {
+    using texel = glm::u8vec2;
+    static constexpr std::string_view name = "threejs_rg";
+    static constexpr std::string_view summary = "RG of three.js since r167: one whole byte and the rest.";
+    static constexpr const glsl::snippet* writer = &glsl::write_threejs_rg;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_rg;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 16;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_threejs_rg(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_rg(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store store = unorm_store::rounds) const {
+        const double either = store == unorm_store::rounds ? 0x1.02p-17 : 0x1p-16 * 256 / 255;
+        return {.below = either, .above = either};
+    }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
+/// RGBA, r73 to r166, fault and all: 1 decodes to 255/256. An empty map is cleared to what decodes to 1.
+struct threejs_legacy {
+    using texel = glm::u8vec4;
+    static constexpr std::string_view name = "threejs_legacy";
+    static constexpr std::string_view summary = "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
+    static constexpr const glsl::snippet* writer = &glsl::write_threejs_legacy;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
+    static constexpr written writes = written::values;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 32;
+
+    depth_direction direction = depth_direction::forward;
+
+    /// The writer's values.
+    [[nodiscard]] auto write(float depth) const { return write_threejs_legacy(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {.below = 0x1p-32, .above = 0x1p-32}; }
+    [[nodiscard]] texel cleared() const { return direction == depth_direction::forward ? texel(255) : texel(0); }
+};
+
+/// RGBA for readers of r73 to r166, written without the fault.
+struct threejs_legacy_repaired {
+    using texel = glm::u8vec4;
+    static constexpr std::string_view name = "threejs_legacy_repaired";
+    static constexpr std::string_view summary = "For readers of three.js r73 to r166, written without the fault.";
+    static constexpr const glsl::snippet* writer = &glsl::encode_threejs_legacy_repaired;
+    static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
+    static constexpr written writes = written::bytes;
+    static constexpr std::uint64_t codes = std::uint64_t(1) << 24;
+
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] texel encode(float depth) const { return encode_threejs_legacy_repaired(depth, cleared_depth(direction)); }
+    [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {.below = 0x1p-24, .above = 0x1p-24}; }
+    [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
+};
+
 }  // namespace umbrage

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/texel_space.hpp>
 
 namespace umbrage {
@@ -20,7 +21,7 @@ inline constexpr int max_box_radius = 8;
 ///
 /// @param fetch      ivec2 texel -> stored depth; called (2r+1)^2 times, texels may lie r outside the map
 /// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: all lit
-/// @param receiver   depth, biased; NaN is in shadow
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @param radius     r, clamped to 0..8
 /// @return           0 .. (2r+1)^2
 /// @formula          sum over |i|, |j| <= r of [receiver <= fetch(floor(coord) + (i, j))]
@@ -29,7 +30,7 @@ inline constexpr int max_box_radius = 8;
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T box_count(Fetch&& fetch, glm::vec<2, T> coord, T receiver, int radius, Compare is_lit = {}) {
     const int r = radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius);
-    if (!inside_texel_space(coord)) return T((2 * r + 1) * (2 * r + 1));
+    if (!is_compared(coord, receiver, is_lit)) return T((2 * r + 1) * (2 * r + 1));
     const glm::ivec2 texel(glm::floor(coord));
     int count = 0;
     for (int j = -r; j <= r; ++j)
@@ -66,7 +67,7 @@ namespace glsl {
 
 inline constexpr snippet box_count{
     .name = "box_count", .summary = "lit texels in a box of radius 0..8", .exactness = tier::a,
-    .needs = list<&compare, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
+    .needs = list<&compare, &is_compared, &fetch_depth>, .source = R"GLSL(
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
@@ -74,8 +75,8 @@ UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                       UMBRAGE_HIGHP float receiver, int radius) {
     int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
     int width = 2 * r + 1;
-    bool inside = umbrage_inside_texel_space(coord);
-    UMBRAGE_HIGHP vec2 first = inside ? floor(coord) - float(r) : vec2(0.0, 0.0);
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 first = compared ? floor(coord) - float(r) : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float count = 0.0;
     for (int j = 0; j < 17; j++) {
         if (j >= width) break;
@@ -84,7 +85,7 @@ UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
             count += UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, first + vec2(float(i), float(j))));
         }
     }
-    return inside ? count : float(width * width);
+    return compared ? count : float(width * width);
 }
 )GLSL"};
 
@@ -117,4 +118,41 @@ UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
 )GLSL"};
 
 }  // namespace glsl
+
+namespace filters {
+
+/// The filter as a value.
+struct box {
+    static constexpr std::string_view name = "box";
+    static constexpr const glsl::snippet* snippet = &glsl::box;
+
+    int radius = 1;  ///< clamped to 0..8
+    comparison is_lit{};
+
+    [[nodiscard]] constexpr float reach() const {
+        return static_cast<float>(radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius)) + 0.5f;
+    }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::box(fetch, coord, receiver, radius, is_lit);
+    }
+};
+
+/// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
+/// Pays off for large radii, and where shadows have more inside than border.
+struct hierarchical_box {
+    static constexpr std::string_view name = "hierarchical_box";
+    static constexpr const glsl::snippet* snippet = &glsl::box;
+
+    int radius = 1;  ///< clamped to 0..8
+    comparison is_lit{};
+
+    [[nodiscard]] constexpr float reach() const { return box{radius}.reach(); }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::box(fetch, coord, receiver, radius, is_lit);
+    }
+};
+
+}  // namespace filters
 }  // namespace umbrage

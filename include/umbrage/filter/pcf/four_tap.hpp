@@ -7,13 +7,16 @@
 //
 #pragma once
 
+#include <array>
+
 #include <umbrage/filter/pcf/hard.hpp>
+#include <umbrage/light/texture_matrix.hpp>
 
 namespace umbrage {
 
 /// @param fetch        ivec2 texel -> stored depth; called up to four times
 /// @param a, b, c, d   the taps in texels; a tap outside texel space, or NaN, is lit
-/// @param receiver     depth, biased; NaN is in shadow
+/// @param receiver     depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return             visibility: 0, 1/4, 1/2, 3/4 or 1
 /// @formula            mean of hard() at the four taps
 /// @exactness          A
@@ -42,4 +45,29 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 )GLSL"};
 
 }  // namespace glsl
+
+namespace filters {
+
+/// The filter as a value.
+struct four_tap {
+    static constexpr std::string_view name = "four_tap";
+    static constexpr const glsl::snippet* snippet = &glsl::four_tap;
+
+    std::array<glm::vec2, 4> offsets = default_taps<float>;  ///< in texels
+    comparison is_lit{};
+
+    [[nodiscard]] constexpr float reach() const {
+        float farthest = 0.0f;
+        for (glm::vec2 offset : offsets)
+            for (float along : {offset.x, -offset.x, offset.y, -offset.y}) farthest = along > farthest ? along : farthest;
+        return farthest + 0.5f;
+    }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::four_tap(fetch, coord + offsets[0], coord + offsets[1], coord + offsets[2], coord + offsets[3],
+                                 receiver, is_lit);
+    }
+};
+
+}  // namespace filters
 }  // namespace umbrage

@@ -8,6 +8,7 @@
 // DirectX SDK sample's form in plain floats.
 #pragma once
 
+#include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/texel_space.hpp>
 
 namespace umbrage {
@@ -16,14 +17,14 @@ namespace umbrage {
 ///
 /// @param fetch      ivec2 texel -> stored depth; called four times, texels may lie one outside the map
 /// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; NaN is in shadow
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return           visibility, a multiple of 2^-16: 0 in shadow, 1 lit
 /// @formula          sum of w_i [receiver <= fetch(texel_i)], w the bilinear weights in steps of 1/256
 /// @exactness        A: integers below 2^24 times a power of two
 /// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    if (!inside_texel_space(coord)) return T(1);
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);  // position between texel centres, in 1/256 texel
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
     const glm::vec<2, T> hi = x - texel * T(256);                  // weight of the farther texel, 0..255
@@ -40,7 +41,7 @@ template <real T, class Fetch, class Compare = less_equal>
 ///
 /// @param fetch      ivec2 texel -> stored depth; called four times
 /// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, not biased
+/// @param receiver   depth, not biased; beyond 1: lit
 /// @param epsilon    in depth, added to the stored side of each comparison
 /// @return           visibility, 0 in shadow, 1 lit
 /// @formula          lerp of compare_dx_sdk over x, then y, at coord - 1/2
@@ -48,7 +49,7 @@ template <real T, class Fetch, class Compare = less_equal>
 /// @cite             Microsoft DirectX SDK, ShadowMap sample
 template <real T, class Fetch>
 [[nodiscard]] T pcf_2x2_dx_sdk(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T epsilon) {
-    if (!inside_texel_space(coord)) return T(1);
+    if (!is_compared(coord, receiver)) return T(1);
     const glm::vec<2, T> x = coord - T(0.5);
     const glm::vec<2, T> texel = glm::floor(x);
     const glm::vec<2, T> weight = x - texel;
@@ -65,14 +66,14 @@ namespace glsl {
 
 inline constexpr snippet pcf_2x2{
     .name = "pcf_2x2", .summary = "bilinear 2x2, weights in steps of 1/256", .exactness = tier::a,
-    .needs = list<&compare, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
+    .needs = list<&compare, &is_compared, &fetch_depth>, .source = R"GLSL(
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                     UMBRAGE_HIGHP float receiver) {
-    bool inside = umbrage_inside_texel_space(coord);
-    UMBRAGE_HIGHP vec2 x = inside ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
     UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
@@ -81,20 +82,20 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
     UMBRAGE_HIGHP float c = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(0.0, 1.0)));
     UMBRAGE_HIGHP float d = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 1.0)));
     UMBRAGE_HIGHP float visibility = (lo.y * (lo.x * a + hi.x * b) + hi.y * (lo.x * c + hi.x * d)) * (1.0 / 65536.0);
-    return inside ? visibility : 1.0;
+    return compared ? visibility : 1.0;
 }
 )GLSL"};
 
 inline constexpr snippet pcf_2x2_dx_sdk{
     .name = "pcf_2x2_dx_sdk", .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats", .exactness = tier::b,
-    .needs = list<&compare_dx_sdk, &inside_texel_space, &fetch_depth>, .source = R"GLSL(
+    .needs = list<&compare_dx_sdk, &is_compared, &fetch_depth>, .source = R"GLSL(
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
 UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float epsilon) {
-    bool inside = umbrage_inside_texel_space(coord);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = inside ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;
     UMBRAGE_HIGHP float a = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel), epsilon);
@@ -104,9 +105,42 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 s
     UMBRAGE_PRECISE UMBRAGE_HIGHP float low = a + weight.x * (b - a);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float high = c + weight.x * (d - c);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float visibility = low + weight.y * (high - low);
-    return inside ? visibility : 1.0;
+    return compared ? visibility : 1.0;
 }
 )GLSL"};
 
 }  // namespace glsl
+
+namespace filters {
+
+/// The filter as a value.
+struct pcf_2x2 {
+    static constexpr std::string_view name = "pcf_2x2";
+    static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2;
+
+    comparison is_lit{};
+
+    [[nodiscard]] constexpr float reach() const { return 1.0f; }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::pcf_2x2(fetch, coord, receiver, is_lit);
+    }
+};
+
+/// The DirectX SDK's form as a value; its comparison is compare_dx_sdk.
+struct pcf_2x2_dx_sdk {
+    static constexpr std::string_view name = "pcf_2x2_dx_sdk";
+    static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2_dx_sdk;
+
+    float epsilon = 0.0f;  ///< in depth
+    less_equal is_lit{};   ///< depth runs forward; the epsilon comes on top
+
+    [[nodiscard]] constexpr float reach() const { return 1.0f; }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::pcf_2x2_dx_sdk(fetch, coord, receiver, epsilon);
+    }
+};
+
+}  // namespace filters
 }  // namespace umbrage

@@ -2,7 +2,7 @@
 //
 // The box filter over maps of floats: whole rows of the box are loaded at once, never one texel after the other.
 //
-//     std::int32_t lit = umbrage::detail::box_rows<8, 0>(map.stride, 5).count(row, 0, receiver);
+//     std::int32_t lit = umbrage::detail::box_rows<umbrage::depth_direction::forward, 8, 0>(map.stride, 5).count(row, 0, receiver);
 //
 #pragma once
 
@@ -14,6 +14,8 @@
 #include <glm/vec2.hpp>
 
 #include <umbrage/filter/pcf/box.hpp>
+#include <umbrage/simd/blocks/form.hpp>
+#include <umbrage/simd/blocks/receivers.hpp>
 #include <umbrage/simd/blocks/texels.hpp>
 #include <umbrage/simd/lanes.hpp>
 
@@ -21,7 +23,7 @@ namespace umbrage::detail {
 
 /// Lit texels of boxes that lie inside a map at least as wide as a register.
 /// @tparam Lanes   of a register;   Whole  registers that a row of the box fills;   Width  of the box, 0 if not known here
-template <int Lanes, int Whole, int Width = 0>
+template <depth_direction Direction, int Lanes, int Whole, int Width = 0>
 struct box_rows {
     using ints = lanes_of<std::int32_t, Lanes>;
     static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
@@ -61,11 +63,11 @@ private:
             ints lanes;
             for (int i = 0; i < Whole; ++i) {
                 load_lanes(texels + i * Lanes, stored);
-                lit_lanes<Lanes>(receiver, stored, lanes);
+                lit_lanes<Lanes, block_test<Direction>::forward>(receiver, stored, lanes);
                 lit -= lanes;
             }
             load_lanes(texels + Whole * Lanes - moved, stored);
-            lit_lanes<Lanes>(receiver, stored, lanes);
+            lit_lanes<Lanes, block_test<Direction>::forward>(receiver, stored, lanes);
             rest -= lanes;
             row += stride;
         };
@@ -101,33 +103,32 @@ struct map_tile {
     }
 };
 
-/// Only maps of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
-template <>
-struct block_filter<filters::box, depth32f> {
-    static constexpr int least = 1;
+/// A map of floats: others are decoded first, which costs less than decoding each texel for each of its boxes.
+template <depth_direction Direction>
+struct box_blocks {
+    using test = block_test<Direction>;
+    template <int Lanes, int Whole, int Width = 0>
+    using rows = box_rows<Direction, Lanes, Whole, Width>;
     struct placed {
         alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
-        alignas(64) std::int32_t inside[block], in_space[block];
+        alignas(64) std::int32_t inside[block], compared[block];
         alignas(64) float z[block];
         std::int32_t all_plain;  ///< all bits if all boxes and what is loaded beside them are inside, and no depth is NaN
     };
     image_view<const float> map;
-    const depth32f& encoding;
-    const filters::box& filter;
-
-    [[nodiscard]] UMBRAGE_INLINE int radius() const { return clamp_int(filter.radius, max_box_radius); }
+    int radius;  ///< 0 .. max_box_radius
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const texel_bytes memory(map);
-        const int before = radius(), width = 2 * before + 1, last_x = map.size.x - width, last_y = map.size.y - width;
+        const int before = radius, width = 2 * radius + 1, last_x = map.size.x - width, last_y = map.size.y - width;
         const int last_load = last_x - 7;  // where registers of eight lanes still end inside
         std::int32_t plain = -1;
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
-            at.in_space[i] = texel_space_mask(receivers.x(i), receivers.y(i));
-            const std::int32_t x = floor_int(masked(receivers.x(i), at.in_space[i])) - before;
-            const std::int32_t y = floor_int(masked(receivers.y(i), at.in_space[i])) - before;
+            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
+            const std::int32_t x = floor_int(masked(receivers.x(i), at.compared[i])) - before;
+            const std::int32_t y = floor_int(masked(receivers.y(i), at.compared[i])) - before;
             at.inside[i] = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
             at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
             at.x[i] = x;
@@ -135,7 +136,7 @@ struct block_filter<filters::box, depth32f> {
             at.z[i] = receivers.z(i);
             const std::int32_t magnitude = detail::bit_cast<std::int32_t>(receivers.z(i)) & 0x7FFFFFFF;
             const auto loads_inside = std::int32_t(x <= last_load), number = std::int32_t(magnitude <= 0x7F800000);
-            plain &= at.inside[i] & at.in_space[i] & -(loads_inside & number);
+            plain &= at.inside[i] & at.compared[i] & -(loads_inside & number);
         }
         at.all_plain = plain;
         prefetch(memory, at.offsets, last_y < 0 ? 1 : width);
@@ -143,26 +144,26 @@ struct block_filter<filters::box, depth32f> {
 
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
-        const int width = 2 * radius() + 1;
+        const int width = 2 * radius + 1;
         constexpr int lanes = Isa::value == isa::base ? 4 : 8;
         if constexpr (lanes == 8) {
-            if (width == 3) return count_with<box_rows<8, 0, 3>>(at, count, visibility);
-            if (width == 5) return count_with<box_rows<8, 0, 5>>(at, count, visibility);
-            if (width == 7) return count_with<box_rows<8, 0, 7>>(at, count, visibility);
+            if (width == 3) return count_with<rows<8, 0, 3>>(at, count, visibility);
+            if (width == 5) return count_with<rows<8, 0, 5>>(at, count, visibility);
+            if (width == 7) return count_with<rows<8, 0, 7>>(at, count, visibility);
         }
-        if (width / lanes == 0) return count_with<box_rows<lanes, 0>>(at, count, visibility);
-        if (width / lanes == 1) return count_with<box_rows<lanes, 1>>(at, count, visibility);
-        if (width / lanes == 2) return count_with<box_rows<lanes, 2>>(at, count, visibility);
+        if (width / lanes == 0) return count_with<rows<lanes, 0>>(at, count, visibility);
+        if (width / lanes == 1) return count_with<rows<lanes, 1>>(at, count, visibility);
+        if (width / lanes == 2) return count_with<rows<lanes, 2>>(at, count, visibility);
         if constexpr (lanes == 4) {
-            if (width / lanes == 3) return count_with<box_rows<4, 3>>(at, count, visibility);
-            count_with<box_rows<4, 4>>(at, count, visibility);
+            if (width / lanes == 3) return count_with<rows<4, 3>>(at, count, visibility);
+            count_with<rows<4, 4>>(at, count, visibility);
         }
     }
 
 private:
     template <class Boxes>
     UMBRAGE_INLINE void count_with(const placed& at, int count, float* visibility) const {
-        const int width = 2 * radius() + 1, last_load = map.size.x - Boxes::reach;
+        const int width = 2 * radius + 1, last_load = map.size.x - Boxes::reach;
         const Boxes boxes(map.stride, width);
         const texel_bytes memory(map);
         alignas(64) std::int32_t lit[block]{};
@@ -170,14 +171,14 @@ private:
             count_inside(boxes, at, count, lit);
         else
             for (int i = 0; i < count; ++i) {
-                if (is_nan(at.z[i]) || !at.in_space[i]) continue;
+                if (is_nan(at.z[i]) || !at.compared[i]) continue;
                 const int moved = at.x[i] > last_load ? at.x[i] - last_load : 0;
                 lit[i] = at.inside[i] && last_load >= 0 ? boxes.count(memory.data + at.offsets[i], moved, at.z[i])
                                                         : count_at_border<Boxes>({at.x[i], at.y[i]}, width, at.z[i]);
             }
-        const float scale = box_scale<float>(radius());
+        const float scale = box_scale<float>(radius);
         for (int i = 0; i < block; ++i)
-            visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~at.in_space[i], 1.0f,
+            visibility[i] = select(-std::int32_t(lit[i] == width * width) | ~at.compared[i], 1.0f,
                                    static_cast<float>(lit[i]) * scale);
     }
 
@@ -186,11 +187,11 @@ private:
     UMBRAGE_INLINE void count_inside(const Boxes& boxes, const placed& at, int count, std::int32_t* lit) const {
         const auto count_all = [&](const Boxes& of, const auto& row) UMBRAGE_INLINE {
             for (int i = 0; i < count; i += 2) {  // a block is even
-                const std::byte* const rows[]{row(i), row(i + 1)};
-                of.count_two(rows, at.z + i, lit + i);
+                const std::byte* const starts[]{row(i), row(i + 1)};
+                of.count_two(starts, at.z + i, lit + i);
             }
         };
-        if (map_tile::helps(map.stride, 2 * radius() + 1)) {
+        if (map_tile::helps(map.stride, 2 * radius + 1)) {
             glm::ivec2 first(at.x[0], at.y[0]), last = first;
             for (int i = 0; i < block; ++i) {
                 first.x = at.x[i] < first.x ? at.x[i] : first.x;
@@ -198,11 +199,11 @@ private:
                 last.x = at.x[i] > last.x ? at.x[i] : last.x;
                 last.y = at.y[i] > last.y ? at.y[i] : last.y;
             }
-            last += glm::ivec2(Boxes::reach - 1, 2 * radius());
+            last += glm::ivec2(Boxes::reach - 1, 2 * radius);
             if (last.x - first.x < map_tile::columns && last.y - first.y < map_tile::rows) {
                 map_tile tile;
                 tile.copy(map, first, last);
-                return count_all(Boxes(sizeof tile.texels[0], 2 * radius() + 1), [&](int i) UMBRAGE_INLINE {
+                return count_all(Boxes(sizeof tile.texels[0], 2 * radius + 1), [&](int i) UMBRAGE_INLINE {
                     return reinterpret_cast<const std::byte*>(&tile.texels[at.y[i] - first.y][at.x[i] - first.x]);
                 });
             }
@@ -221,6 +222,16 @@ private:
             for (int i = 0; i < width; ++i) texels[j][i] = row[clamp_int(first.x + i, map.size.x - 1)];
         }
         return Boxes(sizeof texels[0], width).count(reinterpret_cast<const std::byte*>(texels), 0, receiver);
+    }
+};
+
+template <>
+struct block_form<filters::box> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::box& filter, ParallelFor&&, const Use& use) {
+        use(box_blocks<Direction>{map.map, clamp_int(filter.radius, max_box_radius)});
     }
 };
 

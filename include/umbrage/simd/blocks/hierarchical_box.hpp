@@ -3,7 +3,7 @@
 // The box filter for receivers most of which are wholly lit or wholly in shadow: those ask one number for the whole box.
 // visibility() does it for filters::hierarchical_box; bit for bit what filters::box gives.
 //
-//     umbrage::visibility(map.view(), umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out.view());
+//     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out);
 //
 #pragma once
 
@@ -14,8 +14,8 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/blocks/box.hpp>
-#include <umbrage/images/min_max.hpp>
 
 namespace umbrage::detail {
 
@@ -121,28 +121,30 @@ private:
     }
 };
 
-struct hierarchical_blocks {
+template <depth_direction Direction>
+struct hierarchical_box_blocks {
+    using test = block_test<Direction>;
     struct placed {
         receiver_block r;
-        alignas(64) std::int32_t offsets[block], in_space[block];
+        alignas(64) std::int32_t offsets[block], compared[block];
     };
     const box_bounds& tree;
-    block_filter<filters::box, depth32f> brute_force;
+    box_blocks<Direction> every_texel;
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        const int radius = brute_force.radius();
+        const int radius = every_texel.radius;
         const texel_bytes memory(tree.bounds.view());
         const int before = tree.cells - 1, level = tree.level;
         const glm::ivec2 last = tree.last;
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
-            const std::int32_t in_space = texel_space_mask(receivers.x(i), receivers.y(i));
-            const std::int32_t x = floor_int(masked(receivers.x(i), in_space)) - radius;
-            const std::int32_t y = floor_int(masked(receivers.y(i), in_space)) - radius;
+            const std::int32_t compared = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
+            const std::int32_t x = floor_int(masked(receivers.x(i), compared)) - radius;
+            const std::int32_t y = floor_int(masked(receivers.y(i), compared)) - radius;
             at.r.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
             at.offsets[i] = memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
-            at.in_space[i] = in_space;
+            at.compared[i] = compared;
         }
         prefetch(memory, at.offsets, 1);
     }
@@ -156,9 +158,10 @@ struct hierarchical_blocks {
         std::int32_t any = 0;
         gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }});
         for (int i = 0; i < block; ++i) {
-            const std::int32_t lit = is_lit(r.z(i), bounds[i].x), dark = std::int32_t(r.z(i) > bounds[i].y);
-            visibility[i] = select(-lit | ~at.in_space[i], 1.0f, 0.0f);
-            open[i] = at.in_space[i] & ~-(lit | dark);
+            const std::int32_t lit = test::all_lit(r.z(i), bounds[i].x, bounds[i].y);
+            const std::int32_t dark = test::none_lit(r.z(i), bounds[i].x, bounds[i].y);
+            visibility[i] = select(-lit | ~at.compared[i], 1.0f, 0.0f);
+            open[i] = at.compared[i] & ~-(lit | dark);
             any |= open[i];
         }
         if (!any) return;
@@ -173,10 +176,24 @@ struct hierarchical_blocks {
         }
         // Copies behind them: if all 64 boxes are in the map, none needs care.
         for (int i = found; i < block; ++i) rest.set(i, rest.xs[0], rest.ys[0], rest.zs[0]);
-        block_filter<filters::box, depth32f>::placed boxes;
-        brute_force.place(rest, boxes);
-        brute_force(boxes, found, shares, set);
+        typename box_blocks<Direction>::placed boxes;
+        every_texel.place(rest, boxes);
+        every_texel(boxes, found, shares, set);
         for (int i = 0; i < found; ++i) visibility[indices[i]] = shares[i];
+    }
+};
+
+template <>
+struct block_form<filters::hierarchical_box> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::hierarchical_box& filter, ParallelFor&& parallel,
+                            const Use& use) {
+        const box_blocks<Direction> every_texel{map.map, clamp_int(filter.radius, max_box_radius)};
+        if (map.map.size.x < block) return use(every_texel);  // bounds come in whole blocks: they would outgrow the map
+        const box_bounds tree(map.map, every_texel.radius, parallel);
+        use(hierarchical_box_blocks<Direction>{tree, every_texel});
     }
 };
 

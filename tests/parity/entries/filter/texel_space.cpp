@@ -19,6 +19,17 @@ void add_filter_texel_space(std::vector<entry>& all) {
                    .twin = [](const sample& s) { return vec4(inside_texel_space(vec2(s.x[0])) ? 1.0f : 0.0f); },
                    .call = "vec4(umbrage_inside_texel_space(vec2(x0.x, x0.y)) ? 1.0 : 0.0)",
                    .maps = depth_maps()});
+    for (const auto direction : {depth_direction::forward, depth_direction::reversed})
+        all.push_back({.primitive = &glsl::is_compared,
+                       .variant = direction == depth_direction::forward ? "" : "reversed",
+                       .classes = receivers(),
+                       .twin =
+                           [direction](const sample& s) {
+                               return vec4(is_compared(vec2(s.x[0]), s.x[0].z, comparison{direction}) ? 1.0f : 0.0f);
+                           },
+                       .call = "vec4(umbrage_is_compared(vec2(x0.x, x0.y), x0.z) ? 1.0 : 0.0)",
+                       .maps = depth_maps(),
+                       .preamble = direction == depth_direction::forward ? "" : reversed});
 }
 
 }  // namespace parity

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// A map of plain floats, with the face of an encoding.
+//
+//     umbrage::image<float> map(size, umbrage::depth32f{}.cleared());
+//
+#pragma once
+
+#include <umbrage/depth/encoding.hpp>
+#include <umbrage/scalar.hpp>
+
+namespace umbrage {
+
+/// Clamped to [0, 1] on the way in; on the way out the texel is the depth.
+struct depth32f {
+    using texel = float;
+    static constexpr std::string_view name = "depth32f";
+    static constexpr std::string_view summary = "A float texture: nothing to encode.";
+    static constexpr const glsl::snippet* writer = &glsl::saturate;
+    static constexpr const glsl::snippet* reader = nullptr;
+    static constexpr written writes = written::depth;
+    static constexpr std::uint64_t codes = 0x3F800001;  ///< floats from 0 to 1
+
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] constexpr texel encode(float depth) const { return saturate(depth, cleared_depth(direction)); }
+    [[nodiscard]] constexpr float decode(texel t) const { return t; }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {}; }
+    [[nodiscard]] constexpr texel cleared() const { return cleared_depth(direction); }
+};
+
+}  // namespace umbrage

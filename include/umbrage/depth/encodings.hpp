@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// Every encoding of the library, in one list: what tools, tables, proofs and examples walk.
+//
+//     umbrage::for_each_encoding([](auto encoding) { std::puts(encoding.name.data()); });
+//     bool found = umbrage::with_encoding("rg11", [&](auto encoding) { umbrage::encode(depth, map, encoding); });
+//
+#pragma once
+
+#include <array>
+#include <tuple>
+
+#include <umbrage/depth/depth32f.hpp>
+#include <umbrage/depth/encoding.hpp>
+#include <umbrage/depth/float_bits.hpp>
+#include <umbrage/depth/foreign/base255.hpp>
+#include <umbrage/depth/foreign/threejs.hpp>
+#include <umbrage/depth/rg.hpp>
+#include <umbrage/depth/rgb24.hpp>
+
+namespace umbrage {
+
+/// One value of each.
+inline constexpr std::tuple<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, float_bits,
+                            threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255,
+                            base255_repaired>
+    encodings{};
+
+/// Calls use(encoding) for one after the other.
+template <class Use>
+constexpr void for_each_encoding(Use&& use) {
+    std::apply([&](const auto&... encoding) { (use(encoding), ...); }, encodings);
+}
+
+/// Calls use(encoding) with the one of that name.
+/// @return   false where none is called so
+template <class Use>
+constexpr bool with_encoding(std::string_view name, Use&& use) {
+    bool found = false;
+    for_each_encoding([&](const auto& encoding) {
+        if (found || encoding.name != name) return;
+        found = true;
+        use(encoding);
+    });
+    return found;
+}
+
+namespace glsl {
+
+/// Writer and reader of each; the texels of floats need no reader.
+inline constexpr auto encoding_snippets = std::apply(
+    [](const auto&... encoding) {
+        return std::array<const snippet*, 2 * sizeof...(encoding)>{encoding.writer..., encoding.reader...};
+    },
+    encodings);
+
+}  // namespace glsl
+}  // namespace umbrage

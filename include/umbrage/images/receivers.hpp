@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+//
+// The receivers of a whole image, in the forms that visibility() takes: an image of vec3s (x and y in texels of the map,
+// z depth, biased), three images of floats, or the depth image that a camera saw.
+//
+//     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(clip_to_world, to_texels, size, clip), bias};
+//
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/clip_space.hpp>
+#include <umbrage/image.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+namespace umbrage {
+
+/// Receivers as three images of the same size: x and y in texels of the map, depth, biased.
+struct receiver_planes {
+    image_view<const float> x, y, depth;
+};
+
+/// Receivers as a camera's depth image.
+struct depth_receivers {
+    image_view<const float> depth;  ///< as the depth pass leaves it, in [0, 1]
+    glm::mat4 matrix;               ///< receiver_matrix
+    float bias = 0.0f;              ///< in the map's depth, taken off each receiver's
+};
+
+/// The way from a camera's depth image to the shadow map.
+///
+/// @param clip_to_world    inverse of the camera's projection * view
+/// @param texture_matrix   world to texels of the map
+/// @param size             of the depth image in texels, each >= 1
+/// @param clip             the camera's convention
+/// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
+///                         the camera; the product is taken in double
+/// @throws std::invalid_argument  size below 1, or a matrix that is not finite
+[[nodiscard]] inline glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
+                                               glm::ivec2 size, clip_space clip) {
+    detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
+    const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
+    glm::dmat4 to_clip(1.0);
+    to_clip[0][0] = 2.0 / size.x;
+    to_clip[1][1] = up * 2.0 / size.y;
+    to_clip[3] = {-1.0, -up, 0.0, 1.0};
+    if (clip.range == depth_range::minus_one_to_one) {
+        to_clip[2][2] = 2.0;
+        to_clip[3][2] = -1.0;
+    }
+    const glm::mat4 m(glm::dmat4(texture_matrix) * glm::dmat4(clip_to_world) * to_clip);
+    detail::require(detail::all_finite(m), "receiver_matrix", "clip_to_world and texture_matrix",
+                    "give a matrix that is not finite");
+    return m;
+}
+
+/// One receiver of a camera's depth image.
+/// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), bias taken off its depth
+/// @exactness     C, as project_coordinate
+[[nodiscard]] inline glm::vec3 receiver_at(const depth_receivers& seen, glm::ivec2 texel) {
+    const glm::vec3 at(static_cast<float>(texel.x) + 0.5f, static_cast<float>(texel.y) + 0.5f, seen.depth[texel]);
+    const glm::vec3 p = project_coordinate(shadow_coordinate(seen.matrix, at));
+    return {p.x, p.y, p.z - seen.bias};
+}
+
+namespace detail {
+
+[[nodiscard]] inline glm::ivec2 size_of(const image_view<const glm::vec3>& receivers) { return receivers.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const depth_receivers& receivers) { return receivers.depth.size; }
+[[nodiscard]] inline glm::ivec2 size_of(const receiver_planes& receivers) {
+    if (receivers.x.size != receivers.depth.size || receivers.y.size != receivers.depth.size)
+        fail("umbrage::visibility: sizes differ");
+    return receivers.depth.size;
+}
+
+}  // namespace detail
+}  // namespace umbrage

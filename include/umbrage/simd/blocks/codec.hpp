@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+//
+// Encodings over blocks of 64 depths, in loops that vectorise: bit for bit what their own encode and decode give.
+//
+//     const auto codec = umbrage::detail::codec_of(umbrage::rg<11>{});
+//     codec.encode(depths, texels);
+//
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#include <umbrage/depth/depth32f.hpp>
+#include <umbrage/depth/float_bits.hpp>
+#include <umbrage/depth/rg.hpp>
+#include <umbrage/depth/rgb24.hpp>
+#include <umbrage/simd/bits.hpp>
+#include <umbrage/simd/dispatch.hpp>
+
+namespace umbrage::detail {
+
+/// saturate() as saturate_bits has it, NaN to `highest` or, reversed, to 0.
+struct saturated {
+    std::int32_t last_kept;  ///< greatest magnitude, as bits, that is not taken for 0
+
+    explicit saturated(depth_direction direction)
+        : last_kept(direction == depth_direction::forward ? 0x7FFFFFFF : 0x7F800000) {}
+    [[nodiscard]] UMBRAGE_INLINE float operator()(float v, float highest) const {
+        const auto bits = bit_cast<std::int32_t>(v);
+        return bit_cast<float>(bit_cast<std::int32_t>(saturate_bits(v, highest)) &
+                               -std::int32_t((bits & 0x7FFFFFFF) <= last_kept));
+    }
+    /// to_code: what is 1 or more has the code of the last float below 1.
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t code(float depth, float codes) const {
+        return static_cast<std::int32_t>((*this)(depth, 0x1.fffffep-1f) * codes);
+    }
+};
+
+/// Any encoding, texel by texel.
+template <class Encoding>
+struct codec {
+    using texel = typename Encoding::texel;
+    Encoding encoding;
+
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
+        for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    }
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
+        for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
+    }
+};
+template <class Encoding>
+[[nodiscard]] codec<Encoding> codec_of(const Encoding& encoding) {
+    return {encoding};
+}
+
+/// rg of any number of bits. Texels are 16-bit words, so that twice as many fit a register.
+struct rg_codec {
+    using texel = glm::u8vec2;
+    int bits;
+    float edge;
+    saturated saturate_depth;
+
+    /// R | G << 8 to what this machine has in memory, and back.
+    static UMBRAGE_INLINE std::uint16_t in_memory(std::uint16_t word) {
+        if constexpr (std::endian::native == std::endian::little) return word;
+        else return static_cast<std::uint16_t>(word << 8 | word >> 8);
+    }
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
+        const saturated s = saturate_depth;  // copies: as far as a compiler knows, texels may overwrite the others
+        const auto codes = static_cast<float>(1 << bits);
+        const auto up = static_cast<std::uint16_t>(1 << (16 - bits));
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const auto x = static_cast<std::uint16_t>(s.code(depth[i], codes));
+            const std::uint16_t word = in_memory(static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) * up));
+            std::memcpy(static_cast<void*>(texels + i), &word, sizeof word);
+        }
+    }
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
+        const float from = edge, step = 1.0f / static_cast<float>(1 << bits);
+        const auto up = static_cast<std::uint16_t>(1 << (bits - 8));
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            std::uint16_t word;
+            std::memcpy(&word, texels + i, sizeof word);
+            word = in_memory(word);
+            const auto x = static_cast<std::uint16_t>((word & 0xFF) + (word >> 8) * up);
+            depth[i] = (static_cast<float>(x) + from) * step;
+        }
+    }
+};
+template <int Bits>
+[[nodiscard]] rg_codec codec_of(const rg<Bits>& encoding) {
+    return {Bits, encoding.edge, saturated(encoding.direction)};
+}
+
+template <>
+struct codec<rgb24> {
+    using texel = glm::u8vec3;
+    rgb24 encoding;
+
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
+        const saturated s(encoding.direction);
+        alignas(64) std::int32_t x[block];
+        for (int i = 0; i < block; ++i) x[i] = s.code(depth[i], 0x1p24f);
+        for (int i = 0; i < block; ++i)
+            texels[i] = {static_cast<std::uint8_t>(x[i] >> 16), static_cast<std::uint8_t>(x[i] >> 8 & 0xFF),
+                         static_cast<std::uint8_t>(x[i] & 0xFF)};
+    }
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
+        const float edge = encoding.edge;
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t x = (texels[i].x << 16) + (texels[i].y << 8) + texels[i].z;
+            depth[i] = from_code<24>(static_cast<float>(x), edge);
+        }
+    }
+};
+
+template <>
+struct codec<float_bits> {
+    static_assert(sizeof(glm::u8vec4) == sizeof(float));
+    using texel = glm::u8vec4;
+    float_bits encoding;
+
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
+        if constexpr (std::endian::native == std::endian::little)
+            std::memcpy(static_cast<void*>(texels), depth, block * sizeof(float));
+        else
+            for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    }
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
+        if constexpr (std::endian::native == std::endian::little) std::memcpy(depth, texels, block * sizeof(float));
+        else
+            for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
+    }
+};
+
+template <>
+struct codec<depth32f> {
+    using texel = float;
+    depth32f encoding;
+
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
+        const saturated s(encoding.direction);
+        for (int i = 0; i < block; ++i) texels[i] = s(depth[i], 1.0f);
+    }
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
+        std::memcpy(depth, texels, block * sizeof(float));
+    }
+};
+
+}  // namespace umbrage::detail

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has none
+// is called receiver by receiver.
+//
+// A form says what it needs of a map, the least side of a map that it can take, and makes its blocks, for a map of floats
+// or of rg and a direction. Blocks work in two steps, some blocks apart, so that texels have come from memory when they
+// are needed: place() says where to look and prefetches it; the second step loads it, compares and weighs.
+//
+//     template <>
+//     struct block_form<filters::pcf_2x2> {
+//         static constexpr map_need need = map_need::texels;
+//         static constexpr int least = 2;
+//         template <depth_direction Direction, class Map, class ParallelFor, class Use>
+//         static void with_blocks(const Map& map, const filters::pcf_2x2&, ParallelFor&&, const Use& use) {
+//             use(pcf_2x2_blocks<Direction, Map>{map});
+//         }
+//     };
+//
+#pragma once
+
+namespace umbrage::detail {
+
+/// What the blocks of a filter read.
+enum class map_need {
+    texels,  ///< a few texels a receiver: as they are stored, where that has a fast form, or floats
+    floats,  ///< many: decoding each for each receiver would cost more than decoding the map once
+};
+
+template <class Filter>
+struct block_form;
+
+template <class Filter>
+concept has_block_form = requires { block_form<Filter>::need; };
+
+}  // namespace umbrage::detail

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+//
+// The unfiltered test over blocks of receivers, and the tap that it shares with other filters.
+#pragma once
+
+#include <cstdint>
+
+#include <umbrage/filter/pcf/hard.hpp>
+#include <umbrage/simd/blocks/form.hpp>
+#include <umbrage/simd/blocks/receivers.hpp>
+#include <umbrage/simd/blocks/texels.hpp>
+
+namespace umbrage::detail {
+
+/// Taps that are receivers' own texels, clamped to the map.
+struct placed_tap {
+    alignas(64) std::int32_t offsets[block], compared[block];
+
+    template <class Test, class T>
+    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset) {
+        const texel_bytes memory(map);
+        const auto last_x = static_cast<float>(last_in_space(map.size.x)), last_y = static_cast<float>(last_in_space(map.size.y));
+        for (int i = 0; i < block; ++i) {
+            const float x = receivers.x(i) + offset.x, y = receivers.y(i) + offset.y;
+            compared[i] = Test::compared(x, y, receivers.z(i));
+            offsets[i] = memory.offset(floor_within(x, last_x), floor_within(y, last_y));
+        }
+        prefetch(memory, offsets, 1);
+    }
+
+    /// Adds 1 for each receiver that is lit.
+    template <class Test, class Map>
+    UMBRAGE_INLINE void count(const Map& map, const float* z, std::int32_t* lit) const {
+        const texel_bytes memory(map.map);
+        loaded_texels<Map> texels(map);
+        texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+        for (int i = 0; i < block; ++i)
+            lit[i] += (Test::lit(texels.receiver(z[i]), texels.one(i)) & compared[i]) | (1 & ~compared[i]);
+    }
+};
+
+template <depth_direction Direction, class Map>
+struct hard_blocks {
+    using test = block_test<Direction>;
+    struct placed {
+        receiver_block r;
+        placed_tap tap;
+    };
+    Map map;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        at.r.copy(receivers);
+        at.tap.template place<test>(map.map, at.r, glm::vec2(0.0f));
+    }
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
+        alignas(64) std::int32_t lit[block]{};
+        at.tap.template count<test>(map, at.r.zs, lit);
+        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
+    }
+};
+
+template <>
+struct block_form<filters::hard> {
+    static constexpr map_need need = map_need::texels;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class Map, class ParallelFor, class Use>
+    static void with_blocks(const Map& map, const filters::hard&, ParallelFor&&, const Use& use) {
+        use(hard_blocks<Direction, Map>{map});
+    }
+};
+
+}  // namespace umbrage::detail

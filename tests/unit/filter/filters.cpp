@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+//
+// What every filter says of itself, held against what it does.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+#include <string_view>
+#include <tuple>
+
+#include <umbrage/filter/filters.hpp>
+
+using namespace umbrage;
+
+namespace {
+
+constexpr float inf = std::numeric_limits<float>::infinity(), nan32 = std::numeric_limits<float>::quiet_NaN();
+
+/// The filter for a direction, where it can take one.
+template <class Filter>
+bool turn(Filter& filter, depth_direction direction) {
+    if constexpr (requires { filter.is_lit = comparison{direction}; }) {
+        filter.is_lit = comparison{direction};
+        return true;
+    }
+    return direction == depth_direction::forward;
+}
+
+}  // namespace
+
+TEST_CASE("filters: each knows itself, under a name of its own") {
+    std::set<std::string_view> names;
+    for_each_filter([&]<class Filter>(const Filter&) {
+        static_assert(known_filter<Filter>);
+        CHECK(names.insert(Filter::name).second);
+        bool found = false;
+        CHECK(with_filter(Filter::name, [&]<class Found>(const Found&) { found = std::is_same_v<Found, Filter>; }));
+        CHECK(found);
+    });
+    CHECK(names.contains("pcf_2x2"));
+    CHECK_FALSE(with_filter("pcf", [](const auto&) { FAIL("there is none of that name"); }));
+}
+
+TEST_CASE("filters: no texel lies farther from a receiver than reach, and one comes near it") {
+    for_each_filter([]<class Filter>(const Filter& filter) {
+        CAPTURE(Filter::name);
+        std::mt19937 random(3);
+        std::uniform_real_distribution<float> anywhere(20.0f, 90.0f);
+        double farthest = 0;
+        for (int i = 0; i < 20000; ++i) {
+            const glm::vec2 coord(anywhere(random), anywhere(random));
+            const auto fetch = [&](glm::ivec2 texel) {
+                for (int axis = 0; axis < 2; ++axis)
+                    farthest = std::max(farthest, std::abs(double(texel[axis]) + 0.5 - double(coord[axis])));
+                return 1.0f;
+            };
+            CHECK(filter(fetch, coord, 0.5f) == 1.0f);
+        }
+        CHECK(farthest <= double(filter.reach()) + 1.0 / 256);  // weights are in steps of 1/256
+        CHECK(farthest > double(filter.reach()) - 0.02);
+    });
+}
+
+TEST_CASE("filters: beyond the far plane all is lit, NaN is in shadow, and coordinates outside texel space are lit") {
+    for (const auto direction : {depth_direction::forward, depth_direction::reversed})
+        for_each_filter([direction]<class Filter>(Filter filter) {
+            CAPTURE(Filter::name);
+            if (!turn(filter, direction)) return;
+            const bool forward = direction == depth_direction::forward;
+            const auto nearest = [=](glm::ivec2) { return forward ? 0.0f : 1.0f; };  // shadows all it can
+            const glm::vec2 coord(5.3f, 7.9f);
+            CHECK(filter(nearest, coord, 0.5f) == 0.0f);
+            CHECK(filter(nearest, coord, cleared_depth(direction)) == 0.0f);  // on the far plane, not beyond
+            for (const float beyond : {1.125f, std::nextafter(1.0f, 2.0f), inf})
+                CHECK(filter(nearest, coord, forward ? beyond : 1.0f - beyond) == 1.0f);
+            if (Filter::name != "pcf_2x2_dx_sdk") CHECK(filter(nearest, coord, nan32) == 0.0f);
+            for (const float outside : {40000.0f, -inf, nan32}) CHECK(filter(nearest, glm::vec2(1.0f, outside), 0.5f) == 1.0f);
+        });
+}
