@@ -178,7 +178,8 @@ struct light {
     /// The system's kind of depth from the depth pass's z/w in [0, 1].
     [[nodiscard]] float depth(const shadow_system& s, float z) const {
         if (s.depth == depth_kind::projected) return z;
-        return umbrage::linear_depth(spot ? umbrage::view_z_from_depth(z, z_near, z_far) : z_near + z * (z_far - z_near),
+        return umbrage::linear_depth(spot ? umbrage::view_z_from_depth(z, z_near, z_far)
+                                          : umbrage::view_z_from_orthographic_depth(z, z_near, z_far),
                                      1 / z_far);
     }
 };

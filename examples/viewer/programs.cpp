@@ -65,9 +65,9 @@ std::string fetch_macro(const storage& how) {
 }
 
 /// map_depth(z): the system's kind of depth from z/w in [0, 1]; planes are z_near, z_far, 1 / z_far.
-const snippets depth_snippets{glsl::linear_depth, glsl::view_z_from_depth};
+const snippets depth_snippets{glsl::linear_depth, glsl::view_z_from_depth, glsl::view_z_from_orthographic_depth};
 std::string map_depth(const shadow_system& s) {
-    std::string depth = "umbrage_linear_depth(planes.x + z * (planes.y - planes.x), planes.z)";
+    std::string depth = "umbrage_linear_depth(umbrage_view_z_from_orthographic_depth(z, planes.x, planes.y), planes.z)";
     if (s.light == example::light_kind::spot)
         depth = "umbrage_linear_depth(umbrage_view_z_from_depth(z, planes.x, planes.y), planes.z)";
     if (s.depth == example::depth_kind::projected) depth = "z";

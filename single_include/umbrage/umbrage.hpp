@@ -1860,7 +1860,7 @@ inline constexpr auto ps14_snippets = list<&decode_ps14, &receiver_ps14>;
 //   z/w               what the rasterizer interpolates: project_depth
 //   linear depth      view-space distance along the light's axis over z_far: linear_depth
 //   radial distance   from the light to the point over its range: distance_depth
-//   reversed          1 - depth
+//   reversed          1 - depth; what comes from it directly keeps the digits that 1 - depth drops
 //
 //     float d = umbrage::linear_depth(-view_position.z, 1.0f / z_far);
 //
@@ -1878,11 +1878,12 @@ template <real T>
 }
 
 /// @param z, w    clip coordinates
-/// @return        z / w; 1, the cleared depth, for w <= 0 (not in front of the light) and NaN in w
+/// @param cleared cleared_depth of the clip space: 1, or 0 when reversed
+/// @return        z / w; cleared, which is far, for w <= 0 (not in front of the light) and NaN in w
 /// @exactness     C: one division, of which GLSL allows 2.5 ulp; 0 seen
 template <real T>
-[[nodiscard]] constexpr T project_depth(T z, T w) {
-    return w > T(0) && !is_nan(w) ? z / w : T(1);
+[[nodiscard]] constexpr T project_depth(T z, T w, T cleared) {
+    return w > T(0) && !is_nan(w) ? z / w : cleared;
 }
 
 /// @param to_point    from the light to the point
@@ -1913,7 +1914,7 @@ template <real T>
 
 /// Perspective depth to distance along the light's axis.
 ///
-/// @param depth           z/w in [0, 1], 0 at the near plane; reverse_depth first when reversed
+/// @param depth           z/w in [0, 1], 0 at the near plane
 /// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
 /// @return                z_near .. z_far; not clamped
 /// @formula               n / (1 - depth (1 - n / f))
@@ -1936,6 +1937,54 @@ template <real T>
     return (T(1) - z_near / z_view) / (T(1) - z_near / z_far);
 }
 
+/// Reversed perspective depth to distance along the light's axis.
+///
+/// @param depth           z/w in [0, 1], 1 at the near plane
+/// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
+/// @return                z_near .. z_far; not clamped
+/// @formula               n / (n / f + depth (1 - n / f)): within 3 ulp of the distance for depth in [0, 1], as nothing
+///                        cancels; by way of 1 - depth thousands of ulp are lost far out
+/// @exactness             C: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+template <real T>
+[[nodiscard]] constexpr T view_z_from_reversed_depth(T depth, T z_near, T z_far) {
+    return z_near / (z_near / z_far + depth * (T(1) - z_near / z_far));
+}
+
+/// Distance along the light's axis to reversed perspective depth.
+///
+/// @param z_view          > 0, finite
+/// @param z_near, z_far   0 < z_near < z_far; z_far may be infinite
+/// @return                z/w in [0, 1], 1 at the near plane; not clamped
+/// @formula               n / z (1 - z / f) / (1 - n / f)
+/// @exactness             C: four divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+template <real T>
+[[nodiscard]] constexpr T reversed_depth_from_view_z(T z_view, T z_near, T z_far) {
+    return z_near / z_view * (T(1) - z_view / z_far) / (T(1) - z_near / z_far);
+}
+
+/// Orthographic depth, a directional light's, to distance along the light's axis.
+///
+/// @param depth           z/w in [0, 1], 0 at the near plane
+/// @param z_near, z_far   z_near < z_far; when reversed, exchange the two: digits are kept, without 1 - depth
+/// @return                z_near .. z_far; not clamped
+/// @formula               n + depth (f - n)
+/// @exactness             B: sums and a product
+template <real T>
+[[nodiscard]] constexpr T view_z_from_orthographic_depth(T depth, T z_near, T z_far) {
+    return z_near + depth * (z_far - z_near);
+}
+
+/// Distance along the light's axis to orthographic depth, a directional light's.
+///
+/// @param z_near, z_far   z_near < z_far; when reversed, exchange the two
+/// @return                z/w in [0, 1], 0 at the near plane; not clamped
+/// @formula               (z - n) / (f - n)
+/// @exactness             C: one division, of which GLSL allows 2.5 ulp; 0 seen
+template <real T>
+[[nodiscard]] constexpr T orthographic_depth_from_view_z(T z_view, T z_near, T z_far) {
+    return (z_view - z_near) / (z_far - z_near);
+}
+
 namespace glsl {
 
 inline constexpr snippet linear_depth{
@@ -1947,11 +1996,11 @@ UMBRAGE_HIGHP float umbrage_linear_depth(UMBRAGE_HIGHP float z_view, UMBRAGE_HIG
 )GLSL"};
 
 inline constexpr snippet project_depth{
-    .name = "project_depth", .summary = "z / w, 1 behind the light", .exactness = tier::c, .ulp = 1,
+    .name = "project_depth", .summary = "z / w, far behind the light", .exactness = tier::c, .ulp = 1,
     .source = R"GLSL(
-// umbrage_project_depth: z / w; 1.0 for w <= 0.0
-UMBRAGE_HIGHP float umbrage_project_depth(UMBRAGE_HIGHP float z, UMBRAGE_HIGHP float w) {
-    return w > 0.0 ? z / w : 1.0;
+// umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
+UMBRAGE_HIGHP float umbrage_project_depth(UMBRAGE_HIGHP float z, UMBRAGE_HIGHP float w, UMBRAGE_HIGHP float cleared) {
+    return w > 0.0 ? z / w : cleared;
 }
 )GLSL"};
 
@@ -2001,9 +2050,53 @@ UMBRAGE_HIGHP float umbrage_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAG
 }
 )GLSL"};
 
+inline constexpr snippet view_z_from_reversed_depth{
+    .name = "view_z_from_reversed_depth", .summary = "reversed perspective depth to view-space z",
+    .exactness = tier::c, .ulp = 1, .source = R"GLSL(
+// umbrage_view_z_from_reversed_depth: perspective depth in [0, 1], 1.0 at z_near, to distance along the light's axis
+UMBRAGE_HIGHP float umbrage_view_z_from_reversed_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
+                                                       UMBRAGE_HIGHP float z_far) {
+    return z_near / (z_near / z_far + depth * (1.0 - z_near / z_far));
+}
+)GLSL"};
+
+inline constexpr snippet reversed_depth_from_view_z{
+    .name = "reversed_depth_from_view_z", .summary = "view-space z to reversed perspective depth",
+    .exactness = tier::c, .ulp = 1, .source = R"GLSL(
+// umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
+UMBRAGE_HIGHP float umbrage_reversed_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
+                                                       UMBRAGE_HIGHP float z_far) {
+    return z_near / z_view * (1.0 - z_view / z_far) / (1.0 - z_near / z_far);
+}
+)GLSL"};
+
+inline constexpr snippet view_z_from_orthographic_depth{
+    .name = "view_z_from_orthographic_depth", .summary = "orthographic depth to view-space z", .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
+// axis; when reversed, exchange z_near and z_far
+UMBRAGE_HIGHP float umbrage_view_z_from_orthographic_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
+                                                           UMBRAGE_HIGHP float z_far) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z_view = z_near + depth * (z_far - z_near);
+    return z_view;
+}
+)GLSL"};
+
+inline constexpr snippet orthographic_depth_from_view_z{
+    .name = "orthographic_depth_from_view_z", .summary = "view-space z to orthographic depth", .exactness = tier::c,
+    .ulp = 1, .source = R"GLSL(
+// umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
+// z_near; when reversed, exchange z_near and z_far
+UMBRAGE_HIGHP float umbrage_orthographic_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
+                                                           UMBRAGE_HIGHP float z_far) {
+    return (z_view - z_near) / (z_far - z_near);
+}
+)GLSL"};
+
 inline constexpr auto kinds_snippets =
     list<&linear_depth, &project_depth, &distance_depth, &reverse_depth, &depth_from_ndc, &view_z_from_depth,
-         &depth_from_view_z>;
+         &depth_from_view_z, &view_z_from_reversed_depth, &reversed_depth_from_view_z, &view_z_from_orthographic_depth,
+         &orthographic_depth_from_view_z>;
 
 }  // namespace glsl
 }  // namespace umbrage
