@@ -1,72 +1,27 @@
 // SPDX-License-Identifier: MIT
 //
 // Vulkan without a window; SPIR-V from the reference compiler.
-#define VULKAN_HPP_NO_STRUCT_CONSTRUCTORS
-#include <vulkan/vulkan_raii.hpp>
-
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
+#include <exception>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "backend.hpp"
 #include "shader.hpp"
+#include "spirv.hpp"
+#include "vulkan_device.hpp"
 
 namespace parity {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr int width = 1024;
-
-/// A folder that goes with its owner.
-struct scratch {
-    fs::path folder;
-
-    scratch() {
-        std::string name = (fs::temp_directory_path() / "umbrage-XXXXXX").string();
-        if (!mkdtemp(name.data())) throw std::runtime_error("no folder for SPIR-V");
-        folder = name;
-    }
-    ~scratch() {
-        std::error_code ignored;
-        fs::remove_all(folder, ignored);
-    }
-    scratch(const scratch&) = delete;
-    scratch& operator=(const scratch&) = delete;
-
-    [[nodiscard]] std::vector<std::uint32_t> spirv(const std::string& stage, const std::string& text) const {
-        const std::string file = (folder / ("shader." + stage)).string(), module = file + ".spv", log = file + ".log";
-        std::ofstream(file) << text;
-        if (std::system(
-                (UMBRAGE_GLSLANG " -V --quiet '" + file + "' -o '" + module + "' > '" + log + "' 2>&1").c_str()) != 0) {
-            std::ifstream words(log);
-            throw std::runtime_error(std::string(std::istreambuf_iterator<char>(words), {}) + '\n' + text);
-        }
-        std::vector<std::uint32_t> code(fs::file_size(module) / 4);
-        std::ifstream(module, std::ios::binary)
-            .read(reinterpret_cast<char*>(code.data()), static_cast<std::streamsize>(code.size() * 4));
-        return code;
-    }
-};
-
-/// Every image is in the layout `general` from its making on: speed is no aim here.
-struct picture {
-    ivec2 size{0, 0};
-    vk::raii::DeviceMemory memory = nullptr;
-    vk::raii::Image image = nullptr;
-    vk::raii::ImageView view = nullptr;
-};
-
-struct buffer {
-    std::size_t size = 0;
-    void* mapped = nullptr;
-    vk::raii::DeviceMemory memory = nullptr;
-    vk::raii::Buffer handle = nullptr;
-};
 
 struct render_target {
     vk::Format format;
@@ -75,15 +30,10 @@ struct render_target {
     vk::raii::Framebuffer frame = nullptr;
 };
 
-class vulkan final : public backend {
+class vulkan final : public backend, vulkan_device {
 public:
     explicit vulkan(vk::raii::PhysicalDevice physical)
-        : physical_(std::move(physical)),
-          device_(make_device()),
-          queue_(device_, family(), 0),
-          pool_(device_, {.flags = vk::CommandPoolCreateFlagBits::eResetCommandBuffer, .queueFamilyIndex = family()}),
-          commands_(
-              std::move(vk::raii::CommandBuffers(device_, {.commandPool = *pool_, .commandBufferCount = 1}).front())),
+        : vulkan_device(std::move(physical)),
           sampler_(device_, {.magFilter = vk::Filter::eNearest,
                              .minFilter = vk::Filter::eNearest,
                              .addressModeU = vk::SamplerAddressMode::eClampToEdge,
@@ -191,94 +141,6 @@ public:
     }
 
 private:
-    [[nodiscard]] std::uint32_t family() const {
-        const auto all = physical_.getQueueFamilyProperties();
-        for (std::uint32_t i = 0; i < all.size(); ++i)
-            if (all[i].queueFlags & vk::QueueFlagBits::eGraphics) return i;
-        throw std::runtime_error("this Vulkan device cannot draw");
-    }
-
-    [[nodiscard]] vk::raii::Device make_device() const {
-        const float priority = 1.0f;
-        const vk::DeviceQueueCreateInfo queue{
-            .queueFamilyIndex = family(), .queueCount = 1, .pQueuePriorities = &priority};
-        return {physical_, vk::DeviceCreateInfo{.queueCreateInfoCount = 1, .pQueueCreateInfos = &queue}};
-    }
-
-    [[nodiscard]] vk::raii::DeviceMemory allocate(vk::MemoryRequirements need, vk::MemoryPropertyFlags flags) const {
-        const auto all = physical_.getMemoryProperties();
-        for (std::uint32_t i = 0; i < all.memoryTypeCount; ++i)
-            if ((need.memoryTypeBits >> i & 1) && (all.memoryTypes[i].propertyFlags & flags) == flags)
-                return {device_, vk::MemoryAllocateInfo{.allocationSize = need.size, .memoryTypeIndex = i}};
-        throw std::runtime_error("no Vulkan memory of the kind needed");
-    }
-
-    /// At least `size` bytes that both sides see.
-    void reserve(buffer& b, std::size_t size) const {
-        if (b.size >= size) return;
-        using usage = vk::BufferUsageFlagBits;
-        b.handle = {device_,
-                    vk::BufferCreateInfo{.size = size,
-                                         .usage = usage::eTransferSrc | usage::eTransferDst | usage::eVertexBuffer}};
-        b.memory = allocate(b.handle.getMemoryRequirements(),
-                            vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent);
-        b.handle.bindMemory(*b.memory, 0);
-        b.mapped = b.memory.mapMemory(0, VK_WHOLE_SIZE);
-        b.size = size;
-    }
-
-    void barrier() {
-        using stage = vk::PipelineStageFlagBits;
-        using access = vk::AccessFlagBits;
-        commands_.pipelineBarrier(stage::eAllCommands, stage::eAllCommands | stage::eHost, {},
-                                  vk::MemoryBarrier{.srcAccessMask = access::eMemoryWrite,
-                                                    .dstAccessMask = access::eMemoryRead | access::eMemoryWrite},
-                                  nullptr, nullptr);
-    }
-
-    template <class Record>
-    void submit(Record record) {
-        commands_.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-        record();
-        barrier();
-        commands_.end();
-        queue_.submit(vk::SubmitInfo{.commandBufferCount = 1, .pCommandBuffers = &*commands_});
-        queue_.waitIdle();
-    }
-
-    static constexpr vk::ImageSubresourceRange colour_range{vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1};
-
-    static vk::BufferImageCopy whole(ivec2 size) {
-        return {.imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
-                .imageExtent = {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y), 1}};
-    }
-
-    [[nodiscard]] picture make_picture(vk::Format format, ivec2 size, vk::ImageUsageFlags usage) {
-        picture p;
-        p.size = size;
-        p.image = {device_, vk::ImageCreateInfo{.imageType = vk::ImageType::e2D,
-                                                .format = format,
-                                                .extent = whole(size).imageExtent,
-                                                .mipLevels = 1,
-                                                .arrayLayers = 1,
-                                                .usage = usage}};
-        p.memory = allocate(p.image.getMemoryRequirements(), vk::MemoryPropertyFlagBits::eDeviceLocal);
-        p.image.bindMemory(*p.memory, 0);
-        p.view = {device_, vk::ImageViewCreateInfo{.image = *p.image,
-                                                   .viewType = vk::ImageViewType::e2D,
-                                                   .format = format,
-                                                   .subresourceRange = colour_range}};
-        submit([&] {
-            using stage = vk::PipelineStageFlagBits;
-            commands_.pipelineBarrier(stage::eTopOfPipe, stage::eAllCommands, {}, nullptr, nullptr,
-                                      vk::ImageMemoryBarrier{.dstAccessMask = vk::AccessFlagBits::eMemoryWrite,
-                                                             .newLayout = vk::ImageLayout::eGeneral,
-                                                             .image = *p.image,
-                                                             .subresourceRange = colour_range});
-        });
-        return p;
-    }
-
     void upload(std::size_t unit, const std::vector<vec4>& values, ivec2 size) {
         picture& p = textures_[unit];
         if (p.size != size) {
@@ -309,7 +171,7 @@ private:
     }
 
     [[nodiscard]] vk::raii::ShaderModule make_module(const char* stage, const std::string& source) const {
-        const auto code = folder_.spirv(stage, source);
+        const auto code = compiler_.compile(stage, source);
         return {device_, vk::ShaderModuleCreateInfo{.codeSize = code.size() * 4, .pCode = code.data()}};
     }
 
@@ -352,12 +214,7 @@ private:
                                                .renderPass = *pass}};
     }
 
-    scratch folder_;
-    vk::raii::PhysicalDevice physical_;
-    vk::raii::Device device_;
-    vk::raii::Queue queue_;
-    vk::raii::CommandPool pool_;
-    vk::raii::CommandBuffer commands_;
+    spirv_compiler compiler_;
     vk::raii::Sampler sampler_;
     vk::raii::DescriptorSetLayout set_layout_ = nullptr;
     vk::raii::PipelineLayout layout_ = nullptr;

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+//
+// An OpenGL or OpenGL ES context that draws entries into textures.
+#pragma once
+
+#include <EGL/egl.h>
+#define GL_GLES_PROTOTYPES 0
+#include <GLES3/gl3.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "backend.hpp"
+#include "shader.hpp"
+
+namespace parity {
+
+// The functions in use; EGL finds them for whichever context is current.
+#define PARITY_GL(X)                                                                                                  \
+    X(ACTIVETEXTURE, ActiveTexture) X(ATTACHSHADER, AttachShader) X(BINDATTRIBLOCATION, BindAttribLocation)            \
+    X(BINDBUFFER, BindBuffer) X(BINDFRAMEBUFFER, BindFramebuffer) X(BINDTEXTURE, BindTexture)                          \
+    X(BINDVERTEXARRAY, BindVertexArray) X(BUFFERDATA, BufferData) X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)    \
+    X(COMPILESHADER, CompileShader) X(CREATEPROGRAM, CreateProgram) X(CREATESHADER, CreateShader)                      \
+    X(DELETEPROGRAM, DeleteProgram) X(DELETESHADER, DeleteShader) X(DISABLE, Disable) X(DRAWARRAYS, DrawArrays)        \
+    X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)                  \
+    X(GENBUFFERS, GenBuffers) X(GENFRAMEBUFFERS, GenFramebuffers) X(GENTEXTURES, GenTextures)                          \
+    X(GENVERTEXARRAYS, GenVertexArrays) X(GETERROR, GetError) X(GETINTEGERV, GetIntegerv)                              \
+    X(GETPROGRAMINFOLOG, GetProgramInfoLog) X(GETPROGRAMIV, GetProgramiv) X(GETSHADERINFOLOG, GetShaderInfoLog)        \
+    X(GETSHADERIV, GetShaderiv) X(GETSTRING, GetString) X(GETUNIFORMLOCATION, GetUniformLocation)                      \
+    X(LINKPROGRAM, LinkProgram) X(PIXELSTOREI, PixelStorei) X(READPIXELS, ReadPixels) X(SHADERSOURCE, ShaderSource)    \
+    X(TEXIMAGE2D, TexImage2D) X(TEXPARAMETERI, TexParameteri) X(TEXSUBIMAGE2D, TexSubImage2D) X(UNIFORM1I, Uniform1i)  \
+    X(UNIFORM2F, Uniform2f) X(USEPROGRAM, UseProgram) X(VERTEXATTRIBPOINTER, VertexAttribPointer) X(VIEWPORT, Viewport)
+
+struct functions {
+#define PARITY_DECLARE(TYPE, NAME) PFNGL##TYPE##PROC NAME = nullptr;
+    PARITY_GL(PARITY_DECLARE)
+    functions() {
+#define PARITY_LOAD(TYPE, NAME) NAME = reinterpret_cast<PFNGL##TYPE##PROC>(eglGetProcAddress("gl" #NAME));
+        PARITY_GL(PARITY_LOAD)
+    }
+};
+
+/// One context with what drawing needs: a target of each kind, a texture per sampler, the programs of one entry.
+class context {
+public:
+    static constexpr int width = 1024;
+
+    context(EGLDisplay display, EGLContext handle) : display_(display), handle_(handle) {
+        make_current();
+        gl_ = functions();
+        constexpr GLenum dither = 0x0BD0;  // on by default, would change bytes
+        gl_.Disable(dither);
+        gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        GLuint array = 0, buffer = 0;
+        gl_.GenVertexArrays(1, &array);
+        gl_.BindVertexArray(array);
+        gl_.GenBuffers(1, &buffer);
+        gl_.BindBuffer(GL_ARRAY_BUFFER, buffer);
+        const float corners[] = {-1, -1, 3, -1, -1, 3};
+        gl_.BufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
+        gl_.EnableVertexAttribArray(0);
+        gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+        gl_.GenTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
+        gl_.GenTextures(2, target_textures_.data());
+        gl_.GenFramebuffers(2, targets_.data());
+        gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_size_);
+    }
+
+    void make_current() const {
+        if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, handle_) != EGL_TRUE)
+            throw std::runtime_error("eglMakeCurrent failed");
+    }
+
+    [[nodiscard]] std::string renderer() const {
+        make_current();
+        return reinterpret_cast<const char*>(gl_.GetString(GL_RENDERER));
+    }
+    [[nodiscard]] int max_size() const { return max_size_; }
+
+    [[nodiscard]] bool compiles(version v) const {
+        make_current();
+        const entry nothing{.primitive = &nothing_, .call = "vec4(0.0)"};
+        try {
+            gl_.DeleteProgram(link(make_shader(nothing, v)));
+            return true;
+        } catch (const std::runtime_error&) {
+            return false;
+        }
+    }
+
+    std::vector<vec4> run(version v, const job& j, std::size_t count) {
+        make_current();
+        const int height = static_cast<int>((j.count + width - 1) / width);
+        if (serial_ != j.serial) send(j, height);
+        use(v, j);
+        const bool bytes = j.what->output == target::rgba8;
+        const int rows = static_cast<int>((count + width - 1) / width);
+        bind_target(bytes, height);
+        gl_.Viewport(0, 0, width, height);  // the whole height, so that positions stay what they are
+        gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+
+        std::vector<vec4> result(static_cast<std::size_t>(width * rows));
+        if (bytes) {
+            std::vector<glm::vec<4, std::uint8_t>> read(result.size());
+            gl_.ReadPixels(0, 0, width, rows, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
+            std::copy(read.begin(), read.end(), result.begin());
+        } else {
+            gl_.ReadPixels(0, 0, width, rows, GL_RGBA, GL_FLOAT, result.data());
+        }
+        if (const GLenum error = gl_.GetError()) throw std::runtime_error("GL error " + std::to_string(error));
+        result.resize(count);
+        return result;
+    }
+
+private:
+    struct program {
+        version v;
+        GLuint id;
+    };
+
+    void upload(std::size_t unit, const vec4* texels_of, glm::ivec2 size, int whole_height) const {
+        gl_.ActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+        gl_.BindTexture(GL_TEXTURE_2D, textures_[unit]);
+        for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+        for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+        gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, whole_height, 0, GL_RGBA, GL_FLOAT, nullptr);
+        gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels_of);
+    }
+
+    void send(const job& j, int height) {
+        for (std::size_t k = 0; k < max_inputs; ++k) {
+            if (j.x[k].empty()) continue;
+            std::vector<vec4> padded = j.x[k];
+            padded.resize(static_cast<std::size_t>(width * height));
+            upload(k, padded.data(), {width, height}, height);
+        }
+        if (j.map) upload(max_inputs, j.map->texels().data(), j.map->size(), j.map->size().y);
+        const texels& table = j.what->table;
+        if (!table.empty()) upload(max_inputs + 1, table.texels().data(), table.size(), table.size().y);
+        serial_ = j.serial;
+    }
+
+    void use(version v, const job& j) {
+        if (entry_ != j.what) {
+            for (const program& p : programs_) gl_.DeleteProgram(p.id);
+            programs_.clear();
+            entry_ = j.what;
+        }
+        auto found = std::find_if(programs_.begin(), programs_.end(), [v](const program& p) { return p.v == v; });
+        if (found == programs_.end()) {
+            programs_.push_back({v, link(make_shader(*j.what, v))});
+            found = programs_.end() - 1;
+        }
+        gl_.UseProgram(found->id);
+        const auto names = samplers(*j.what);
+        for (std::size_t unit = 0; unit < names.size(); ++unit)
+            if (!names[unit].empty())
+                gl_.Uniform1i(gl_.GetUniformLocation(found->id, names[unit].c_str()), static_cast<GLint>(unit));
+        if (j.map) {
+            const vec2 size(j.map->size());
+            gl_.Uniform2f(gl_.GetUniformLocation(found->id, "map_size"), size.x, size.y);  // no such uniform: no effect
+        }
+    }
+
+    void bind_target(bool bytes, int height) {
+        const std::size_t kind = bytes ? 1 : 0;
+        gl_.BindFramebuffer(GL_FRAMEBUFFER, targets_[kind]);
+        if (heights_[kind] == height) return;
+        gl_.ActiveTexture(GL_TEXTURE0 + max_inputs + 2);
+        gl_.BindTexture(GL_TEXTURE_2D, target_textures_[kind]);
+        gl_.TexImage2D(GL_TEXTURE_2D, 0, bytes ? GL_RGBA8 : GL_RGBA32F, width, height, 0, GL_RGBA,
+                       bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, nullptr);
+        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target_textures_[kind], 0);
+        if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+            throw std::runtime_error("the render target is incomplete");
+        heights_[kind] = height;
+    }
+
+    [[nodiscard]] GLuint link(const shader& s) const {
+        const GLuint id = gl_.CreateProgram();
+        char log[4096] = "";
+        GLint good = GL_TRUE;
+        const std::pair<GLenum, const std::string*> stages[] = {{GL_VERTEX_SHADER, &s.vertex}, {GL_FRAGMENT_SHADER, &s.fragment}};
+        for (const auto& [kind, text] : stages) {
+            const GLuint stage = gl_.CreateShader(kind);
+            const char* source = text->c_str();
+            gl_.ShaderSource(stage, 1, &source, nullptr);
+            gl_.CompileShader(stage);
+            gl_.AttachShader(id, stage);
+            gl_.GetShaderiv(stage, GL_COMPILE_STATUS, &good);
+            if (good != GL_TRUE) gl_.GetShaderInfoLog(stage, sizeof log, nullptr, log);
+            gl_.DeleteShader(stage);
+            if (good != GL_TRUE) break;
+        }
+        if (good == GL_TRUE) {
+            gl_.BindAttribLocation(id, 0, "corner");
+            gl_.LinkProgram(id);
+            gl_.GetProgramiv(id, GL_LINK_STATUS, &good);
+            if (good != GL_TRUE) gl_.GetProgramInfoLog(id, sizeof log, nullptr, log);
+        }
+        if (good == GL_TRUE) return id;
+        gl_.DeleteProgram(id);
+        throw std::runtime_error(std::string(log) + '\n' + s.fragment);
+    }
+
+    static constexpr snippet nothing_{.name = "nothing", .summary = {}, .source = "\n"};
+
+    EGLDisplay display_;
+    EGLContext handle_;
+    functions gl_;
+    std::array<GLuint, max_inputs + 2> textures_{};
+    std::array<GLuint, 2> target_textures_{}, targets_{};
+    std::array<int, 2> heights_{};
+    GLint max_size_ = 0;
+    std::vector<program> programs_;
+    const entry* entry_ = nullptr;
+    std::uint64_t serial_ = ~std::uint64_t(0);
+};
+
+}  // namespace parity

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+//
+// A Vulkan device with one queue: memory, images, and commands that are waited for. Speed is no aim.
+#pragma once
+
+#define VULKAN_HPP_NO_STRUCT_CONSTRUCTORS
+#include <vulkan/vulkan_raii.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+
+#include "entry.hpp"
+
+namespace parity {
+
+/// Every image is in the layout `general` from its making on.
+struct picture {
+    ivec2 size{0, 0};
+    vk::raii::DeviceMemory memory = nullptr;
+    vk::raii::Image image = nullptr;
+    vk::raii::ImageView view = nullptr;
+};
+
+struct buffer {
+    std::size_t size = 0;
+    void* mapped = nullptr;
+    vk::raii::DeviceMemory memory = nullptr;
+    vk::raii::Buffer handle = nullptr;
+};
+
+class vulkan_device {
+public:
+    explicit vulkan_device(vk::raii::PhysicalDevice physical)
+        : physical_(std::move(physical)),
+          device_(make_device()),
+          queue_(device_, family(), 0),
+          pool_(device_, {.flags = vk::CommandPoolCreateFlagBits::eResetCommandBuffer, .queueFamilyIndex = family()}),
+          commands_(
+              std::move(vk::raii::CommandBuffers(device_, {.commandPool = *pool_, .commandBufferCount = 1}).front())) {}
+
+protected:
+    /// At least `size` bytes that both sides see.
+    void reserve(buffer& b, std::size_t size) const {
+        if (b.size >= size) return;
+        using usage = vk::BufferUsageFlagBits;
+        b.handle = {device_,
+                    vk::BufferCreateInfo{.size = size,
+                                         .usage = usage::eTransferSrc | usage::eTransferDst | usage::eVertexBuffer}};
+        b.memory = allocate(b.handle.getMemoryRequirements(),
+                            vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent);
+        b.handle.bindMemory(*b.memory, 0);
+        b.mapped = b.memory.mapMemory(0, VK_WHOLE_SIZE);
+        b.size = size;
+    }
+
+    void barrier() {
+        using stage = vk::PipelineStageFlagBits;
+        using access = vk::AccessFlagBits;
+        commands_.pipelineBarrier(stage::eAllCommands, stage::eAllCommands | stage::eHost, {},
+                                  vk::MemoryBarrier{.srcAccessMask = access::eMemoryWrite,
+                                                    .dstAccessMask = access::eMemoryRead | access::eMemoryWrite},
+                                  nullptr, nullptr);
+    }
+
+    template <class Record>
+    void submit(Record record) {
+        commands_.begin({.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+        record();
+        barrier();
+        commands_.end();
+        queue_.submit(vk::SubmitInfo{.commandBufferCount = 1, .pCommandBuffers = &*commands_});
+        queue_.waitIdle();
+    }
+
+    static constexpr vk::ImageSubresourceRange colour_range{vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1};
+
+    static vk::BufferImageCopy whole(ivec2 size) {
+        return {.imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
+                .imageExtent = {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y), 1}};
+    }
+
+    [[nodiscard]] picture make_picture(vk::Format format, ivec2 size, vk::ImageUsageFlags usage) {
+        picture p;
+        p.size = size;
+        p.image = {device_, vk::ImageCreateInfo{.imageType = vk::ImageType::e2D,
+                                                .format = format,
+                                                .extent = whole(size).imageExtent,
+                                                .mipLevels = 1,
+                                                .arrayLayers = 1,
+                                                .usage = usage}};
+        p.memory = allocate(p.image.getMemoryRequirements(), vk::MemoryPropertyFlagBits::eDeviceLocal);
+        p.image.bindMemory(*p.memory, 0);
+        p.view = {device_, vk::ImageViewCreateInfo{.image = *p.image,
+                                                   .viewType = vk::ImageViewType::e2D,
+                                                   .format = format,
+                                                   .subresourceRange = colour_range}};
+        submit([&] {
+            using stage = vk::PipelineStageFlagBits;
+            commands_.pipelineBarrier(stage::eTopOfPipe, stage::eAllCommands, {}, nullptr, nullptr,
+                                      vk::ImageMemoryBarrier{.dstAccessMask = vk::AccessFlagBits::eMemoryWrite,
+                                                             .newLayout = vk::ImageLayout::eGeneral,
+                                                             .image = *p.image,
+                                                             .subresourceRange = colour_range});
+        });
+        return p;
+    }
+
+    vk::raii::PhysicalDevice physical_;
+    vk::raii::Device device_;
+    vk::raii::Queue queue_;
+    vk::raii::CommandPool pool_;
+    vk::raii::CommandBuffer commands_;
+
+private:
+    [[nodiscard]] std::uint32_t family() const {
+        const auto all = physical_.getQueueFamilyProperties();
+        for (std::uint32_t i = 0; i < all.size(); ++i)
+            if (all[i].queueFlags & vk::QueueFlagBits::eGraphics) return i;
+        throw std::runtime_error("this Vulkan device cannot draw");
+    }
+
+    [[nodiscard]] vk::raii::Device make_device() const {
+        const float priority = 1.0f;
+        const vk::DeviceQueueCreateInfo queue{
+            .queueFamilyIndex = family(), .queueCount = 1, .pQueuePriorities = &priority};
+        return {physical_, vk::DeviceCreateInfo{.queueCreateInfoCount = 1, .pQueueCreateInfos = &queue}};
+    }
+
+    [[nodiscard]] vk::raii::DeviceMemory allocate(vk::MemoryRequirements need, vk::MemoryPropertyFlags flags) const {
+        const auto all = physical_.getMemoryProperties();
+        for (std::uint32_t i = 0; i < all.memoryTypeCount; ++i)
+            if ((need.memoryTypeBits >> i & 1) && (all.memoryTypes[i].propertyFlags & flags) == flags)
+                return {device_, vk::MemoryAllocateInfo{.allocationSize = need.size, .memoryTypeIndex = i}};
+        throw std::runtime_error("no Vulkan memory of the kind needed");
+    }
+};
+
+}  // namespace parity
