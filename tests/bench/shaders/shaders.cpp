@@ -13,42 +13,21 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include <entry.hpp>
-#include <umbrage/shader/registry.hpp>
+#include <umbrage/shader/glsl.hpp>
 
+#include "jobs.hpp"
 #include "vulkan.hpp"
 
 namespace {
 
 namespace glsl = umbrage::glsl;
-using glsl::snippet;
-
-std::string read(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::stringstream text;
-    text << file.rdbuf();
-    if (!file || text.str().empty()) throw std::runtime_error("cannot read " + path);
-    return text.str();
-}
-
-// ---- shaders -------------------------------------------------------------------------------------------------------
-
-struct shader {
-    std::string owner, name;
-    std::string preamble;  ///< macros, functions of peers
-    std::vector<snippet> snippets;
-    std::string result;    ///< vec4 expression of x0 .. x5, map, table, depth_map, map_size
-};
-
-/// Shaders for one job; the first is ours.
-struct job {
-    std::string name;
-    std::vector<shader> shaders;
-};
+using bench::job;
+using bench::shader;
 
 std::string inputs(const char* way) {
     std::string text;
@@ -61,7 +40,7 @@ bench::spirv compile(const std::string& text, const std::string& stage) {
     std::ofstream("shader." + stage) << text << std::flush;
     if (std::system((GLSLANG " -V -w --quiet -o shader.spv shader." + stage).c_str()) != 0)
         throw std::runtime_error("see shader." + stage);
-    const std::string bytes = read("shader.spv");
+    const std::string bytes = bench::read("shader.spv");
     bench::spirv code(bytes.size() / 4);
     bytes.copy(reinterpret_cast<char*>(code.data()), bytes.size());
     return code;
@@ -89,154 +68,6 @@ layout(location = 0) out vec4 result;
 void main() {
     result = )GLSL" + s.result + ";\n}\n", "frag");
 }
-
-// ---- jobs ----------------------------------------------------------------------------------------------------------
-
-std::vector<job> jobs(const std::string& folder) {
-    const auto text = [&](const std::string& name) { return read(folder + '/' + name + ".glsl"); };
-    const auto version = [&](const std::string& name) { return name + ' ' + read(folder + '/' + name + ".version"); };
-    const std::string three = version("three"), babylon = version("babylon"), playcanvas = version("playcanvas");
-    const std::string us = "umbrage";
-
-    // What the peers' engines put before these texts.
-    const std::string old = "#define texture2D texture\n#define textureCube texture\n";
-    const std::string three_shadow =
-        old + "#define USE_SHADOWMAP\n#define PI2 6.283185307179586\n" + text("three_shadow");
-    const std::string babylon_shadow = old + "#define SHADOWS\n#define WEBGL2\n#define texture2DLodEXT textureLod\n"
-                                             "float getRand(vec2 seed) { return 0.5; }\n" + text("babylon_shadow");
-    const std::string playcanvas_shadow =
-        "#define SHADOWMAP_ACCEPT(name) sampler2DShadow name\n#define SHADOWMAP_PASS(name) name\n"
-        "#define textureShadow(name, at) texture(name, at)\n#define saturate(v) clamp(v, 0.0, 1.0)\n" +
-        text("playcanvas_shadow");
-
-    // A packed map to a filter of ours: how a texel becomes a depth.
-    const auto fetch = [](const std::string& decoded) {
-        return "#define UMBRAGE_FETCH(map, size, texel) " + decoded + "\n";
-    };
-    const std::string texel = "umbrage_fetch_clamped(map, size, texel)";
-    const std::string rg11 = fetch("umbrage_decode_rg11(" + texel + ".xy, 1.0)");
-    const std::string level = fetch("umbrage_level_rg11(" + texel + ".xy)");
-    const auto by_level = [](const snippet& filter) {
-        return std::vector<snippet>{glsl::level_rg<11>, glsl::receiver_rg<11>, filter};
-    };
-    const std::string ps14 = fetch("umbrage_decode_ps14(" + texel + ".xy)");
-    const std::string threejs_rg = text("three") + fetch("unpackRGToDepth(" + texel + ".xy)");
-    const std::string threejs_rgba = text("three") + fetch("unpackRGBAToDepth(" + texel + ")");
-    const std::string babylon_rgba = text("babylon") + fetch("unpack(" + texel + ")");
-    const std::string playcanvas_rgba = text("playcanvas") + fetch("uint2float(" + texel + ")");
-    const std::string pcf = "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, x1.z))";
-    const auto taps = [](const std::string& receiver) {
-        return "vec4(umbrage_four_tap(map, map_size, x1.xy - 0.5, x1.xy + vec2(0.5, -0.5), "
-               "x1.xy + vec2(-0.5, 0.5), x1.xy + 0.5, " + receiver + "))";
-    };
-    const std::string receiver = "umbrage_receiver_rg11(x1.z, 1.0)";
-
-    return {
-        {"nothing", {{us, "nothing", "", {}, "x0"}}},
-        {"pack, 2 channels",
-         {{us, "rg11", "", {glsl::encode_rg<11>, glsl::to_unorm},
-           "vec4(umbrage_to_unorm(umbrage_encode_rg11(x0.x)), 0.0, 1.0)"},
-          {us, "rg16", "", {glsl::encode_rg<16>, glsl::to_unorm},
-           "vec4(umbrage_to_unorm(umbrage_encode_rg16(x0.x)), 0.0, 1.0)"},
-          {three, "packDepthToRG", text("three"), {}, "vec4(packDepthToRG(x0.x), 0.0, 1.0)"}}},
-        {"pack, 3 channels",
-         {{us, "rgb24", "", {glsl::encode_rgb24, glsl::to_unorm},
-           "vec4(umbrage_to_unorm(umbrage_encode_rgb24(x0.x)), 1.0)"},
-          {three, "packDepthToRGB", text("three"), {}, "vec4(packDepthToRGB(x0.x), 1.0)"}}},
-        {"pack, 4 channels",
-         {{us, "three RGBA", "", {glsl::write_threejs_rgba}, "umbrage_write_threejs_rgba(x0.x)"},
-          {us, "base 255, repaired", "", {glsl::encode_base255_repaired, glsl::to_unorm},
-           "umbrage_to_unorm(umbrage_encode_base255_repaired(x0.x))"},
-          {three, "packDepthToRGBA", text("three"), {}, "packDepthToRGBA(x0.x)"},
-          {babylon, "pack", text("babylon"), {}, "pack(x0.x)"}}},
-        {"pack, bits of a float",
-         {{us, "float_bits", "", {glsl::encode_float_bits, glsl::to_unorm},
-           "umbrage_to_unorm(umbrage_encode_float_bits(x0.x))"},
-          {playcanvas, "float2uint", text("playcanvas"), {}, "float2uint(x0.x)"}}},
-        {"unpack, 2 channels",
-         {{us, "rg11", "", {glsl::decode_rg<11>}, "vec4(umbrage_decode_rg11(x0.xy, 1.0))"},
-          {us, "rg16", "", {glsl::decode_rg<16>}, "vec4(umbrage_decode_rg16(x0.xy, 1.0))"},
-          {us, "ps14", "", {glsl::decode_ps14}, "vec4(umbrage_decode_ps14(x0.xy))"},
-          {three, "unpackRGToDepth", text("three"), {}, "vec4(unpackRGToDepth(x0.xy))"}}},
-        {"unpack, 3 channels",
-         {{us, "rgb24", "", {glsl::decode_rgb24}, "vec4(umbrage_decode_rgb24(x0.xyz, 1.0))"},
-          {three, "unpackRGBToDepth", text("three"), {}, "vec4(unpackRGBToDepth(x0.xyz))"}}},
-        {"unpack, 4 channels",
-         {{us, "three RGBA", "", {glsl::decode_threejs_rgba}, "vec4(umbrage_decode_threejs_rgba(x0))"},
-          {us, "base 255", "", {glsl::decode_base255}, "vec4(umbrage_decode_base255(x0))"},
-          {three, "unpackRGBAToDepth", text("three"), {}, "vec4(unpackRGBAToDepth(x0))"},
-          {babylon, "unpack", text("babylon"), {}, "vec4(unpack(x0))"}}},
-        {"unpack, bits of a float",
-         {{us, "float_bits", "", {glsl::decode_float_bits}, "vec4(umbrage_decode_float_bits(x0))"},
-          {playcanvas, "uint2float", text("playcanvas"), {}, "vec4(uint2float(x0))"}}},
-        {"hard, packed map",
-         {{us, "rg11 by level", level, by_level(glsl::hard),
-           "vec4(umbrage_hard(map, map_size, x1.xy, " + receiver + "))"},
-          {us, "rg11", rg11, {glsl::decode_rg<11>, glsl::hard}, "vec4(umbrage_hard(map, map_size, x1.xy, x1.z))"},
-          {babylon, "computeShadow", babylon_shadow, {},
-           "vec4(computeShadow(vec4(x0.xyz, 1.0), x0.z, map, 0.0, 0.0))"}}},
-        {"hard, depth map",
-         {{us, "hard", "", {glsl::hard}, "vec4(umbrage_hard(map, map_size, x1.xy, x1.z))"},
-          {three, "getShadow, basic", three_shadow, {},
-           "vec4(getShadow(map, map_size, 1.0, 0.0, 1.0, vec4(x0.xyz, 1.0)))"}}},
-        {"four taps, packed map",
-         {{us, "rg11 by level", level, by_level(glsl::four_tap), taps(receiver)},
-          {us, "rg11", rg11, {glsl::decode_rg<11>, glsl::four_tap}, taps("x1.z")},
-          {babylon, "computeShadowWithPoissonSampling", babylon_shadow, {},
-           "vec4(computeShadowWithPoissonSampling(vec4(x0.xyz, 1.0), x0.z, map, 1.0 / map_size.x, 0.0, 0.0))"}}},
-        {"2x2 PCF, packed map",
-         {{us, "rg11 by level", level, by_level(glsl::pcf_2x2),
-           "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, " + receiver + "))"},
-          {us, "rg11", rg11, {glsl::decode_rg<11>, glsl::pcf_2x2}, pcf},
-          {us, "ps14", ps14, {glsl::decode_ps14, glsl::receiver_ps14, glsl::pcf_2x2},
-           "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, umbrage_receiver_ps14(x1.z)))"},
-          {three, "unpackRGToDepth in the same filter", threejs_rg, {glsl::pcf_2x2}, pcf},
-          {three, "unpackRGBAToDepth in the same filter", threejs_rgba, {glsl::pcf_2x2}, pcf},
-          {babylon, "unpack in the same filter", babylon_rgba, {glsl::pcf_2x2}, pcf},
-          {playcanvas, "uint2float in the same filter", playcanvas_rgba, {glsl::pcf_2x2}, pcf}}},
-        {"2x2 PCF, depth map",  // the peers leave the filter to the sampler, whose work no instruction shows
-         {{us, "pcf_2x2", "", {glsl::pcf_2x2}, pcf},
-          {babylon, "computeShadowWithPCF1, by the sampler", babylon_shadow, {},
-           "vec4(computeShadowWithPCF1(vec4(x0.xyz, 1.0), x0.z, depth_map, 0.0, 0.0))"},
-          {playcanvas, "getShadowPCF1x1, by the sampler", playcanvas_shadow, {},
-           "vec4(getShadowPCF1x1(depth_map, x0.xyz, x1))"}}},
-        {"soft, 3x3 texels and about",
-         {{us, "box, r = 1, rg11 by level", level, by_level(glsl::box),
-           "vec4(umbrage_box(map, map_size, x1.xy, " + receiver + ", 1))"},
-          {us, "box, r = 1, rg11", rg11, {glsl::decode_rg<11>, glsl::box},
-           "vec4(umbrage_box(map, map_size, x1.xy, x1.z, 1))"},
-          {three, "getShadow, 5 taps by the sampler", "#define SHADOWMAP_TYPE_PCF\n" + three_shadow, {},
-           "vec4(getShadow(depth_map, map_size, 1.0, 0.0, 1.0, vec4(x0.xyz, 1.0)))"},
-          {babylon, "computeShadowWithPCF3, by the sampler", babylon_shadow, {},
-           "vec4(computeShadowWithPCF3(vec4(x0.xyz, 1.0), x0.z, depth_map, vec2(map_size.x, 1.0 / 2048.0), 0.0, 0.0))"},
-          {playcanvas, "getShadowPCF3x3, by the sampler", playcanvas_shadow, {},
-           "vec4(getShadowPCF3x3(depth_map, x0.xyz, vec4(map_size, 0.0, 0.0)))"}}},
-        {"soft, 5x5 texels",
-         {{us, "box, r = 2, rg11 by level", level, by_level(glsl::box),
-           "vec4(umbrage_box(map, map_size, x1.xy, " + receiver + ", 2))"},
-          {us, "box, r = 2, rg11", rg11, {glsl::decode_rg<11>, glsl::box},
-           "vec4(umbrage_box(map, map_size, x1.xy, x1.z, 2))"},
-          {babylon, "computeShadowWithPCF5, by the sampler", babylon_shadow, {},
-           "vec4(computeShadowWithPCF5(vec4(x0.xyz, 1.0), x0.z, depth_map, vec2(map_size.x, 1.0 / 2048.0), 0.0, 0.0))"},
-          {playcanvas, "getShadowPCF5x5, by the sampler", playcanvas_shadow, {},
-           "vec4(getShadowPCF5x5(depth_map, x0.xyz, vec4(map_size, 0.0, 0.0)))"}}},
-    };
-}
-
-/// Every snippet of the registry, called as the parity tests call it.
-job registry() {
-    job all{"every snippet", {}};
-    for (const snippet* s : glsl::registry)
-        for (const parity::entry& e : parity::entries())
-            if (e.primitive == s && e.variant.empty()) {
-                all.shaders.push_back({"umbrage", std::string(s->name), e.preamble, e.snippets(), e.call});
-                break;
-            }
-    if (all.shaders.size() != glsl::registry.size()) throw std::runtime_error("a snippet without a parity entry");
-    return all;
-}
-
-// ---- the table -----------------------------------------------------------------------------------------------------
 
 /// Writes the lines of every measure, by shader, and for each peer the ratio to ours.
 class table {
@@ -297,8 +128,8 @@ int main(int argc, char** argv) try {
     }
     if (columns.empty()) throw std::runtime_error("no Vulkan device: nothing to measure with");
 
-    std::vector<job> all = jobs(argv[1]);
-    all.push_back(registry());
+    std::vector<job> all = bench::jobs(argv[1]);
+    all.push_back(bench::registry());
     table out(argv[2], columns);
     const bench::spirv corners = vertex();
     for (const job& j : all) {

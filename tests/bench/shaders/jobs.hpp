@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// What is measured: snippets, and what three.js, Babylon.js and PlayCanvas do for the same job.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <umbrage/shader/glsl.hpp>
+
+namespace bench {
+
+/// A text file, whole.
+/// @throws std::runtime_error   it is empty, or not there
+[[nodiscard]] std::string read(const std::string& path);
+
+struct shader {
+    std::string owner, name;
+    std::string preamble;  ///< macros, functions of peers
+    std::vector<umbrage::glsl::snippet> snippets;
+    std::string result;    ///< vec4 expression of x0 .. x5, map, table, depth_map, map_size
+};
+
+/// Shaders for one job; the first is ours.
+struct job {
+    std::string name;
+    std::vector<shader> shaders;
+};
+
+/// @param folder   from packing/peers.mjs
+[[nodiscard]] std::vector<job> jobs(const std::string& folder);
+
+/// Every snippet of the registry, called as the parity tests call it.
+[[nodiscard]] job registry();
+
+}  // namespace bench
