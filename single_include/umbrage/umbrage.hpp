@@ -2754,7 +2754,7 @@ struct any_fetch {
 
 /// A callable (fetch, coord, receiver) -> visibility: all that functions over images ask for.
 template <class Filter>
-concept filter = std::copyable<Filter> && requires(const Filter& f, const detail::any_fetch& fetch, float receiver) {
+concept filter = std::copy_constructible<Filter> && requires(const Filter& f, const detail::any_fetch& fetch, float receiver) {
     { f(fetch, glm::vec2(), receiver) } -> std::convertible_to<float>;
 };
 
@@ -6799,6 +6799,9 @@ struct collection {
     std::array<const snippet*, 512> members{};
     std::size_t size = 0;
 
+    [[nodiscard]] constexpr const snippet* const* begin() const { return members.data(); }
+    [[nodiscard]] constexpr const snippet* const* end() const { return members.data() + size; }
+
     constexpr void add(const snippet* s) {
         for (std::size_t i = 0; i < size; ++i)
             if (members[i] == s) return;
@@ -6818,22 +6821,27 @@ constexpr collection collect(const Lists&... lists) {
     return all;
 }
 
-inline constexpr collection everything = collect(
-    // light
-    texture_matrix_snippets,
-    // depth
-    kinds_snippets, scalar_snippets, unorm_snippets,
-    encoding_snippets, rg_table_snippets, rg_level_snippets, ps14_snippets,
-    // maps and filters
-    image_snippets, texel_space_snippets, compare_snippets, filter_snippets,
-    // shade, view
-    lighting_snippets, false_colour_snippets);
+// What the values of a list name.
+inline constexpr auto writers = std::apply([](const auto&... e) { return std::array{e.writer...}; }, encodings);
+inline constexpr auto readers = std::apply([](const auto&... e) { return std::array{e.reader...}; }, encodings);
+inline constexpr auto filters =
+    std::apply([](const auto&... f) { return std::array{f.snippet...}; }, umbrage::filters::all);
+
+// The rooms.
+inline constexpr auto light = collect(texture_matrix_snippets);
+inline constexpr auto kinds = collect(kinds_snippets);
+inline constexpr auto codes = collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets, readers);
+inline constexpr auto levels = collect(rg_level_snippets, ps14_snippets);
+inline constexpr auto maps = collect(image_snippets, texel_space_snippets, compare_snippets, filters);
+inline constexpr auto shade = collect(lighting_snippets);
+inline constexpr auto view = collect(false_colour_snippets);
+inline constexpr auto everything = collect(light, kinds, codes, levels, maps, shade, view);
 
 }  // namespace detail
 
 inline constexpr auto registry = [] {
     std::array<const snippet*, detail::everything.size> all{};
-    std::copy_n(detail::everything.members.begin(), all.size(), all.begin());
+    std::copy_n(detail::everything.begin(), all.size(), all.begin());
     return all;
 }();
 

@@ -27,7 +27,7 @@ struct any_fetch {
 
 /// A callable (fetch, coord, receiver) -> visibility: all that functions over images ask for.
 template <class Filter>
-concept filter = std::copyable<Filter> && requires(const Filter& f, const detail::any_fetch& fetch, float receiver) {
+concept filter = std::copy_constructible<Filter> && requires(const Filter& f, const detail::any_fetch& fetch, float receiver) {
     { f(fetch, glm::vec2(), receiver) } -> std::convertible_to<float>;
 };
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <tuple>
 
 #include <umbrage/compare.hpp>
 #include <umbrage/depth/encodings.hpp>
@@ -17,7 +18,6 @@
 #include <umbrage/depth/rg_level.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/filter/filters.hpp>
-#include <umbrage/filter/texel_space.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shade/lighting.hpp>
@@ -32,6 +32,9 @@ namespace detail {
 struct collection {
     std::array<const snippet*, 512> members{};
     std::size_t size = 0;
+
+    [[nodiscard]] constexpr const snippet* const* begin() const { return members.data(); }
+    [[nodiscard]] constexpr const snippet* const* end() const { return members.data() + size; }
 
     constexpr void add(const snippet* s) {
         for (std::size_t i = 0; i < size; ++i)
@@ -52,22 +55,27 @@ constexpr collection collect(const Lists&... lists) {
     return all;
 }
 
-inline constexpr collection everything = collect(
-    // light
-    texture_matrix_snippets,
-    // depth
-    kinds_snippets, scalar_snippets, unorm_snippets,
-    encoding_snippets, rg_table_snippets, rg_level_snippets, ps14_snippets,
-    // maps and filters
-    image_snippets, texel_space_snippets, compare_snippets, filter_snippets,
-    // shade, view
-    lighting_snippets, false_colour_snippets);
+// What the values of a list name.
+inline constexpr auto writers = std::apply([](const auto&... e) { return std::array{e.writer...}; }, encodings);
+inline constexpr auto readers = std::apply([](const auto&... e) { return std::array{e.reader...}; }, encodings);
+inline constexpr auto filters =
+    std::apply([](const auto&... f) { return std::array{f.snippet...}; }, umbrage::filters::all);
+
+// The rooms.
+inline constexpr auto light = collect(texture_matrix_snippets);
+inline constexpr auto kinds = collect(kinds_snippets);
+inline constexpr auto codes = collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets, readers);
+inline constexpr auto levels = collect(rg_level_snippets, ps14_snippets);
+inline constexpr auto maps = collect(image_snippets, texel_space_snippets, compare_snippets, filters);
+inline constexpr auto shade = collect(lighting_snippets);
+inline constexpr auto view = collect(false_colour_snippets);
+inline constexpr auto everything = collect(light, kinds, codes, levels, maps, shade, view);
 
 }  // namespace detail
 
 inline constexpr auto registry = [] {
     std::array<const snippet*, detail::everything.size> all{};
-    std::copy_n(detail::everything.members.begin(), all.size(), all.begin());
+    std::copy_n(detail::everything.begin(), all.size(), all.begin());
     return all;
 }();
 
