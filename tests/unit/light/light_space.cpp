@@ -268,7 +268,8 @@ TEST_CASE_TEMPLATE("perspective: depth from plane to plane, however small or lar
     const std::pair<T, T> planes[] = {{T(1e-30), T(1e-20)}, {least, 2 * least},       {least, 1},         {1, greatest},
                                       {least, greatest},    {greatest / 8, greatest}, {T(1e-20), T(1e20)}};
     for (clip_space clip : all_clip_spaces())
-        for (auto [z_near, z_far] : planes) {
+        for (const auto& pair : planes) {
+            const T z_near = pair.first, z_far = pair.second;  // captured below, which clang 14 refuses of bindings
             CAPTURE(to_string(clip));
             CAPTURE(z_near);
             CAPTURE(z_far);
