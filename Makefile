@@ -3,6 +3,7 @@
 #     make demo    makes pictures in build/demo
 #     make gallery   every system, encoding and filter on one page: build/gallery/index.html
 #     make test    builds and runs every test
+#     make unit T=filter/pcf/box   builds and runs one header's unit tests; without T all of them
 #     make prove   every float and every code, on every implementation here: about an hour on two cores
 #     make bench   ours against memcpy, GLM code, llvmpipe, Embree and OpenCV: a table, and plots in build/plots
 #     make bench-compare A=old.json B=new.json   tells two runs of it apart, or several: A="1.json 2.json" B="3.json 4.json"
@@ -59,7 +60,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test newest-clang demo gallery bench bench-compare prove asan bench-packing bench-shaders single-header readme compile-time clean
+.PHONY: test unit newest-clang demo gallery bench bench-compare prove asan bench-packing bench-shaders single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -69,6 +70,12 @@ test:
 	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang; \
 	else echo "No clang++-14 here: the pass with it is left out."; fi
 	@build/dev/tests/readme/readme --print build/dev/tests/parity
+
+unit:
+	$(call install,$(test_packages))
+	@test -f build/dev/build.ninja || cmake --preset dev
+	cmake --build --preset dev --target $(if $(T),unit.$(subst /,.,$(T)),unit)
+	ctest --preset dev -R '^unit/$(T)$(if $(T),$$)'
 
 newest-clang:
 	$(if $(newest_clang),$(call install,$(newest_clang)))
