@@ -10,7 +10,7 @@
 #include <bit>
 #include <cstdint>
 
-#include <glm/gtc/type_precision.hpp>
+#include <glm/fwd.hpp>
 #include <glm/vec4.hpp>
 
 #include <umbrage/depth/encoding.hpp>

@@ -13,7 +13,7 @@
 #include <cassert>
 #include <cstddef>
 
-#include <glm/gtc/type_precision.hpp>
+#include <glm/fwd.hpp>
 #include <glm/vec2.hpp>
 
 #include <umbrage/depth/code.hpp>

@@ -7,7 +7,7 @@
 //
 #pragma once
 
-#include <glm/gtc/type_precision.hpp>
+#include <glm/fwd.hpp>
 #include <glm/vec3.hpp>
 
 #include <umbrage/depth/code.hpp>

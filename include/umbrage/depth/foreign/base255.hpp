@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-#include <glm/gtc/type_precision.hpp>
+#include <glm/fwd.hpp>
 #include <glm/vec4.hpp>
 
 #include <umbrage/depth/encoding.hpp>

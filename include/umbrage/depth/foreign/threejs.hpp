@@ -20,7 +20,7 @@
 
 #include <cmath>
 
-#include <glm/gtc/type_precision.hpp>
+#include <glm/fwd.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
