@@ -84,7 +84,7 @@ struct image_view {
 
 namespace detail {
 
-/// Starts memory where a line of the cache starts, so that no block of pixels straddles two without need.
+/// Aligns memory to cache lines, so that no block of pixels straddles two without need.
 template <class T>
 struct line_allocator {
     using value_type = T;

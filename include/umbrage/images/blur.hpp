@@ -70,7 +70,7 @@ inline constexpr int float_channels = static_cast<int>(sizeof(T) / sizeof(float)
 /// 64 sums of taps; tap(i) is where those at distance i begin, i from -radius to radius.
 template <class Tap, std::size_t... I>
 UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, float* __restrict to, std::index_sequence<I...>) {
-    // Pointers and weights as locals: then one loop holds all taps, and nothing waits in memory.
+    // Pointers and weights are locals, which stay in registers: one loop holds all taps.
     const float* const centre = tap(0);
     const std::array<const float*, sizeof...(I)> before{tap(-static_cast<int>(I) - 1)...}, after{tap(static_cast<int>(I) + 1)...};
     const std::array<float, sizeof...(I)> w{weights[I + 1]...};

@@ -34,9 +34,9 @@ namespace detail {
 template <class T, isa Set>
 inline constexpr int sum_lanes = std::is_integral_v<T> && Set != isa::base ? running_sum_lanes : 4;
 
-/// The running sums of a band, and what lies under it. Machines compare the last twelve bits of addresses first, and let a
-/// load wait for a store that looks like it: so these lie where rows of the image and of the table do not. The worst
-/// place, measured, is five times as slow.
+/// The running sums of a band, and those of the bands before it. A load waits for an earlier store whose address has the
+/// same last twelve bits (4K aliasing): so both lie, modulo 4096, away from the rows of the image and of the table. The
+/// worst placement was measured to be five times as slow.
 template <class Sum>
 class band_sums {
 public:
@@ -82,11 +82,11 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
     };
     int x = 0;
-    // Of this block and the next: a load would wait for the stores to a like address in another page.
+    // This block and the next, which is loaded before the stores that its loads could alias with.
     alignas(64) Sum values[2][block];
     const auto load = [&](int first) UMBRAGE_INLINE {
         Sum* const into = values[first / block % 2];
-        // Measured: what the machine does itself is too late.
+        // Measured: the hardware prefetcher comes too late.
         prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));
         for (int i = 0; i < block; ++i) into[i] = from[first + i];
     };
@@ -96,7 +96,7 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         const Sum* const now = values[x / block % 2];
         for (int i = 0; i < block; i += Lanes) sum_few(now + i, base + x + i, line + x + i, to + x + i);
     }
-    for (; x < count; x += Lanes) {  // base and line are long enough
+    for (; x < count; x += Lanes) {  // base and line are padded
         const int there = count - x < Lanes ? count - x : Lanes;
         Sum rest[Lanes]{};
         alignas(Lanes * sizeof(Sum)) Sum result[Lanes];
