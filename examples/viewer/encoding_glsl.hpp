@@ -18,6 +18,7 @@
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rgb24.hpp>
 #include <umbrage/depth/foreign/threejs.hpp>
+#include <umbrage/depth/foreign/threejs_legacy.hpp>
 
 namespace viewer {
 

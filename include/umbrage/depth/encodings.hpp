@@ -15,6 +15,7 @@
 #include <umbrage/depth/float_bits.hpp>
 #include <umbrage/depth/foreign/base255.hpp>
 #include <umbrage/depth/foreign/threejs.hpp>
+#include <umbrage/depth/foreign/threejs_legacy.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rgb24.hpp>
 

@@ -13,6 +13,7 @@
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/depth/rgb24.hpp>
 #include <umbrage/depth/foreign/threejs.hpp>
+#include <umbrage/depth/foreign/threejs_legacy.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>

@@ -14,6 +14,7 @@
 #include <umbrage/depth/foreign/base255.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/foreign/threejs.hpp>
+#include <umbrage/depth/foreign/threejs_legacy.hpp>
 #include <umbrage/depth/kinds.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rg_table.hpp>

@@ -3,7 +3,6 @@
 // Whole formats, their worst errors and faults: tests/proof/foreign.cpp.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <limits>
 
 #include <umbrage/depth/foreign/threejs.hpp>
@@ -13,16 +12,9 @@ using namespace umbrage;
 namespace {
 
 constexpr float inf = std::numeric_limits<float>::infinity(), nan32 = std::numeric_limits<float>::quiet_NaN();
-constexpr float below_one = 0x1.fffffep-1f;
 
-// the literals of the GLSL twins
+// the literal of the GLSL twins
 static_assert(0.00392156886f == float(1.0 / 255.0));
-static_assert(1.00392163f == float(256.0 / 255.0));
-
-static_assert(encode_threejs_legacy_repaired(0.5f) == glm::u8vec4(0, 0, 0, 128));
-static_assert(encode_threejs_legacy_repaired(float(0x010203) / 16777216.0f) == glm::u8vec4(0, 3, 2, 1));
-static_assert(encode_threejs_legacy_repaired(1.0f) == glm::u8vec4(255));
-static_assert(encode_threejs_legacy_repaired(below_one) == glm::u8vec4(0, 255, 255, 255));
 
 }  // namespace
 
@@ -43,28 +35,16 @@ TEST_CASE("write_threejs_rgb, write_threejs_rg: shorter, the fraction in the las
     CHECK(decode_threejs_rg(glm::vec2(128.0f / 255.0f, 0.5f)) == 0.5f + 0.5f / 256.0f);
 }
 
-TEST_CASE("write_threejs_legacy: A most significant, 1 written as 256 / 255") {
-    CHECK(store_unorm8(write_threejs_legacy(float(0x010203) / 16777216.0f)) == glm::u8vec4(0, 3, 2, 1));
-    CHECK(write_threejs_legacy(1.0f) == glm::vec4(0, 0, 0, float(256.0 / 255.0)));
-    CHECK(write_threejs_legacy(0.5f).w == 0.5f * float(256.0 / 255.0));
-    CHECK(decode_threejs_legacy(glm::vec4(0, 0, 0, 128.0f / 255.0f)) == 0.5f);
-    CHECK(decode_threejs_legacy(glm::vec4(0, 0, 0, 1)) == 255.0f / 256.0f);
-}
-
-TEST_CASE("encode_threejs_*: out of range and NaN are the ends") {
+TEST_CASE("write_threejs_*: out of range and NaN are the ends") {
     for (float v : {1.0f, 2.0f, inf, nan32, -nan32}) {
         CHECK(write_threejs_rgba(v) == glm::vec4(1));
         CHECK(write_threejs_rgb(v) == glm::vec3(1));
         CHECK(write_threejs_rg(v) == glm::vec2(1));
-        CHECK(write_threejs_legacy(v) == write_threejs_legacy(1.0f));
-        CHECK(encode_threejs_legacy_repaired(v) == glm::u8vec4(255));
     }
     for (float v : {0.0f, -0.0f, -1.0f, -inf}) {
         CHECK(write_threejs_rgba(v) == glm::vec4(0));
         CHECK(write_threejs_rgb(v) == glm::vec3(0));
         CHECK(write_threejs_rg(v) == glm::vec2(0));
-        CHECK(write_threejs_legacy(v) == glm::vec4(0));
-        CHECK(encode_threejs_legacy_repaired(v) == glm::u8vec4(0));
     }
 }
 
@@ -74,9 +54,5 @@ TEST_CASE("three.js formats: double and float write the same bytes on depths tha
         REQUIRE(store_unorm8(write_threejs_rgba(d)) == store_unorm8(write_threejs_rgba(double(d))));
         REQUIRE(store_unorm8(write_threejs_rgb(d)) == store_unorm8(write_threejs_rgb(double(d))));
         REQUIRE(store_unorm8(write_threejs_rg(d)) == store_unorm8(write_threejs_rg(double(d))));
-        REQUIRE(store_unorm8(write_threejs_legacy(d)) == store_unorm8(write_threejs_legacy(double(d))));
-        REQUIRE(encode_threejs_legacy_repaired(d) == encode_threejs_legacy_repaired(double(d)));
-        const glm::u8vec4 texel = encode_threejs_legacy_repaired(d);
-        REQUIRE(std::abs(decode_threejs_legacy(load_unorm8<double>(texel)) - double(d)) <= (d < 1 ? 1e-15 : 0x1p-32));
     }
 }

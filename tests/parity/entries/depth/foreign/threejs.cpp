@@ -15,12 +15,6 @@ void add_depth_foreign_threejs(std::vector<entry>& all) {
                          [](float d) { return vec4(write_threejs_rgb(d), 1.0f); }));
     all.push_back(writer(glsl::write_threejs_rg, "vec4(umbrage_write_threejs_rg(x0.x), 0.0, 1.0)",
                          [](float d) { return vec4(write_threejs_rg(d), 0.0f, 1.0f); }));
-    all.push_back(writer(glsl::write_threejs_legacy, "umbrage_write_threejs_legacy(x0.x)",
-                         [](float d) { return write_threejs_legacy(d); }));
-    const entry repaired = writer(glsl::encode_threejs_legacy_repaired, "umbrage_encode_threejs_legacy_repaired(x0.x)",
-                                  [](float d) { return vec4(encode_threejs_legacy_repaired(d)); });
-    all.push_back(repaired);
-    all.push_back(stored(repaired));
 
     all.push_back(reader(glsl::decode_threejs_rgba, "vec4(umbrage_decode_threejs_rgba(x0))",
                          [](vec4 c) { return decode_threejs_rgba(c); }));
@@ -28,8 +22,6 @@ void add_depth_foreign_threejs(std::vector<entry>& all) {
                          [](vec4 c) { return decode_threejs_rgb(vec3(c)); }));
     all.push_back(reader(glsl::decode_threejs_rg, "vec4(umbrage_decode_threejs_rg(vec2(x0.x, x0.y)))",
                          [](vec4 c) { return decode_threejs_rg(vec2(c)); }));
-    all.push_back(reader(glsl::decode_threejs_legacy, "vec4(umbrage_decode_threejs_legacy(x0))",
-                         [](vec4 c) { return decode_threejs_legacy(c); }));
 }
 
 }  // namespace parity
