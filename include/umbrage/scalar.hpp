@@ -36,6 +36,23 @@ concept real = std::same_as<T, float> || std::same_as<T, double>;
     return (detail::bit_cast<std::uint64_t>(v) & 0x7FFFFFFFFFFFFFFFull) < 0x7FF0000000000000ull;
 }
 
+namespace detail {
+
+/// Of a vector or a matrix: true when no element is NaN or infinite.
+template <class Elements>
+[[nodiscard]] constexpr bool all_finite(const Elements& v) {
+    for (decltype(v.length()) i = 0; i < v.length(); ++i) {
+        if constexpr (requires { is_finite(v[i]); }) {
+            if (!is_finite(v[i])) return false;
+        } else if (!all_finite(v[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace detail
+
 /// Clamps to [0, 1]. NaN of either sign becomes far, the cleared depth; -0 becomes +0.
 /// @param far   1, or 0 where depth is reversed
 /// @formula     v >= 1 ? 1 : (v > 0 ? v : (v <= 0 ? 0 : far))

@@ -35,17 +35,6 @@ inline void require(bool met, const char* function, const char* arguments, const
     if (!met) fail(std::string("umbrage::") + function + ": " + arguments + " " + problem);
 }
 
-template <glm::length_t N, real T>
-[[nodiscard]] constexpr bool all_finite(const glm::vec<N, T>& v) {
-    for (glm::length_t i = 0; i < N; ++i)
-        if (!is_finite(v[i])) return false;
-    return true;
-}
-template <real T>
-[[nodiscard]] constexpr bool all_finite(const glm::mat<4, 4, T>& m) {
-    return all_finite(m[0]) && all_finite(m[1]) && all_finite(m[2]) && all_finite(m[3]);
-}
-
 /// True for what neither overflowed nor is lost where denormals count as zero.
 template <real T>
 [[nodiscard]] bool is_normal(T v) {

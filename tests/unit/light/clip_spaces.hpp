@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What tests of lights share: every convention there is, a double's way through a matrix, and what an error says.
+// What tests of lights share: every convention there is, a double's way through a matrix, how matrices differ, and
+// what an error says.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -13,6 +15,7 @@
 #include <glm/vec3.hpp>
 
 #include <umbrage/clip_space.hpp>
+#include <umbrage/scalar.hpp>
 
 inline std::vector<umbrage::clip_space> all_clip_spaces() {
     using namespace umbrage;
@@ -59,4 +62,17 @@ template <class T>
 glm::dvec3 through(const glm::mat<4, 4, T>& m, glm::dvec3 p) {
     const glm::dvec4 h = glm::dmat4(m) * glm::dvec4(p, 1.0);
     return glm::dvec3(h) / h.w;
+}
+
+/// Greatest difference between entries, as a share of the greatest entry.
+template <class T>
+double difference(const glm::mat<4, 4, T>& a, const glm::mat<4, 4, T>& b) {
+    double gap = 0, greatest = 0;
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r) {
+            if (!(umbrage::is_finite(a[c][r]) && umbrage::is_finite(b[c][r]))) return std::numeric_limits<double>::infinity();
+            gap = std::max(gap, std::abs(double(a[c][r]) - double(b[c][r])));
+            greatest = std::max(greatest, std::abs(double(a[c][r])));
+        }
+    return gap / greatest;
 }

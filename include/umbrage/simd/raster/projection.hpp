@@ -189,14 +189,5 @@ private:
     glm::dvec2 half_size_;
 };
 
-/// True when no element is NaN or infinite.
-[[nodiscard]] inline bool all_finite(glm::vec3 p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
-[[nodiscard]] inline bool all_finite(const glm::mat4& m) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!is_finite(m[column][row])) return false;
-    return true;
-}
-
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
