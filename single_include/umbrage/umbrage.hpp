@@ -1083,7 +1083,7 @@ template <real T>
 [[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth, T far = T(1)) {
     T rest = saturate(depth, far) * T(255);
     glm::u8vec4 digits(0);
-    for (int i = 0; i < 4; ++i) {
+    for (glm::length_t i = 0; i < 4; ++i) {
         const T digit = std::floor(rest);
         digits[i] = static_cast<std::uint8_t>(digit);
         rest = (rest - digit) * T(255);
@@ -2359,7 +2359,7 @@ template <real T>
     glm::vec<3, T> side = glm::cross(forward, unit(up));
     if (!(glm::length(side) > T(1e-3))) {
         const glm::vec<3, T> along = glm::abs(forward);
-        const int least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
+        const glm::length_t least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
         glm::vec<3, T> axis(0);
         axis[least] = T(1);
         side = glm::cross(forward, axis);
@@ -2369,7 +2369,7 @@ template <real T>
     const T towards = hand == handedness::right ? T(1) : T(-1);  // left: half a turn about y
 
     glm::mat<4, 4, T> view(T(1));
-    for (int i = 0; i < 3; ++i) {
+    for (glm::length_t i = 0; i < 3; ++i) {
         view[i][0] = towards * side[i];
         view[i][1] = above[i];
         view[i][2] = -towards * forward[i];
@@ -2447,7 +2447,7 @@ template <real T>
     const auto [at_near, at_far] = ends<T>(clip);
     const T forward = clip.hand == handedness::right ? T(-1) : T(1);
     glm::mat<4, 4, T> m(T(1));
-    for (int i = 0; i < 2; ++i) {
+    for (glm::length_t i = 0; i < 2; ++i) {
         m[i][i] = T(2) / (high[i] - low[i]);
         m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
         require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "give too large or too small a box");
@@ -2699,7 +2699,7 @@ template <real T>
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
     glm::vec<4, T> c(0);
-    for (int row = 0; row < 4; ++row)
+    for (glm::length_t row = 0; row < 4; ++row)
         c[row] = m[3][row] + m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z;
     return c;
 }
@@ -3776,7 +3776,7 @@ namespace umbrage::detail {
 
 template <class T, int Count>
 struct plain_lanes {
-    T at[Count];
+    T at[std::size_t(Count)];
 
     T& operator[](int i) { return at[i]; }
     const T& operator[](int i) const { return at[i]; }
@@ -3858,7 +3858,7 @@ UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count
                                      lanes_of<std::int32_t, Count>& lit) {
     if constexpr (Forward) lit = receiver <= stored;
     else lit = receiver >= stored;
-    if constexpr (finite_math_only) lit &= ((lanes_of<std::int32_t, Count>)stored & 0x7FFFFFFF) <= 0x7F800000;
+    if constexpr (finite_math_only) lit &= (reinterpret_cast<lanes_of<std::int32_t, Count>>(stored) & 0x7FFFFFFF) <= 0x7F800000;
 }
 
 template <int Count>
@@ -3866,7 +3866,7 @@ UMBRAGE_INLINE inline void sum_two_lanes(const lanes_of<std::int32_t, Count>& fi
                                          const lanes_of<std::int32_t, Count>& second, std::int32_t* sums) {
     using four = lanes_of<std::int32_t, 4>;
     const auto to_four = [](const auto& numbers) UMBRAGE_INLINE {
-        four parts[Count / 4], sum{};
+        four parts[std::size_t(Count) / 4], sum{};
         std::memcpy(parts, &numbers, sizeof parts);
         for (const four& part : parts) sum += part;
         return sum;
@@ -3874,8 +3874,8 @@ UMBRAGE_INLINE inline void sum_two_lanes(const lanes_of<std::int32_t, Count>& fi
     const four a = to_four(first), b = to_four(second);
 #if defined(__x86_64__)
     using bytes = compiler_lanes<char, 16>::type;
-    const auto halves = (bytes)__builtin_ia32_packssdw128(a, b);
-    const auto wide = (four)__builtin_ia32_psadbw128(halves, bytes{});  // adds bytes, eight at a time
+    const auto halves = reinterpret_cast<bytes>(__builtin_ia32_packssdw128(a, b));
+    const auto wide = reinterpret_cast<four>(__builtin_ia32_psadbw128(halves, bytes{}));  // adds bytes, eight at a time
     const auto both = __builtin_ia32_packssdw128(wide, wide);
     std::memcpy(sums, &both, 2 * sizeof *sums);
 #else
@@ -4091,7 +4091,7 @@ inline void load(const depth_receivers& seen, const block_walk& at, receiver_blo
         const float y = static_cast<float>(at.y) + 0.5f;
         for (int i = 0; i < block; ++i) {
             const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
-            const auto sum = [&](int k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
+            const auto sum = [&](glm::length_t k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
             const float w = sum(3);
             const auto bits = detail::bit_cast<std::int32_t>(w);
             const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
@@ -4316,7 +4316,7 @@ struct box_rows {
     static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
     std::ptrdiff_t stride;
     int width;
-    std::int32_t window[3 * Lanes]{};  ///< lanes that the rest of a row has in a register, slid to where they are
+    std::int32_t window[3 * std::size_t(Lanes)]{};  ///< lanes that the rest of a row has in a register, slid to where they are
 
     UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(Width ? Width : box_width) {
         for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
@@ -5657,7 +5657,7 @@ public:
             const glm::dmat4 m = matrix_;
             const glm::dvec2 half_size = half_size_;
             for (int i = 0; i < block; ++i) {
-                const auto clip_row = [&](int r) UMBRAGE_INLINE {
+                const auto clip_row = [&](glm::length_t r) UMBRAGE_INLINE {
                     return m[0][r] * double(x[i]) + m[1][r] * double(y[i]) + m[2][r] * double(z[i]) + m[3][r];
                 };
                 const double w = clip_row(3), band = guard_band * w;
@@ -5695,7 +5695,7 @@ public:
 private:
     static constexpr double smallest_w = 0x1p-126;
 
-    [[nodiscard]] double row(int r, glm::vec3 p) const {
+    [[nodiscard]] double row(glm::length_t r, glm::vec3 p) const {
         return matrix_[0][r] * double(p.x) + matrix_[1][r] * double(p.y) + matrix_[2][r] * double(p.z) + matrix_[3][r];
     }
 
@@ -6065,7 +6065,7 @@ public:
         constexpr std::size_t soon = 16, later = 32;
         if (k + later < list.size()) prefetch_line(&mesh_.triangles[list[k + later]]);
         if (k + soon < list.size())
-            for (int corner = 0; corner < 3; ++corner)
+            for (glm::length_t corner = 0; corner < 3; ++corner)
                 prefetch_line(&vertices_[mesh_.triangles[list[k + soon]][corner]]);
     }
 
@@ -6261,7 +6261,7 @@ public:
 
 private:
     struct block_writer {
-        double ramp[Lanes];
+        double ramp[std::size_t(Lanes)];
         std::int32_t lowest, highest;
 
         UMBRAGE_INLINE explicit block_writer(const depth_plane& plane)
@@ -6273,8 +6273,8 @@ private:
         /// The first `count` of a block's texels; what is there can be anything.
         UMBRAGE_INLINE void operator()(float* texels, double z, int count) const {
             constexpr std::int32_t infinity = 0x7F800000, sign = std::numeric_limits<std::int32_t>::min();
-            std::int32_t there[Lanes], here[Lanes];
-            float rounded[Lanes];
+            std::int32_t there[std::size_t(Lanes)], here[std::size_t(Lanes)];
+            float rounded[std::size_t(Lanes)];
             for (int i = 0; i < Lanes; ++i) rounded[i] = static_cast<float>(z + ramp[i]);
             std::memcpy(here, rounded, sizeof here);
             std::memcpy(there, texels, sizeof there);
@@ -6291,7 +6291,7 @@ private:
 
         /// The same where the row ends before the block.
         void at_border(float* texels, double z, int count) const {
-            float copy[Lanes]{};
+            float copy[std::size_t(Lanes)]{};
             for (int i = 0; i < count; ++i) copy[i] = texels[i];
             (*this)(copy, z, count);
             for (int i = 0; i < count; ++i) texels[i] = copy[i];
@@ -6415,7 +6415,7 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
     const double centre_x = texel.x + 0.5;
     const double centre_y = clip.origin == texture_origin::top ? size.y - texel.y - 0.5 : texel.y + 0.5;
     std::array<glm::dvec2, 3> from;  // the centre to each vertex, times w
-    for (int i = 0; i < 3; ++i) {
+    for (glm::length_t i = 0; i < 3; ++i) {
         const auto h = project.homogeneous(mesh.positions[mesh.triangles[triangle][i]]);
         from[std::size_t(i)] = {h.x - centre_x * h.w, h.y - centre_y * h.w};
     }
@@ -6516,8 +6516,8 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
     }
     for (; x < count; x += Lanes) {  // base and line are padded
         const int there = count - x < Lanes ? count - x : Lanes;
-        Sum rest[Lanes]{};
-        alignas(Lanes * sizeof(Sum)) Sum result[Lanes];
+        Sum rest[std::size_t(Lanes)]{};
+        alignas(Lanes * sizeof(Sum)) Sum result[std::size_t(Lanes)];
         for (int i = 0; i < there; ++i) rest[i] = from[x + i];
         sum_few(rest, base + x, line + x, result);
         if constexpr (Store != table_store::none)

@@ -117,7 +117,7 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
     const double centre_x = texel.x + 0.5;
     const double centre_y = clip.origin == texture_origin::top ? size.y - texel.y - 0.5 : texel.y + 0.5;
     std::array<glm::dvec2, 3> from;  // the centre to each vertex, times w
-    for (int i = 0; i < 3; ++i) {
+    for (glm::length_t i = 0; i < 3; ++i) {
         const auto h = project.homogeneous(mesh.positions[mesh.triangles[triangle][i]]);
         from[std::size_t(i)] = {h.x - centre_x * h.w, h.y - centre_y * h.w};
     }

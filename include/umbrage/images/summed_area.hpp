@@ -98,8 +98,8 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
     }
     for (; x < count; x += Lanes) {  // base and line are padded
         const int there = count - x < Lanes ? count - x : Lanes;
-        Sum rest[Lanes]{};
-        alignas(Lanes * sizeof(Sum)) Sum result[Lanes];
+        Sum rest[std::size_t(Lanes)]{};
+        alignas(Lanes * sizeof(Sum)) Sum result[std::size_t(Lanes)];
         for (int i = 0; i < there; ++i) rest[i] = from[x + i];
         sum_few(rest, base + x, line + x, result);
         if constexpr (Store != table_store::none)

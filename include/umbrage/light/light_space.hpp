@@ -70,7 +70,7 @@ template <real T>
     glm::vec<3, T> side = glm::cross(forward, unit(up));
     if (!(glm::length(side) > T(1e-3))) {
         const glm::vec<3, T> along = glm::abs(forward);
-        const int least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
+        const glm::length_t least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
         glm::vec<3, T> axis(0);
         axis[least] = T(1);
         side = glm::cross(forward, axis);
@@ -80,7 +80,7 @@ template <real T>
     const T towards = hand == handedness::right ? T(1) : T(-1);  // left: half a turn about y
 
     glm::mat<4, 4, T> view(T(1));
-    for (int i = 0; i < 3; ++i) {
+    for (glm::length_t i = 0; i < 3; ++i) {
         view[i][0] = towards * side[i];
         view[i][1] = above[i];
         view[i][2] = -towards * forward[i];
@@ -158,7 +158,7 @@ template <real T>
     const auto [at_near, at_far] = ends<T>(clip);
     const T forward = clip.hand == handedness::right ? T(-1) : T(1);
     glm::mat<4, 4, T> m(T(1));
-    for (int i = 0; i < 2; ++i) {
+    for (glm::length_t i = 0; i < 2; ++i) {
         m[i][i] = T(2) / (high[i] - low[i]);
         m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
         require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "give too large or too small a box");

@@ -88,7 +88,7 @@ template <real T>
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
     glm::vec<4, T> c(0);
-    for (int row = 0; row < 4; ++row)
+    for (glm::length_t row = 0; row < 4; ++row)
         c[row] = m[3][row] + m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z;
     return c;
 }

@@ -21,7 +21,7 @@ namespace umbrage::detail {
 
 template <class T, int Count>
 struct plain_lanes {
-    T at[Count];
+    T at[std::size_t(Count)];
 
     T& operator[](int i) { return at[i]; }
     const T& operator[](int i) const { return at[i]; }
@@ -103,7 +103,7 @@ UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count
                                      lanes_of<std::int32_t, Count>& lit) {
     if constexpr (Forward) lit = receiver <= stored;
     else lit = receiver >= stored;
-    if constexpr (finite_math_only) lit &= ((lanes_of<std::int32_t, Count>)stored & 0x7FFFFFFF) <= 0x7F800000;
+    if constexpr (finite_math_only) lit &= (reinterpret_cast<lanes_of<std::int32_t, Count>>(stored) & 0x7FFFFFFF) <= 0x7F800000;
 }
 
 template <int Count>
@@ -111,7 +111,7 @@ UMBRAGE_INLINE inline void sum_two_lanes(const lanes_of<std::int32_t, Count>& fi
                                          const lanes_of<std::int32_t, Count>& second, std::int32_t* sums) {
     using four = lanes_of<std::int32_t, 4>;
     const auto to_four = [](const auto& numbers) UMBRAGE_INLINE {
-        four parts[Count / 4], sum{};
+        four parts[std::size_t(Count) / 4], sum{};
         std::memcpy(parts, &numbers, sizeof parts);
         for (const four& part : parts) sum += part;
         return sum;
@@ -119,8 +119,8 @@ UMBRAGE_INLINE inline void sum_two_lanes(const lanes_of<std::int32_t, Count>& fi
     const four a = to_four(first), b = to_four(second);
 #if defined(__x86_64__)
     using bytes = compiler_lanes<char, 16>::type;
-    const auto halves = (bytes)__builtin_ia32_packssdw128(a, b);
-    const auto wide = (four)__builtin_ia32_psadbw128(halves, bytes{});  // adds bytes, eight at a time
+    const auto halves = reinterpret_cast<bytes>(__builtin_ia32_packssdw128(a, b));
+    const auto wide = reinterpret_cast<four>(__builtin_ia32_psadbw128(halves, bytes{}));  // adds bytes, eight at a time
     const auto both = __builtin_ia32_packssdw128(wide, wide);
     std::memcpy(sums, &both, 2 * sizeof *sums);
 #else

@@ -48,9 +48,11 @@ bool shadows() {
             }
         const float expected = shadow(depth, receivers, umbrage::depth32f{}, umbrage::filters::hard{});
         const auto near = [&](float share) { return share > 0.8f * expected && share < 1.2f * expected; };
-        ok = ok && expected > 0.1f && expected < 0.9f &&
-             near(shadow(depth, receivers, umbrage::rg<11>{}, umbrage::filters::four_tap{})) &&
-             near(shadow(depth, receivers, umbrage::rgb24{}, umbrage::filters::pcf_2x2{})) &&
+        ok = ok && expected > 0.1f && expected < 0.9f;
+        umbrage::for_each_encoding([&](const auto& encoding) {  // foreign ones may lose the far plane: more shadow
+            ok = ok && shadow(depth, receivers, encoding, umbrage::filters::pcf_2x2{}) > 0.8f * expected;
+        });
+        ok = ok && near(shadow(depth, receivers, umbrage::rg<11>{}, umbrage::filters::four_tap{})) &&
              near(shadow(depth, receivers, umbrage::float_bits{}, umbrage::filters::box{.radius = 2}));
 
         umbrage::image<float> blurred(map_size);

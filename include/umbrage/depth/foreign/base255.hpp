@@ -52,7 +52,7 @@ template <real T>
 [[nodiscard]] glm::u8vec4 encode_base255_repaired(T depth, T far = T(1)) {
     T rest = saturate(depth, far) * T(255);
     glm::u8vec4 digits(0);
-    for (int i = 0; i < 4; ++i) {
+    for (glm::length_t i = 0; i < 4; ++i) {
         const T digit = std::floor(rest);
         digits[i] = static_cast<std::uint8_t>(digit);
         rest = (rest - digit) * T(255);

@@ -29,7 +29,7 @@ struct box_rows {
     static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
     std::ptrdiff_t stride;
     int width;
-    std::int32_t window[3 * Lanes]{};  ///< lanes that the rest of a row has in a register, slid to where they are
+    std::int32_t window[3 * std::size_t(Lanes)]{};  ///< lanes that the rest of a row has in a register, slid to where they are
 
     UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(Width ? Width : box_width) {
         for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;

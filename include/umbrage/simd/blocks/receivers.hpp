@@ -92,7 +92,7 @@ inline void load(const depth_receivers& seen, const block_walk& at, receiver_blo
         const float y = static_cast<float>(at.y) + 0.5f;
         for (int i = 0; i < block; ++i) {
             const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
-            const auto sum = [&](int k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
+            const auto sum = [&](glm::length_t k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
             const float w = sum(3);
             const auto bits = detail::bit_cast<std::int32_t>(w);
             const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));

@@ -76,7 +76,7 @@ public:
         constexpr std::size_t soon = 16, later = 32;
         if (k + later < list.size()) prefetch_line(&mesh_.triangles[list[k + later]]);
         if (k + soon < list.size())
-            for (int corner = 0; corner < 3; ++corner)
+            for (glm::length_t corner = 0; corner < 3; ++corner)
                 prefetch_line(&vertices_[mesh_.triangles[list[k + soon]][corner]]);
     }
 

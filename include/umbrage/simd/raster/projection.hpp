@@ -142,7 +142,7 @@ public:
             const glm::dmat4 m = matrix_;
             const glm::dvec2 half_size = half_size_;
             for (int i = 0; i < block; ++i) {
-                const auto clip_row = [&](int r) UMBRAGE_INLINE {
+                const auto clip_row = [&](glm::length_t r) UMBRAGE_INLINE {
                     return m[0][r] * double(x[i]) + m[1][r] * double(y[i]) + m[2][r] * double(z[i]) + m[3][r];
                 };
                 const double w = clip_row(3), band = guard_band * w;
@@ -180,7 +180,7 @@ public:
 private:
     static constexpr double smallest_w = 0x1p-126;
 
-    [[nodiscard]] double row(int r, glm::vec3 p) const {
+    [[nodiscard]] double row(glm::length_t r, glm::vec3 p) const {
         return matrix_[0][r] * double(p.x) + matrix_[1][r] * double(p.y) + matrix_[2][r] * double(p.z) + matrix_[3][r];
     }
 

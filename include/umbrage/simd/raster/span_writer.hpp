@@ -68,7 +68,7 @@ public:
 
 private:
     struct block_writer {
-        double ramp[Lanes];
+        double ramp[std::size_t(Lanes)];
         std::int32_t lowest, highest;
 
         UMBRAGE_INLINE explicit block_writer(const depth_plane& plane)
@@ -80,8 +80,8 @@ private:
         /// The first `count` of a block's texels; what is there can be anything.
         UMBRAGE_INLINE void operator()(float* texels, double z, int count) const {
             constexpr std::int32_t infinity = 0x7F800000, sign = std::numeric_limits<std::int32_t>::min();
-            std::int32_t there[Lanes], here[Lanes];
-            float rounded[Lanes];
+            std::int32_t there[std::size_t(Lanes)], here[std::size_t(Lanes)];
+            float rounded[std::size_t(Lanes)];
             for (int i = 0; i < Lanes; ++i) rounded[i] = static_cast<float>(z + ramp[i]);
             std::memcpy(here, rounded, sizeof here);
             std::memcpy(there, texels, sizeof there);
@@ -98,7 +98,7 @@ private:
 
         /// The same where the row ends before the block.
         void at_border(float* texels, double z, int count) const {
-            float copy[Lanes]{};
+            float copy[std::size_t(Lanes)]{};
             for (int i = 0; i < count; ++i) copy[i] = texels[i];
             (*this)(copy, z, count);
             for (int i = 0; i < count; ++i) texels[i] = copy[i];
