@@ -42,7 +42,7 @@ void check_lit() {
         Lanes<float, Count> depths;
         Lanes<std::int32_t, Count> mask;
         load_lanes(stored + first, depths);
-        lit_lanes<Count>(0.5f, depths, mask);
+        lit_lanes<Count, true>(0.5f, depths, mask);
         std::int32_t results[Count];
         store_lanes(mask, results);
         for (int i = 0; i < Count; ++i) CHECK(results[i] == (lit[first + i] ? -1 : 0));
