@@ -162,13 +162,13 @@ template <class T>
     return clamped(map.view());
 }
 
-/// fetch_bordered as the callable that filters take; `border` = 1 makes everything outside the map lit.
+/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is lit.
 template <class T>
 [[nodiscard]] auto bordered(image_view<T> map, std::remove_const_t<T> border) {
     return [map, border](glm::ivec2 texel) { return fetch_bordered(map, texel, border); };
 }
 template <class T>
-[[nodiscard]] auto bordered(const image<T>& map, T border) {
+[[nodiscard]] auto bordered(const image<T>& map, std::type_identity_t<T> border) {
     return bordered(map.view(), border);
 }
 

@@ -696,13 +696,13 @@ template <class T>
     return clamped(map.view());
 }
 
-/// fetch_bordered as the callable that filters take; `border` = 1 makes everything outside the map lit.
+/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is lit.
 template <class T>
 [[nodiscard]] auto bordered(image_view<T> map, std::remove_const_t<T> border) {
     return [map, border](glm::ivec2 texel) { return fetch_bordered(map, texel, border); };
 }
 template <class T>
-[[nodiscard]] auto bordered(const image<T>& map, T border) {
+[[nodiscard]] auto bordered(const image<T>& map, std::type_identity_t<T> border) {
     return bordered(map.view(), border);
 }
 
@@ -2843,11 +2843,16 @@ template <class Fetch>
 }
 
 /// A packed map as the fetch callable that filters take.
-/// @param encoding   rg<Bits>, rgb24, float_bits, depth32f
+/// @param fetch      ivec2 -> texel, e.g. bordered(map, encoding.cleared()); a map stands for clamped(map)
+/// @param encoding   one of encodings.hpp
 /// @throws std::invalid_argument  empty map
+template <std::invocable<glm::ivec2> Fetch, class Encoding>
+[[nodiscard]] auto decoded(Fetch fetch, Encoding encoding) {
+    return [fetch, encoding](glm::ivec2 texel) { return encoding.decode(fetch(texel)); };
+}
 template <class Texel, class Encoding>
 [[nodiscard]] auto decoded(image_view<Texel> map, Encoding encoding) {
-    return [fetch = clamped(map), encoding](glm::ivec2 texel) { return encoding.decode(fetch(texel)); };
+    return decoded(clamped(map), encoding);
 }
 template <class Texel, class Encoding>
 [[nodiscard]] auto decoded(const image<Texel>& map, Encoding encoding) {
@@ -2883,13 +2888,19 @@ bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver)
 }
 )GLSL"};
 
-/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps, arrays, borders.
+/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps. UMBRAGE_OUTSIDE_LIT, defined beforehand,
+/// makes it bordered(map, cleared_depth(clip)) instead of clamped(map).
 inline constexpr snippet fetch_depth{
     .name = "fetch_depth", .summary = "stored depth of a texel, as a macro to redefine", .exactness = tier::a,
-    .needs = list<&fetch_clamped>, .source = R"GLSL(
-// UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps, arrays, borders
+    .needs = list<&fetch_clamped, &fetch_bordered, &saturate>, .source = R"GLSL(
+// UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
+// UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
 #ifndef UMBRAGE_FETCH
+#ifndef UMBRAGE_OUTSIDE_LIT
 #define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
+#else
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(UMBRAGE_FAR)).x
+#endif
 #endif
 // umbrage_fetch_depth: stored depth of a texel
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {

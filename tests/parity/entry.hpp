@@ -41,6 +41,9 @@ struct sample {
     [[nodiscard]] auto depth() const {
         return [view = map](ivec2 texel) { return umbrage::fetch_clamped(view, texel).x; };
     }
+    [[nodiscard]] auto bordered_depth(float border) const {
+        return [view = map, border](ivec2 texel) { return umbrage::fetch_bordered(view, texel, vec4(border)).x; };
+    }
 };
 
 /// Inputs of one kind; `fill` writes the i-th of them into a sample whose map is set.

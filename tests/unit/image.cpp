@@ -144,5 +144,6 @@ TEST_CASE("fetch_bordered: outside is the border, and an empty map is all border
         }
     CHECK(bordered(map, -7)({std::numeric_limits<int>::max(), 0}) == -7);
     CHECK(bordered(map.view(), -7)({2, 1}) == 12);
+    CHECK(bordered(image<float>({1, 1}), 1)({2, 1}) == 1.0f);
     CHECK(bordered(image<int>(), -7)({0, 0}) == -7);
 }

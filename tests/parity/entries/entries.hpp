@@ -11,6 +11,9 @@ namespace parity {
 /// What a user defines for reversed Z.
 inline const std::string reversed = "#define UMBRAGE_REVERSED\n";
 
+/// What a user defines for maps outside of which all is lit.
+inline const std::string outside_lit = "#define UMBRAGE_OUTSIDE_LIT\n";
+
 /// The coordinate that receivers() fills.
 [[nodiscard]] inline vec2 at(const sample& s) {
     return vec2(s.x[0]);

@@ -68,6 +68,11 @@ TEST_CASE("decoded: a packed map filters as the map of its decoded depths") {
     };
     for_each_encoding(check);
     check(rg<11>{.edge = lower_edge<float>});
+    for_each_encoding([&](auto encoding) {
+        const image<typename decltype(encoding)::texel> dark({1, 1}, encoding.encode(0.25f));
+        CHECK(hard(decoded(dark, encoding), glm::vec2(-1), 0.5f) == 0.0f);
+        CHECK(hard(decoded(bordered(dark, encoding.cleared()), encoding), glm::vec2(-1), 0.5f) == 1.0f);
+    });
     CHECK_THROWS_AS((void)decoded(image<glm::u8vec2>(), rg<11>{}), std::invalid_argument);
 }
 

@@ -14,6 +14,19 @@ void add_filter_texel_space(std::vector<entry>& all) {
                    .twin = [](const sample& s) { return vec4(fetch_depth(s.depth(), texel_of(s))); },
                    .call = "vec4(umbrage_fetch_depth(map, map_size, vec2(x0.x, x0.y)))",
                    .maps = depth_maps()});
+    for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
+        const bool forward = direction == depth_direction::forward;
+        all.push_back({.primitive = &glsl::fetch_depth,
+                       .variant = forward ? "lit outside" : "lit outside, reversed",
+                       .classes = whole_texels(),
+                       .twin =
+                           [direction](const sample& s) {
+                               return vec4(fetch_depth(s.bordered_depth(cleared_depth(direction)), texel_of(s)));
+                           },
+                       .call = "vec4(umbrage_fetch_depth(map, map_size, vec2(x0.x, x0.y)))",
+                       .maps = depth_maps(),
+                       .preamble = outside_lit + (forward ? "" : reversed)});
+    }
     all.push_back({.primitive = &glsl::inside_texel_space,
                    .classes = receivers(),
                    .twin = [](const sample& s) { return vec4(inside_texel_space(vec2(s.x[0])) ? 1.0f : 0.0f); },

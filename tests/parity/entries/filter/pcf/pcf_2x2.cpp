@@ -51,6 +51,20 @@ void add_filter_pcf_pcf_2x2(std::vector<entry>& all) {
                    .call = "vec4(umbrage_pcf_2x2(map, map_size, vec2(x0.x, x0.y), x0.z))",
                    .maps = depth_maps(),
                    .preamble = reversed});
+    for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
+        const bool forward = direction == depth_direction::forward;
+        all.push_back({.primitive = &glsl::pcf_2x2,
+                       .variant = forward ? "lit outside" : "lit outside, reversed",
+                       .classes = receivers(),
+                       .twin =
+                           [direction](const sample& s) {
+                               return vec4(pcf_2x2(s.bordered_depth(cleared_depth(direction)), at(s), s.x[0].z,
+                                                   comparison{direction}));
+                           },
+                       .call = "vec4(umbrage_pcf_2x2(map, map_size, vec2(x0.x, x0.y), x0.z))",
+                       .maps = depth_maps(),
+                       .preamble = outside_lit + (forward ? "" : reversed)});
+    }
     all.push_back({.primitive = &glsl::pcf_2x2,
                    .variant = "packed map",
                    .classes = receivers(),
