@@ -2,7 +2,7 @@
 //
 // Separable blur of images of one to four floats a texel, such as moments.
 //
-//     umbrage::blur(moments.view(), blurred.view(), umbrage::make_gaussian_kernel(7, 1.5f));
+//     umbrage::blur(moments, blurred, umbrage::make_gaussian_kernel(7, 1.5f));
 //
 #pragma once
 
@@ -174,6 +174,13 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
     const image_view<const float> floats_from(reinterpret_cast<const float*>(from.data), size, from.stride);
     const image_view<float> floats_to(reinterpret_cast<float*>(to.data), size, to.stride);
     parallel(size.y, [&](int first, int last) { detail::blur_rows<channels>(floats_from, floats_to, kernel, first, last); });
+}
+
+/// The same where one of the two is an image.
+template <class From, class To, class ParallelFor = serial>
+    requires detail::some_image<From, To>
+void blur(const From& from, To&& to, const blur_kernel& kernel, ParallelFor&& parallel = {}) {
+    blur(detail::view_of(from), detail::view_of(to), kernel, parallel);
 }
 
 }  // namespace umbrage

@@ -3,8 +3,8 @@
 // Summed-area tables: the sum over any rectangle of an image from four texels.
 //
 //     umbrage::image<std::uint32_t> sums(values.size());
-//     umbrage::summed_area(values.view(), sums.view());
-//     std::uint32_t sum = umbrage::box_sum(sums.view(), {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
+//     umbrage::summed_area(values, sums);
+//     std::uint32_t sum = umbrage::box_sum(sums, {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
 //
 // Prefer integers: quantise depths or moments first. Their tables are exact, whatever the order; a table of floats
 // loses bits as it grows, and its differences lose more.
@@ -203,6 +203,13 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
     }
 }
 
+/// The same where one of the two is an image.
+template <class From, class Sums, class ParallelFor = serial>
+    requires detail::some_image<From, Sums>
+void summed_area(const From& values, Sums&& sums, ParallelFor&& parallel = {}) {
+    summed_area(detail::view_of(values), detail::view_of(sums), parallel);
+}
+
 /// Sum over a rectangle of the image that a table was made of.
 ///
 /// @param sums     a table from summed_area
@@ -219,6 +226,10 @@ template <class T>
     if (left > right || low > high) return 0;
     const auto at = [&](int x, int y) { return x < 0 || y < 0 ? std::remove_const_t<T>(0) : sums.row(y)[x]; };
     return ((at(right, high) - at(left - 1, high)) - at(right, low - 1)) + at(left - 1, low - 1);
+}
+template <class T>
+[[nodiscard]] T box_sum(const image<T>& sums, glm::ivec2 first, glm::ivec2 last) {
+    return box_sum(sums.view(), first, last);
 }
 
 }  // namespace umbrage

@@ -1,129 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Image functions against the primitives they stand for, bit by bit: every instruction set of this machine, every
-// rounding mode, sizes that are no multiple of anything, rows with gaps, bands.
-#include <doctest/doctest.h>
+// visibility over images against the filters called for each receiver, bit by bit.
+#include "paths.hpp"
 
-#include <bit>
-#include <cfenv>
-#include <cmath>
-#include <cstring>
-#include <limits>
-#include <random>
-#include <utility>
-#include <vector>
+#include <type_traits>
 
-#include <umbrage/images/encode.hpp>
 #include <umbrage/images/visibility.hpp>
 
 namespace {
 
-using umbrage::image;
-using umbrage::detail::isa;
-
-template <class Use>
-void for_each_path(Use&& use) {
-    const isa best = umbrage::detail::isa_in_use;
-    for (isa set : {isa::base, isa::avx2, isa::avx512}) {
-        if (umbrage::detail::best_isa() < set) continue;
-        for (int rounding : {FE_TONEAREST, FE_TOWARDZERO, FE_UPWARD, FE_DOWNWARD}) {
-            CAPTURE(static_cast<int>(set));
-            CAPTURE(rounding);
-            umbrage::detail::isa_in_use = set;
-            std::fesetround(rounding);
-            use();
-            std::fesetround(FE_TONEAREST);
-        }
-    }
-    umbrage::detail::isa_in_use = best;
-}
-
-/// As many pieces, the last first.
-struct bands {
-    int pieces;
-    template <class Piece>
-    void operator()(int count, Piece&& piece) const {
-        for (int i = pieces - 1; i >= 0; --i)
-            if (count * i / pieces < count * (i + 1) / pieces) piece(count * i / pieces, count * (i + 1) / pieces);
-    }
-};
-
-std::uint32_t bits(float v) { return std::bit_cast<std::uint32_t>(v); }
-
-/// Rounding down makes x - x of the primitives -0, which is the same visibility.
-std::uint32_t visibility_bits(float v) { return v == 0.0f ? 0 : bits(v); }
-
-struct values {
-    std::mt19937 engine{20021};
-    std::uint32_t word() { return static_cast<std::uint32_t>(engine()); }
-    float unit() { return static_cast<float>(word() >> 8) * 0x1p-24f; }
-    /// What breaks conversions: NaN of either sign, infinities, borders of codes, any pattern of bits.
-    float depth() {
-        constexpr float infinity = std::numeric_limits<float>::infinity();
-        switch (word() % 12) {
-            case 0: return std::bit_cast<float>(word());
-            case 1: return std::bit_cast<float>(0x7FC00000u | (word() & 0x803FFFFFu));
-            case 2: return word() % 2 ? infinity : -infinity;
-            case 3: return word() % 2 ? -0.0f : 1.0f;
-            case 4: return std::nextafter(static_cast<float>(word() % 2049) / 2048.0f, word() % 2 ? 2.0f : -1.0f);
-            case 5: return static_cast<float>(word() % 65537) / 65536.0f;
-            default: return unit();
-        }
-    }
-    float coord(int size) {
-        const float v = unit() * static_cast<float>(size + 24) - 12.0f;
-        switch (word() % 12) {
-            case 0: return std::bit_cast<float>(word());
-            case 1: return std::floor(v);
-            case 2: return std::floor(v * 256.0f) / 256.0f;
-            case 3: return std::nextafter(std::floor(v), -1e9f);
-            case 4: return word() % 2 ? 32768.0f : std::nextafter(-32768.0f, 0.0f);
-            default: return v;
-        }
-    }
-};
-
-/// Rows with a gap behind each, which nobody may touch.
-template <class T>
-struct gapped {
-    glm::ivec2 size;
-    std::vector<T> memory;
-    explicit gapped(glm::ivec2 s) : size(s), memory(static_cast<std::size_t>((s.x + 5) * s.y), T(7)) {}
-    umbrage::image_view<T> view() { return {memory.data(), size, (size.x + 5) * static_cast<std::ptrdiff_t>(sizeof(T))}; }
-    bool gaps_untouched() {
-        for (int y = 0; y < size.y; ++y)
-            for (int x = size.x; x < size.x + 5; ++x)
-                if (memory[static_cast<std::size_t>(y * (size.x + 5) + x)] != T(7)) return false;
-        return true;
-    }
-};
-
-template <class Encoding>
-void check_codec(Encoding encoding) {
-    using texel = typename Encoding::texel;
-    values v;
-    for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(63, 3), glm::ivec2(64, 2), glm::ivec2(65, 40), glm::ivec2(389, 31)}) {
-        gapped<float> depth(size), back(size);
-        gapped<texel> texels(size);
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) depth.view()[{x, y}] = v.depth();
-        for_each_path([&] {
-            umbrage::encode(depth.view(), texels.view(), encoding, bands{3});
-            umbrage::decode(texels.view(), back.view(), encoding, bands{2});
-            int different = 0;
-            for (int y = 0; y < size.y; ++y)
-                for (int x = 0; x < size.x; ++x) {
-                    const texel wanted = encoding.encode(depth.view()[{x, y}]);
-                    const float decoded = encoding.decode(wanted);
-                    different += std::memcmp(&wanted, &texels.view()[{x, y}], sizeof wanted) != 0;
-                    different += bits(decoded) != bits(back.view()[{x, y}]);
-                }
-            CHECK(different == 0);
-            CHECK(texels.gaps_untouched());
-            CHECK(back.gaps_untouched());
-        });
-    }
-}
+using namespace paths;
 
 template <class Encoding, class Filter>
 void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
@@ -211,30 +97,34 @@ void check_coherent(Encoding encoding, Filter filter, glm::ivec2 map_size, glm::
     });
 }
 
+/// The library's filters, each with every radius that it may have, in either direction.
+template <class Use>
+void for_each_setting(Use&& use) {
+    umbrage::for_each_filter([&](auto filter) {
+        const auto in_both_directions = [&] {
+            use(filter);
+            if constexpr (requires { filter.is_lit.direction; }) {
+                filter.is_lit.direction = umbrage::depth_direction::reversed;
+                use(filter);
+                filter.is_lit.direction = umbrage::depth_direction::forward;
+            }
+        };
+        if constexpr (requires { filter.radius; })
+            for (int radius : {-1, 0, 1, 2, 3, 4, 7, 8, 9}) {
+                filter.radius = radius;
+                in_both_directions();
+            }
+        else in_both_directions();
+    });
+}
+
 template <class Encoding>
 void check_filters(Encoding encoding) {
-    for (const glm::ivec2 map_size : {glm::ivec2(1, 1), glm::ivec2(1, 9), glm::ivec2(2, 2), glm::ivec2(9, 4), glm::ivec2(67, 45)}) {
-        check_filter(encoding, umbrage::filters::hard{}, map_size);
-        check_filter(encoding, umbrage::filters::four_tap{}, map_size);
-        check_filter(encoding, umbrage::filters::pcf_2x2{}, map_size);
-        for (int radius : {-1, 0, 1, 2, 3, 4, 7, 8, 9}) {
-            check_filter(encoding, umbrage::filters::box{radius}, map_size);
-            check_filter(encoding, umbrage::filters::hierarchical_box{radius}, map_size);
-        }
-    }
+    for (const glm::ivec2 map_size : {glm::ivec2(1, 1), glm::ivec2(1, 9), glm::ivec2(2, 2), glm::ivec2(9, 4), glm::ivec2(67, 45)})
+        for_each_setting([&](const auto& filter) { check_filter(encoding, filter, map_size); });
 }
 
 }  // namespace
-
-TEST_CASE("encode, decode: every path gives the primitive's bits") {
-    check_codec(umbrage::rg<9>{});
-    check_codec(umbrage::rg<11>{});
-    check_codec(umbrage::rg<16>{});
-    check_codec(umbrage::rg<11>{.edge = umbrage::lower_edge<float>});
-    check_codec(umbrage::rgb24{});
-    check_codec(umbrage::float_bits{});
-    check_codec(umbrage::depth32f{});
-}
 
 TEST_CASE("visibility: every path gives the filter's bits, float map") { check_filters(umbrage::depth32f{}); }
 TEST_CASE("visibility: every path gives the filter's bits, 11-bit map") { check_filters(umbrage::rg<11>{}); }
@@ -293,4 +183,15 @@ TEST_CASE("encode, visibility: large images, which bypass the cache, rows on and
         CHECK(texels.gaps_untouched());
         CHECK(visibility.gaps_untouched());
     });
+}
+
+TEST_CASE("visibility: maps that reach beyond texel space, up to its last texels") {
+    for (const glm::ivec2 map_size : {glm::ivec2(32769, 2), glm::ivec2(2, 32770), glm::ivec2(32768, 2)}) {
+        const bool wide = map_size.x > map_size.y;
+        const glm::vec2 along = wide ? glm::vec2(1, 0) : glm::vec2(0, 1), across = wide ? glm::vec2(0, 1) : glm::vec2(1, 0);
+        for_each_setting([&](const auto& filter) {
+            check_coherent(umbrage::depth32f{}, filter, map_size, 32762.0f * along + 0.4f * across, 0.03125f * along);
+        });
+        check_coherent(umbrage::rg<11>{}, umbrage::filters::pcf_2x2{}, map_size, 32762.0f * along, 0.03125f * along);
+    }
 }
