@@ -666,6 +666,30 @@ private:
     std::vector<T, detail::line_allocator<T>> texels_;
 };
 
+namespace detail {
+
+/// What functions over images take: an image, or a view of one.
+template <class T>
+[[nodiscard]] image_view<T> view_of(image_view<T> view) {
+    return view;
+}
+template <class T>
+[[nodiscard]] image_view<T> view_of(image<T>& of) {
+    return of;
+}
+template <class T>
+[[nodiscard]] image_view<const T> view_of(const image<T>& of) {
+    return of;
+}
+template <class T>
+inline constexpr bool is_image = false;
+template <class T>
+inline constexpr bool is_image<image<T>> = true;
+template <class... Any>
+concept some_image = (is_image<std::remove_cvref_t<Any>> || ...);
+
+}  // namespace detail
+
 /// Texel of the map, coordinates outside moved to the nearest one inside. The map must not be empty.
 /// @exactness   A
 template <class T>
@@ -4966,7 +4990,7 @@ inline constexpr auto filter_snippets = []<class... Filters>(const std::tuple<Fi
 // ---- umbrage/images/blur.hpp
 // Separable blur of images of one to four floats a texel, such as moments.
 //
-//     umbrage::blur(moments.view(), blurred.view(), umbrage::make_gaussian_kernel(7, 1.5f));
+//     umbrage::blur(moments, blurred, umbrage::make_gaussian_kernel(7, 1.5f));
 //
 
 namespace umbrage {
@@ -5120,6 +5144,13 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
     const image_view<const float> floats_from(reinterpret_cast<const float*>(from.data), size, from.stride);
     const image_view<float> floats_to(reinterpret_cast<float*>(to.data), size, to.stride);
     parallel(size.y, [&](int first, int last) { detail::blur_rows<channels>(floats_from, floats_to, kernel, first, last); });
+}
+
+/// The same where one of the two is an image.
+template <class From, class To, class ParallelFor = serial>
+    requires detail::some_image<From, To>
+void blur(const From& from, To&& to, const blur_kernel& kernel, ParallelFor&& parallel = {}) {
+    blur(detail::view_of(from), detail::view_of(to), kernel, parallel);
 }
 
 }  // namespace umbrage
@@ -6449,8 +6480,8 @@ UMBRAGE_END_STRICT_MATH
 // Summed-area tables: the sum over any rectangle of an image from four texels.
 //
 //     umbrage::image<std::uint32_t> sums(values.size());
-//     umbrage::summed_area(values.view(), sums.view());
-//     std::uint32_t sum = umbrage::box_sum(sums.view(), {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
+//     umbrage::summed_area(values, sums);
+//     std::uint32_t sum = umbrage::box_sum(sums, {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
 //
 // Prefer integers: quantise depths or moments first. Their tables are exact, whatever the order; a table of floats
 // loses bits as it grows, and its differences lose more.
@@ -6632,6 +6663,13 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
     }
 }
 
+/// The same where one of the two is an image.
+template <class From, class Sums, class ParallelFor = serial>
+    requires detail::some_image<From, Sums>
+void summed_area(const From& values, Sums&& sums, ParallelFor&& parallel = {}) {
+    summed_area(detail::view_of(values), detail::view_of(sums), parallel);
+}
+
 /// Sum over a rectangle of the image that a table was made of.
 ///
 /// @param sums     a table from summed_area
@@ -6648,6 +6686,10 @@ template <class T>
     if (left > right || low > high) return 0;
     const auto at = [&](int x, int y) { return x < 0 || y < 0 ? std::remove_const_t<T>(0) : sums.row(y)[x]; };
     return ((at(right, high) - at(left - 1, high)) - at(right, low - 1)) + at(left - 1, low - 1);
+}
+template <class T>
+[[nodiscard]] T box_sum(const image<T>& sums, glm::ivec2 first, glm::ivec2 last) {
+    return box_sum(sums.view(), first, last);
 }
 
 }  // namespace umbrage
