@@ -10,8 +10,8 @@
 namespace umbrage {
 
 /// Of the world and of view space alike, as in lookAtRH and lookAtLH: the view is a rotation, never a mirror.
-/// Seen from the light, x is to the right and y up; right looks down -z, left down +z. A mesh keeps its winding: what goes
-/// clockwise for the light goes clockwise in NDC, y up.
+/// Seen from the light, x is to the right and y up; right looks down -z, left down +z. A mesh keeps its winding: what
+/// goes clockwise for the light goes clockwise in NDC, y up.
 enum class handedness { right, left };
 enum class depth_range { zero_to_one, minus_one_to_one };  ///< of z/w between the planes
 enum class depth_direction { forward, reversed };          ///< reversed: the near plane has the greater depth

@@ -4,9 +4,10 @@
 //
 //     bool lit = umbrage::less_equal{}(receiver - bias, stored);
 //
-// Filters compare once per texel with less_equal and no epsilon inside; for reversed Z pass greater_equal, or comparison
-// where the direction is known when the program runs (in GLSL: #define UMBRAGE_REVERSED). A NaN on either side is in
-// shadow. A receiver beyond the far plane, where no map reaches, is lit: filters ask beyond_far before they compare.
+// Filters compare once per texel with less_equal and no epsilon inside; for reversed Z pass greater_equal, or
+// comparison where the direction is known when the program runs (in GLSL: #define UMBRAGE_REVERSED). A NaN on either
+// side is in shadow. A receiver beyond the far plane, where no map reaches, is lit: filters ask beyond_far before they
+// compare.
 #pragma once
 
 #include <umbrage/clip_space.hpp>
@@ -55,11 +56,13 @@ struct comparison {
 
     template <real T>
     [[nodiscard]] constexpr bool operator()(T receiver, T stored) const {
-        return direction == depth_direction::forward ? less_equal{}(receiver, stored) : greater_equal{}(receiver, stored);
+        return direction == depth_direction::forward ? less_equal{}(receiver, stored)
+                                                     : greater_equal{}(receiver, stored);
     }
     template <real T>
     [[nodiscard]] constexpr bool beyond_far(T receiver) const {
-        return direction == depth_direction::forward ? less_equal::beyond_far(receiver) : greater_equal::beyond_far(receiver);
+        return direction == depth_direction::forward ? less_equal::beyond_far(receiver)
+                                                     : greater_equal::beyond_far(receiver);
     }
 };
 
@@ -96,7 +99,9 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet compare{
-    .name = "compare", .summary = "one comparison, as a macro to redefine", .exactness = tier::a,
+    .name = "compare",
+    .summary = "one comparison, as a macro to redefine",
+    .exactness = tier::a,
     .source = R"GLSL(
 // UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
 #ifndef UMBRAGE_LIT
@@ -110,10 +115,13 @@ inline constexpr snippet compare{
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
     return UMBRAGE_LIT(receiver, stored);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet compare_dx_sdk{
-    .name = "compare_dx_sdk", .summary = "stored + epsilon < receiver is shadow", .exactness = tier::b,
+    .name = "compare_dx_sdk",
+    .summary = "stored + epsilon < receiver is shadow",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
 UMBRAGE_HIGHP float umbrage_compare_dx_sdk(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored,
@@ -121,10 +129,13 @@ UMBRAGE_HIGHP float umbrage_compare_dx_sdk(UMBRAGE_HIGHP float receiver, UMBRAGE
     UMBRAGE_PRECISE UMBRAGE_HIGHP float limit = stored + epsilon;
     return limit < receiver ? 0.0 : 1.0;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet compare_exercise{
-    .name = "compare_exercise", .summary = "current < stored + epsilon is lit", .exactness = tier::b,
+    .name = "compare_exercise",
+    .summary = "current < stored + epsilon is lit",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
 UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAGE_HIGHP float stored,
@@ -132,7 +143,8 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
     UMBRAGE_PRECISE UMBRAGE_HIGHP float limit = stored + epsilon;
     return current < limit ? 1.0 : 0.0;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto compare_snippets = list<&compare, &compare_dx_sdk, &compare_exercise>;
 

@@ -54,11 +54,7 @@ struct image_view {
     }
 
     /// A view that may write is also a view that may read.
-    constexpr operator image_view<const T>() const
-        requires(!std::is_const_v<T>)
-    {
-        return {data, size, stride};
-    }
+    constexpr operator image_view<const T>() const requires(!std::is_const_v<T>) { return {data, size, stride}; }
 
     [[nodiscard]] constexpr bool empty() const { return size.x == 0 || size.y == 0; }
 
@@ -169,7 +165,8 @@ template <class T>
 /// Texel of the map, or `border` outside of it. An empty map is all border.
 /// @exactness   A
 template <class T>
-[[nodiscard]] std::remove_const_t<T> fetch_bordered(image_view<T> map, glm::ivec2 texel, std::remove_const_t<T> border) {
+[[nodiscard]] std::remove_const_t<T> fetch_bordered(image_view<T> map, glm::ivec2 texel,
+                                                    std::remove_const_t<T> border) {
     const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
     return inside ? map.row(texel.y)[texel.x] : border;
 }
@@ -186,7 +183,8 @@ template <class T>
     return clamped(map.view());
 }
 
-/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is lit.
+/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is
+/// lit.
 template <class T>
 [[nodiscard]] auto bordered(image_view<T> map, std::remove_const_t<T> border) {
     return [map, border](glm::ivec2 texel) { return fetch_bordered(map, texel, border); };
@@ -199,7 +197,9 @@ template <class T>
 namespace glsl {
 
 inline constexpr snippet fetch_clamped{
-    .name = "fetch_clamped", .summary = "texel of a map, outside the nearest one inside", .exactness = tier::a,
+    .name = "fetch_clamped",
+    .summary = "texel of a map, outside the nearest one inside",
+    .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
 //   map    2D sampler; before GLSL 1.30 its filter must be nearest
@@ -215,18 +215,23 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     return texture2D(map, (inside + 0.5) / size);
 #endif
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet fetch_bordered{
-    .name = "fetch_bordered", .summary = "texel of a map, outside a border value", .exactness = tier::a,
-    .needs = list<&fetch_clamped>, .source = R"GLSL(
+    .name = "fetch_bordered",
+    .summary = "texel of a map, outside a border value",
+    .exactness = tier::a,
+    .needs = list<&fetch_clamped>,
+    .source = R"GLSL(
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP vec4 border) {
     UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
     return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y ? value : border;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto image_snippets = list<&fetch_clamped, &fetch_bordered>;
 

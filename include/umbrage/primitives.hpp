@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The primitives of umbrage alone, for short compile times. Includes only; each header also stands alone. Functions over
-// whole images, the depth pass among them, and the registry of snippets come with <umbrage/umbrage.hpp>.
+// The primitives of umbrage alone, for short compile times. Includes only; each header also stands alone. Functions
+// over whole images, the depth pass among them, and the registry of snippets come with <umbrage/umbrage.hpp>.
 #pragma once
 
 #include <umbrage/clip_space.hpp>

@@ -69,7 +69,10 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet saturate{
-    .name = "saturate", .summary = "clamp to [0, 1], NaN to far", .exactness = tier::a, .source = R"GLSL(
+    .name = "saturate",
+    .summary = "clamp to [0, 1], NaN to far",
+    .exactness = tier::a,
+    .source = R"GLSL(
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes UMBRAGE_FAR: 1.0, or 0.0 after #define UMBRAGE_REVERSED
 #ifndef UMBRAGE_FAR
 #ifdef UMBRAGE_REVERSED
@@ -81,7 +84,8 @@ inline constexpr snippet saturate{
 UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
     return v >= 1.0 ? 1.0 : (v > 0.0 ? v : (v <= 0.0 ? 0.0 : UMBRAGE_FAR));
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto scalar_snippets = list<&saturate>;
 

@@ -62,7 +62,8 @@ template <real T>
     return static_cast<std::uint8_t>(mode == unorm_store::rounds ? scaled + T(0.5) : scaled);
 }
 template <glm::length_t L, real T>
-[[nodiscard]] constexpr glm::vec<L, std::uint8_t> store_unorm8(glm::vec<L, T> c, unorm_store mode = unorm_store::rounds) {
+[[nodiscard]] constexpr glm::vec<L, std::uint8_t> store_unorm8(glm::vec<L, T> c,
+                                                               unorm_store mode = unorm_store::rounds) {
     glm::vec<L, std::uint8_t> bytes(0);
     for (glm::length_t i = 0; i < L; ++i) bytes[i] = store_unorm8(c[i], mode);
     return bytes;
@@ -79,7 +80,9 @@ template <real T = float, glm::length_t L>
 namespace glsl {
 
 inline constexpr snippet to_unorm{
-    .name = "to_unorm", .summary = "channel 0..255 to the value an 8-bit target stores as it", .exactness = tier::a,
+    .name = "to_unorm",
+    .summary = "channel 0..255 to the value an 8-bit target stores as it",
+    .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
 // k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
@@ -95,10 +98,13 @@ UMBRAGE_HIGHP vec3 umbrage_to_unorm(UMBRAGE_HIGHP vec3 k) {
 UMBRAGE_HIGHP vec4 umbrage_to_unorm(UMBRAGE_HIGHP vec4 k) {
     return k * 0.0039215087890625 + 0.0009765625;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet from_unorm{
-    .name = "from_unorm", .summary = "value read from an 8-bit texture to channel 0..255", .exactness = tier::a,
+    .name = "from_unorm",
+    .summary = "value read from an 8-bit texture to channel 0..255",
+    .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
 UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
@@ -113,7 +119,8 @@ UMBRAGE_HIGHP vec3 umbrage_from_unorm(UMBRAGE_HIGHP vec3 c) {
 UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
     return floor(c * 255.0 + 0.5);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto unorm_snippets = list<&to_unorm, &from_unorm>;
 

@@ -71,8 +71,8 @@
 namespace umbrage {
 
 /// Of the world and of view space alike, as in lookAtRH and lookAtLH: the view is a rotation, never a mirror.
-/// Seen from the light, x is to the right and y up; right looks down -z, left down +z. A mesh keeps its winding: what goes
-/// clockwise for the light goes clockwise in NDC, y up.
+/// Seen from the light, x is to the right and y up; right looks down -z, left down +z. A mesh keeps its winding: what
+/// goes clockwise for the light goes clockwise in NDC, y up.
 enum class handedness { right, left };
 enum class depth_range { zero_to_one, minus_one_to_one };  ///< of z/w between the planes
 enum class depth_direction { forward, reversed };          ///< reversed: the near plane has the greater depth
@@ -124,8 +124,8 @@ inline constexpr clip_space metal_clip_space = webgpu_clip_space;
 
 namespace umbrage {
 
-/// Takes the message of an error, "umbrage::function: what is wrong". Where exceptions are switched off, set-up functions
-/// call it in place of throwing std::invalid_argument, and end the program if it returns.
+/// Takes the message of an error, "umbrage::function: what is wrong". Where exceptions are switched off, set-up
+/// functions call it in place of throwing std::invalid_argument, and end the program if it returns.
 using error_handler = void (*)(const char* message);
 
 namespace detail {
@@ -210,11 +210,11 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
 
 /// One GLSL function (with its overloads) and what is known of it.
 struct snippet {
-    std::string_view name;                 ///< of the C++ twin; the GLSL function is umbrage_<name>
-    std::string_view summary;              ///< one line
+    std::string_view name;     ///< of the C++ twin; the GLSL function is umbrage_<name>
+    std::string_view summary;  ///< one line
     tier exactness = tier::a;
-    int ulp = 0;                           ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
-    version lowest = version::v100;        ///< v100: every dialect; v300_es: 300 es and 330 upwards
+    int ulp = 0;                     ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
+    version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
     std::span<const snippet* const> needs{};  ///< a list<>
     std::string_view source;
 };
@@ -394,7 +394,10 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet saturate{
-    .name = "saturate", .summary = "clamp to [0, 1], NaN to far", .exactness = tier::a, .source = R"GLSL(
+    .name = "saturate",
+    .summary = "clamp to [0, 1], NaN to far",
+    .exactness = tier::a,
+    .source = R"GLSL(
 // umbrage_saturate: v clamped to [0, 1]; NaN becomes UMBRAGE_FAR: 1.0, or 0.0 after #define UMBRAGE_REVERSED
 #ifndef UMBRAGE_FAR
 #ifdef UMBRAGE_REVERSED
@@ -406,7 +409,8 @@ inline constexpr snippet saturate{
 UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
     return v >= 1.0 ? 1.0 : (v > 0.0 ? v : (v <= 0.0 ? 0.0 : UMBRAGE_FAR));
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto scalar_snippets = list<&saturate>;
 
@@ -418,9 +422,10 @@ inline constexpr auto scalar_snippets = list<&saturate>;
 //
 //     bool lit = umbrage::less_equal{}(receiver - bias, stored);
 //
-// Filters compare once per texel with less_equal and no epsilon inside; for reversed Z pass greater_equal, or comparison
-// where the direction is known when the program runs (in GLSL: #define UMBRAGE_REVERSED). A NaN on either side is in
-// shadow. A receiver beyond the far plane, where no map reaches, is lit: filters ask beyond_far before they compare.
+// Filters compare once per texel with less_equal and no epsilon inside; for reversed Z pass greater_equal, or
+// comparison where the direction is known when the program runs (in GLSL: #define UMBRAGE_REVERSED). A NaN on either
+// side is in shadow. A receiver beyond the far plane, where no map reaches, is lit: filters ask beyond_far before they
+// compare.
 
 namespace umbrage {
 
@@ -464,11 +469,13 @@ struct comparison {
 
     template <real T>
     [[nodiscard]] constexpr bool operator()(T receiver, T stored) const {
-        return direction == depth_direction::forward ? less_equal{}(receiver, stored) : greater_equal{}(receiver, stored);
+        return direction == depth_direction::forward ? less_equal{}(receiver, stored)
+                                                     : greater_equal{}(receiver, stored);
     }
     template <real T>
     [[nodiscard]] constexpr bool beyond_far(T receiver) const {
-        return direction == depth_direction::forward ? less_equal::beyond_far(receiver) : greater_equal::beyond_far(receiver);
+        return direction == depth_direction::forward ? less_equal::beyond_far(receiver)
+                                                     : greater_equal::beyond_far(receiver);
     }
 };
 
@@ -505,7 +512,9 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet compare{
-    .name = "compare", .summary = "one comparison, as a macro to redefine", .exactness = tier::a,
+    .name = "compare",
+    .summary = "one comparison, as a macro to redefine",
+    .exactness = tier::a,
     .source = R"GLSL(
 // UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
 #ifndef UMBRAGE_LIT
@@ -519,10 +528,13 @@ inline constexpr snippet compare{
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
     return UMBRAGE_LIT(receiver, stored);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet compare_dx_sdk{
-    .name = "compare_dx_sdk", .summary = "stored + epsilon < receiver is shadow", .exactness = tier::b,
+    .name = "compare_dx_sdk",
+    .summary = "stored + epsilon < receiver is shadow",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
 UMBRAGE_HIGHP float umbrage_compare_dx_sdk(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored,
@@ -530,10 +542,13 @@ UMBRAGE_HIGHP float umbrage_compare_dx_sdk(UMBRAGE_HIGHP float receiver, UMBRAGE
     UMBRAGE_PRECISE UMBRAGE_HIGHP float limit = stored + epsilon;
     return limit < receiver ? 0.0 : 1.0;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet compare_exercise{
-    .name = "compare_exercise", .summary = "current < stored + epsilon is lit", .exactness = tier::b,
+    .name = "compare_exercise",
+    .summary = "current < stored + epsilon is lit",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
 UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAGE_HIGHP float stored,
@@ -541,7 +556,8 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
     UMBRAGE_PRECISE UMBRAGE_HIGHP float limit = stored + epsilon;
     return current < limit ? 1.0 : 0.0;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto compare_snippets = list<&compare, &compare_dx_sdk, &compare_exercise>;
 
@@ -588,11 +604,7 @@ struct image_view {
     }
 
     /// A view that may write is also a view that may read.
-    constexpr operator image_view<const T>() const
-        requires(!std::is_const_v<T>)
-    {
-        return {data, size, stride};
-    }
+    constexpr operator image_view<const T>() const requires(!std::is_const_v<T>) { return {data, size, stride}; }
 
     [[nodiscard]] constexpr bool empty() const { return size.x == 0 || size.y == 0; }
 
@@ -703,7 +715,8 @@ template <class T>
 /// Texel of the map, or `border` outside of it. An empty map is all border.
 /// @exactness   A
 template <class T>
-[[nodiscard]] std::remove_const_t<T> fetch_bordered(image_view<T> map, glm::ivec2 texel, std::remove_const_t<T> border) {
+[[nodiscard]] std::remove_const_t<T> fetch_bordered(image_view<T> map, glm::ivec2 texel,
+                                                    std::remove_const_t<T> border) {
     const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
     return inside ? map.row(texel.y)[texel.x] : border;
 }
@@ -720,7 +733,8 @@ template <class T>
     return clamped(map.view());
 }
 
-/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is lit.
+/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is
+/// lit.
 template <class T>
 [[nodiscard]] auto bordered(image_view<T> map, std::remove_const_t<T> border) {
     return [map, border](glm::ivec2 texel) { return fetch_bordered(map, texel, border); };
@@ -733,7 +747,9 @@ template <class T>
 namespace glsl {
 
 inline constexpr snippet fetch_clamped{
-    .name = "fetch_clamped", .summary = "texel of a map, outside the nearest one inside", .exactness = tier::a,
+    .name = "fetch_clamped",
+    .summary = "texel of a map, outside the nearest one inside",
+    .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
 //   map    2D sampler; before GLSL 1.30 its filter must be nearest
@@ -749,18 +765,23 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     return texture2D(map, (inside + 0.5) / size);
 #endif
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet fetch_bordered{
-    .name = "fetch_bordered", .summary = "texel of a map, outside a border value", .exactness = tier::a,
-    .needs = list<&fetch_clamped>, .source = R"GLSL(
+    .name = "fetch_bordered",
+    .summary = "texel of a map, outside a border value",
+    .exactness = tier::a,
+    .needs = list<&fetch_clamped>,
+    .source = R"GLSL(
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP vec4 border) {
     UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
     return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y ? value : border;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto image_snippets = list<&fetch_clamped, &fetch_bordered>;
 
@@ -819,7 +840,8 @@ template <real T>
     return static_cast<std::uint8_t>(mode == unorm_store::rounds ? scaled + T(0.5) : scaled);
 }
 template <glm::length_t L, real T>
-[[nodiscard]] constexpr glm::vec<L, std::uint8_t> store_unorm8(glm::vec<L, T> c, unorm_store mode = unorm_store::rounds) {
+[[nodiscard]] constexpr glm::vec<L, std::uint8_t> store_unorm8(glm::vec<L, T> c,
+                                                               unorm_store mode = unorm_store::rounds) {
     glm::vec<L, std::uint8_t> bytes(0);
     for (glm::length_t i = 0; i < L; ++i) bytes[i] = store_unorm8(c[i], mode);
     return bytes;
@@ -836,7 +858,9 @@ template <real T = float, glm::length_t L>
 namespace glsl {
 
 inline constexpr snippet to_unorm{
-    .name = "to_unorm", .summary = "channel 0..255 to the value an 8-bit target stores as it", .exactness = tier::a,
+    .name = "to_unorm",
+    .summary = "channel 0..255 to the value an 8-bit target stores as it",
+    .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
 // k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
@@ -852,10 +876,13 @@ UMBRAGE_HIGHP vec3 umbrage_to_unorm(UMBRAGE_HIGHP vec3 k) {
 UMBRAGE_HIGHP vec4 umbrage_to_unorm(UMBRAGE_HIGHP vec4 k) {
     return k * 0.0039215087890625 + 0.0009765625;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet from_unorm{
-    .name = "from_unorm", .summary = "value read from an 8-bit texture to channel 0..255", .exactness = tier::a,
+    .name = "from_unorm",
+    .summary = "value read from an 8-bit texture to channel 0..255",
+    .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
 UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
@@ -870,7 +897,8 @@ UMBRAGE_HIGHP vec3 umbrage_from_unorm(UMBRAGE_HIGHP vec3 c) {
 UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
     return floor(c * 255.0 + 0.5);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto unorm_snippets = list<&to_unorm, &from_unorm>;
 
@@ -918,15 +946,15 @@ concept encoding = std::copyable<Encoding> && requires(const Encoding& e, float 
 /// What an encoding of the library tells of itself, for tools, tables and shaders.
 template <class Encoding>
 concept known_encoding = encoding<Encoding> && requires(const Encoding& e) {
-    { Encoding::name } -> std::convertible_to<std::string_view>;         // a C++ identifier, without the template
-    { Encoding::summary } -> std::convertible_to<std::string_view>;      // one sentence
+    { Encoding::name } -> std::convertible_to<std::string_view>;     // a C++ identifier, without the template
+    { Encoding::summary } -> std::convertible_to<std::string_view>;  // one sentence
     { Encoding::writer } -> std::convertible_to<const glsl::snippet*>;
-    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;   // null: the texel is the depth
+    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;  // null: the texel is the depth
     { Encoding::writes } -> std::convertible_to<written>;
-    { Encoding::codes } -> std::convertible_to<std::uint64_t>;           // texels that the writer can give
-    { e.direction } -> std::convertible_to<depth_direction>;             // far is 1 forward, 0 reversed
-    { e.error(unorm_store::truncates) } -> std::same_as<decoding_error>; // by default the store rounds
-    { e.cleared() } -> std::same_as<typename Encoding::texel>;           // an empty map's: decodes to the far plane
+    { Encoding::codes } -> std::convertible_to<std::uint64_t>;            // texels that the writer can give
+    { e.direction } -> std::convertible_to<depth_direction>;              // far is 1 forward, 0 reversed
+    { e.error(unorm_store::truncates) } -> std::same_as<decoding_error>;  // by default the store rounds
+    { e.cleared() } -> std::same_as<typename Encoding::texel>;            // an empty map's: decodes to the far plane
 };
 
 /// Whether the reader asks which place of a code's interval it shall answer: lower_edge, centre or upper_edge.
@@ -940,9 +968,12 @@ namespace detail {
 /// Says in words what a type lacks that is used as an encoding.
 template <class Encoding>
 consteval bool is_encoding() {
-    static_assert(requires { typename Encoding::texel; }, "an umbrage encoding needs a type `texel`");
-    static_assert(requires(const Encoding& e, float d) { e.encode(d); }, "an umbrage encoding needs `texel encode(float) const`");
-    static_assert(encoding<Encoding>, "an umbrage encoding needs `float decode(texel) const`, and `encode` to return a texel");
+    static_assert(
+        requires { typename Encoding::texel; }, "an umbrage encoding needs a type `texel`");
+    static_assert(
+        requires(const Encoding& e, float d) { e.encode(d); }, "an umbrage encoding needs `texel encode(float) const`");
+    static_assert(encoding<Encoding>,
+                  "an umbrage encoding needs `float decode(texel) const`, and `encode` to return a texel");
     return true;
 }
 
@@ -1005,11 +1036,11 @@ namespace umbrage {
 /// Bytes to float.
 [[nodiscard]] constexpr float decode_float_bits(glm::u8vec4 texel) {
     return detail::bit_cast<float>(std::uint32_t(texel.x) | std::uint32_t(texel.y) << 8 | std::uint32_t(texel.z) << 16 |
-                                std::uint32_t(texel.w) << 24);
+                                   std::uint32_t(texel.w) << 24);
 }
 
 /// Values read from an 8-bit texture to float.
-/// @param c       as sampled, k / 255, in any rounding; outside [0, 1], which no texture gives, clamped; NaN counts as 1
+/// @param c       as sampled, k / 255, in any rounding; clamped to [0, 1], which no texture leaves; NaN counts as 1
 /// @exactness     A
 [[nodiscard]] inline float decode_float_bits(glm::vec4 c) {
     glm::u8vec4 texel(0);
@@ -1020,18 +1051,26 @@ namespace umbrage {
 namespace glsl {
 
 inline constexpr snippet encode_float_bits{
-    .name = "encode_float_bits", .summary = "any float's bit pattern to four channels, R least significant",
-    .exactness = tier::a, .lowest = version::v300_es, .source = R"GLSL(
+    .name = "encode_float_bits",
+    .summary = "any float's bit pattern to four channels, R least significant",
+    .exactness = tier::a,
+    .lowest = version::v300_es,
+    .source = R"GLSL(
 // umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
 UMBRAGE_HIGHP vec4 umbrage_encode_float_bits(UMBRAGE_HIGHP float v) {
     UMBRAGE_HIGHP uint bits = floatBitsToUint(v);
     return vec4(float(bits & 255u), float((bits >> 8) & 255u), float((bits >> 16) & 255u), float(bits >> 24));
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet decode_float_bits{
-    .name = "decode_float_bits", .summary = "four channels, R least significant, to the float they are",
-    .exactness = tier::a, .lowest = version::v300_es, .needs = list<&saturate>, .source = R"GLSL(
+    .name = "decode_float_bits",
+    .summary = "four channels, R least significant, to the float they are",
+    .exactness = tier::a,
+    .lowest = version::v300_es,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
 UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_HIGHP uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);
@@ -1040,7 +1079,8 @@ UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_HIGHP uint a = uint(umbrage_saturate(c.w) * 255.0 + 0.5);
     return uintBitsToFloat(r | (g << 8) | (b << 16) | (a << 24));
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 
@@ -1069,14 +1109,15 @@ struct float_bits {
 //
 //     float stored = umbrage::decode_base255(umbrage::load_unorm8(texel));
 //
-// Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error is
-// up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left is
-// the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighbouring floats decode 1 ulp out of it.
+// Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error
+// is up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left
+// is the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighbouring floats decode 1 ulp out
+// of it.
 //
 
 namespace umbrage {
 
-/// @param depth   clamped to [0, 1], NaN counts as far: 1, or 0 where depth is reversed; 1 decodes to 0, the format's fault
+/// @param depth   clamped to [0, 1], NaN counts as far: 1, or 0 where depth is reversed; 1 decodes to 0, a fault
 /// @return        UNORM values
 /// @formula       e_i = fract(255^i depth), each less 1/255 of the next
 /// @exactness     B
@@ -1118,8 +1159,11 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet write_base255{
-    .name = "write_base255", .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
-    .exactness = tier::b, .needs = list<&saturate>, .source = R"GLSL(
+    .name = "write_base255",
+    .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
 //   round: umbrage_encode_base255_repaired has neither fault
 UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
@@ -1130,21 +1174,29 @@ UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
         vec4(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
     return c;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet decode_base255{
-    .name = "decode_base255", .summary = "base-255 RGBA to depth", .exactness = tier::b, .source = R"GLSL(
+    .name = "decode_base255",
+    .summary = "base-255 RGBA to depth",
+    .exactness = tier::b,
+    .source = R"GLSL(
 // umbrage_decode_base255: base-255 RGBA, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
         c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
     return depth;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet encode_base255_repaired{
-    .name = "encode_base255_repaired", .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
-    .exactness = tier::b, .needs = list<&saturate>, .source = R"GLSL(
+    .name = "encode_base255_repaired",
+    .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
 //   whole numbers 0..255 (umbrage_to_unorm writes them)
 UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
@@ -1154,7 +1206,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (z - floor(z)) * 255.0;
     return vec4(floor(x), floor(y), floor(z), floor(w));
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 
@@ -1162,7 +1215,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
 struct base255 {
     using texel = glm::u8vec4;
     static constexpr std::string_view name = "base255";
-    static constexpr std::string_view summary = "Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0.";
+    static constexpr std::string_view summary =
+        "Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0.";
     static constexpr const glsl::snippet* writer = &glsl::write_base255;
     static constexpr const glsl::snippet* reader = &glsl::decode_base255;
     static constexpr written writes = written::values;
@@ -1178,7 +1232,9 @@ struct base255 {
         const double either = store == unorm_store::rounds ? 0x1p-23 : 0x1.021p-8;
         return {.below = either, .above = either};
     }
-    [[nodiscard]] texel cleared() const { return direction == depth_direction::forward ? texel(255, 0, 0, 0) : texel(0); }
+    [[nodiscard]] texel cleared() const {
+        return direction == depth_direction::forward ? texel(255, 0, 0, 0) : texel(0);
+    }
 };
 
 /// The same, written without the faults.
@@ -1195,7 +1251,9 @@ struct base255_repaired {
 
     [[nodiscard]] texel encode(float depth) const { return encode_base255_repaired(depth, cleared_depth(direction)); }
     [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {.below = 0x1p-23, .above = 0x1p-23}; }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
+        return {.below = 0x1p-23, .above = 0x1p-23};
+    }
     [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
 };
 
@@ -1249,8 +1307,8 @@ template <int Bits, real T>
 }  // namespace umbrage
 
 // ---- umbrage/depth/foreign/threejs.hpp
-// The depth formats of three.js, r167 and later, to read and write its maps: RGBA, RGB and RG. Writers give UNORM values
-// as three.js does; what the 8-bit store makes of the channel that holds a fraction is part of the format.
+// The depth formats of three.js, r167 and later, to read and write its maps: RGBA, RGB and RG. Writers give UNORM
+// values as three.js does; what the 8-bit store makes of the channel that holds a fraction is part of the format.
 //
 //     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::write_threejs_rgba(depth));
 //     float stored = umbrage::decode_threejs_rgba(umbrage::load_unorm8(texel));
@@ -1326,8 +1384,11 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet write_threejs_rgba{
-    .name = "write_threejs_rgba", .summary = "depth to three.js RGBA, r167 and later", .exactness = tier::b,
-    .needs = list<&saturate>, .source = R"GLSL(
+    .name = "write_threejs_rgba",
+    .summary = "depth to three.js RGBA, r167 and later",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
@@ -1340,10 +1401,13 @@ UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP vec4 c = vec4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
     return v < 1.0 ? c : vec4(1.0, 1.0, 1.0, 1.0);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet decode_threejs_rgba{
-    .name = "decode_threejs_rgba", .summary = "three.js RGBA, r167 and later, to depth", .exactness = tier::b,
+    .name = "decode_threejs_rgba",
+    .summary = "three.js RGBA, r167 and later, to depth",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
@@ -1351,11 +1415,15 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
                                                 c.z * (255.0 / 16777216.0) + c.w * (1.0 / 16777216.0);
     return depth;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet write_threejs_rgb{
-    .name = "write_threejs_rgb", .summary = "depth to three.js RGB, r167 and later", .exactness = tier::b,
-    .needs = list<&saturate>, .source = R"GLSL(
+    .name = "write_threejs_rgb",
+    .summary = "depth to three.js RGB, r167 and later",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
@@ -1365,10 +1433,13 @@ UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP vec3 c = vec3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
     return v < 1.0 ? c : vec3(1.0, 1.0, 1.0);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet decode_threejs_rgb{
-    .name = "decode_threejs_rgb", .summary = "three.js RGB, r167 and later, to depth", .exactness = tier::b,
+    .name = "decode_threejs_rgb",
+    .summary = "three.js RGB, r167 and later, to depth",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
@@ -1376,11 +1447,15 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
         c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
     return depth;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet write_threejs_rg{
-    .name = "write_threejs_rg", .summary = "depth to three.js RG, r167 and later", .exactness = tier::b,
-    .needs = list<&saturate>, .source = R"GLSL(
+    .name = "write_threejs_rg",
+    .summary = "depth to three.js RG, r167 and later",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
@@ -1388,17 +1463,21 @@ UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float whole = floor(x);
     return v < 1.0 ? vec2(whole * 0.00392156886, x - whole) : vec2(1.0, 1.0);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet decode_threejs_rg{
-    .name = "decode_threejs_rg", .summary = "three.js RG, r167 and later, to depth", .exactness = tier::b,
+    .name = "decode_threejs_rg",
+    .summary = "three.js RG, r167 and later, to depth",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
     return depth;
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 
@@ -1476,8 +1555,8 @@ struct threejs_rg {
 }  // namespace umbrage
 
 // ---- umbrage/depth/foreign/threejs_legacy.hpp
-// The RGBA depth format of three.js r73 to r166, to read and write its maps, and a writer without its fault. What the 8-bit
-// store makes of the channel that holds a fraction is part of the format.
+// The RGBA depth format of three.js r73 to r166, to read and write its maps, and a writer without its fault. What the
+// 8-bit store makes of the channel that holds a fraction is part of the format.
 //
 //     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::write_threejs_legacy(depth));
 //     float stored = umbrage::decode_threejs_legacy(umbrage::load_unorm8(texel));
@@ -1501,14 +1580,15 @@ template <real T>
     const T x = v * T(16777216) - std::floor(v * T(16777216));
     const T y = v * T(65536) - std::floor(v * T(65536));
     const T z = v * T(256) - std::floor(v * T(256));
-    return {x * T(256.0 / 255.0), (y - x * T(1.0 / 256.0)) * T(256.0 / 255.0), (z - y * T(1.0 / 256.0)) * T(256.0 / 255.0),
-            (v - z * T(1.0 / 256.0)) * T(256.0 / 255.0)};
+    return {x * T(256.0 / 255.0), (y - x * T(1.0 / 256.0)) * T(256.0 / 255.0),
+            (z - y * T(1.0 / 256.0)) * T(256.0 / 255.0), (v - z * T(1.0 / 256.0)) * T(256.0 / 255.0)};
 }
 
 /// @formula      255/256 (A + B/2^8 + G/2^16 + R/2^24)   @exactness B
 template <real T>
 [[nodiscard]] constexpr T decode_threejs_legacy(glm::vec<4, T> c) {
-    return c.x * T(255.0 / 4294967296.0) + c.y * T(255.0 / 16777216.0) + c.z * T(255.0 / 65536.0) + c.w * T(255.0 / 256.0);
+    return c.x * T(255.0 / 4294967296.0) + c.y * T(255.0 / 16777216.0) + c.z * T(255.0 / 65536.0) +
+           c.w * T(255.0 / 256.0);
 }
 
 /// A writer without the fault, for decode_threejs_legacy on the other side: 24 bits, and 1 decodes to 1.
@@ -1526,8 +1606,11 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet write_threejs_legacy{
-    .name = "write_threejs_legacy", .summary = "depth to three.js RGBA, r73 to r166", .exactness = tier::b,
-    .needs = list<&saturate>, .source = R"GLSL(
+    .name = "write_threejs_legacy",
+    .summary = "depth to three.js RGBA, r73 to r166",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
 //   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
 UMBRAGE_HIGHP vec4 umbrage_write_threejs_legacy(UMBRAGE_HIGHP float depth) {
@@ -1538,10 +1621,13 @@ UMBRAGE_HIGHP vec4 umbrage_write_threejs_legacy(UMBRAGE_HIGHP float depth) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = vec4(x, y - x * (1.0 / 256.0), z - y * (1.0 / 256.0), v - z * (1.0 / 256.0));
     return c * 1.00392163;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet decode_threejs_legacy{
-    .name = "decode_threejs_legacy", .summary = "three.js RGBA, r73 to r166, to depth", .exactness = tier::b,
+    .name = "decode_threejs_legacy",
+    .summary = "three.js RGBA, r73 to r166, to depth",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
@@ -1549,11 +1635,15 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
                                                 c.z * (255.0 / 65536.0) + c.w * (255.0 / 256.0);
     return depth;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet encode_threejs_legacy_repaired{
-    .name = "encode_threejs_legacy_repaired", .summary = "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
-    .exactness = tier::a, .needs = list<&saturate>, .source = R"GLSL(
+    .name = "encode_threejs_legacy_repaired",
+    .summary = "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
+    .exactness = tier::a,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
 //   whole numbers 0..255 (umbrage_to_unorm writes them)
 UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float depth) {
@@ -1564,7 +1654,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
     return v < 1.0 ? vec4(0.0, rest - middle * 256.0, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 
@@ -1574,7 +1665,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
 struct threejs_legacy {
     using texel = glm::u8vec4;
     static constexpr std::string_view name = "threejs_legacy";
-    static constexpr std::string_view summary = "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
+    static constexpr std::string_view summary =
+        "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_legacy;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
     static constexpr written writes = written::values;
@@ -1586,7 +1678,9 @@ struct threejs_legacy {
     [[nodiscard]] auto write(float depth) const { return write_threejs_legacy(depth, cleared_depth(direction)); }
     [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
     [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {.below = 0x1p-32, .above = 0x1p-32}; }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
+        return {.below = 0x1p-32, .above = 0x1p-32};
+    }
     [[nodiscard]] texel cleared() const { return direction == depth_direction::forward ? texel(255) : texel(0); }
 };
 
@@ -1602,9 +1696,13 @@ struct threejs_legacy_repaired {
 
     depth_direction direction = depth_direction::forward;
 
-    [[nodiscard]] texel encode(float depth) const { return encode_threejs_legacy_repaired(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const {
+        return encode_threejs_legacy_repaired(depth, cleared_depth(direction));
+    }
     [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {.below = 0x1p-24, .above = 0x1p-24}; }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
+        return {.below = 0x1p-24, .above = 0x1p-24};
+    }
     [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
 };
 
@@ -1661,7 +1759,8 @@ namespace glsl {
 template <int Bits>
 inline constexpr auto encode_rg_name = detail::fill<16>("encode_rg$b", {{'b', Bits}});
 template <int Bits>
-inline constexpr auto encode_rg_text = detail::fill<1024>(R"GLSL(
+inline constexpr auto encode_rg_text =
+    detail::fill<1024>(R"GLSL(
 // umbrage_encode_rg$b: depth to the two channels of a $b-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
 //   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
@@ -1670,7 +1769,7 @@ UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
     return vec2(x - high * 256.0, high * $s.0);
 }
 )GLSL",
-                                                                 {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}, {'s', 1 << (16 - Bits)}});
+                       {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}, {'s', 1 << (16 - Bits)}});
 template <int Bits>
 inline constexpr snippet encode_rg{.name = encode_rg_name<Bits>.view(),
                                    .summary = "depth to two channels, R the low byte",
@@ -1689,7 +1788,7 @@ UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP floa
     return (k.x + k.y * $g.0 + edge) * (1.0 / $n.0);
 }
 )GLSL",
-                                                                 {{'b', Bits}, {'n', 1 << Bits}, {'g', 1 << (Bits - 8)}});
+                                                          {{'b', Bits}, {'n', 1 << Bits}, {'g', 1 << (Bits - 8)}});
 template <int Bits>
 inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
                                    .summary = "two channels, R the low byte, to depth",
@@ -1766,9 +1865,12 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet encode_rgb24{
-    .name = "encode_rgb24", .summary = "depth to three channels, R most significant", .exactness = tier::a,
-    .needs = list<&saturate>, .source = R"GLSL(
-// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 (umbrage_to_unorm writes them)
+    .name = "encode_rgb24",
+    .summary = "depth to three channels, R most significant",
+    .exactness = tier::a,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
+// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
 //   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
 UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
@@ -1777,18 +1879,23 @@ UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
     return vec3(high, middle, rest - middle * 256.0);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet decode_rgb24{
-    .name = "decode_rgb24", .summary = "three channels, R most significant, to depth", .exactness = tier::a,
-    .needs = list<&from_unorm>, .source = R"GLSL(
+    .name = "decode_rgb24",
+    .summary = "three channels, R most significant, to depth",
+    .exactness = tier::a,
+    .needs = list<&from_unorm>,
+    .source = R"GLSL(
 // umbrage_decode_rgb24: three channels, as sampled, to depth
 //   edge   0.0 or 1.0: lower or upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec3 k = umbrage_from_unorm(c);
     return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 
@@ -1891,7 +1998,9 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet decode_ps14{
-    .name = "decode_ps14", .summary = "r / 8 + g as the Radeon 8500 computed it", .exactness = tier::b,
+    .name = "decode_ps14",
+    .summary = "r / 8 + g as the Radeon 8500 computed it",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
 //   1.0 is not the far plane on this scale
@@ -1901,16 +2010,21 @@ inline constexpr snippet decode_ps14{
 UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
     return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet receiver_ps14{
-    .name = "receiver_ps14", .summary = "receiver on the scale of decode_ps14", .exactness = tier::b,
+    .name = "receiver_ps14",
+    .summary = "receiver on the scale of decode_ps14",
+    .exactness = tier::b,
     .source = R"GLSL(
-// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel lights
+// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel
+//   lights
 UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
     return depth > 1.0 ? -1.0 : depth * 1.00392163;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto ps14_snippets = list<&decode_ps14, &receiver_ps14>;
 
@@ -2050,90 +2164,128 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet linear_depth{
-    .name = "linear_depth", .summary = "view-space z over z_far", .exactness = tier::b, .source = R"GLSL(
+    .name = "linear_depth",
+    .summary = "view-space z over z_far",
+    .exactness = tier::b,
+    .source = R"GLSL(
 // umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
 UMBRAGE_HIGHP float umbrage_linear_depth(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float inv_z_far) {
     return z_view * inv_z_far;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet project_depth{
-    .name = "project_depth", .summary = "z / w, far behind the light", .exactness = tier::c, .ulp = 1,
+    .name = "project_depth",
+    .summary = "z / w, far behind the light",
+    .exactness = tier::c,
+    .ulp = 1,
     .source = R"GLSL(
 // umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
 UMBRAGE_HIGHP float umbrage_project_depth(UMBRAGE_HIGHP float z, UMBRAGE_HIGHP float w, UMBRAGE_HIGHP float cleared) {
     return w > 0.0 ? z / w : cleared;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet distance_depth{
-    .name = "distance_depth", .summary = "distance to the light over its range", .exactness = tier::c, .ulp = 1,
+    .name = "distance_depth",
+    .summary = "distance to the light over its range",
+    .exactness = tier::c,
+    .ulp = 1,
     .source = R"GLSL(
 // umbrage_distance_depth: length of to_point, from the light, times 1 / range
 UMBRAGE_HIGHP float umbrage_distance_depth(UMBRAGE_HIGHP vec3 to_point, UMBRAGE_HIGHP float inv_range) {
     return sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet reverse_depth{
-    .name = "reverse_depth", .summary = "1 - depth", .exactness = tier::b, .source = R"GLSL(
+    .name = "reverse_depth",
+    .summary = "1 - depth",
+    .exactness = tier::b,
+    .source = R"GLSL(
 // umbrage_reverse_depth: forward depth from reversed, or reversed from forward
 UMBRAGE_HIGHP float umbrage_reverse_depth(UMBRAGE_HIGHP float depth) {
     return 1.0 - depth;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet depth_from_ndc{
-    .name = "depth_from_ndc", .summary = "z/w in [-1, 1] to depth in [0, 1]", .exactness = tier::b, .source = R"GLSL(
+    .name = "depth_from_ndc",
+    .summary = "z/w in [-1, 1] to depth in [0, 1]",
+    .exactness = tier::b,
+    .source = R"GLSL(
 // umbrage_depth_from_ndc: depth in [0, 1] from z/w in [-1, 1]
 UMBRAGE_HIGHP float umbrage_depth_from_ndc(UMBRAGE_HIGHP float ndc) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = ndc * 0.5 + 0.5;
     return depth;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet view_z_from_depth{
-    .name = "view_z_from_depth", .summary = "perspective depth to view-space z", .exactness = tier::c, .ulp = 1,
+    .name = "view_z_from_depth",
+    .summary = "perspective depth to view-space z",
+    .exactness = tier::c,
+    .ulp = 1,
     .source = R"GLSL(
 // umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
 UMBRAGE_HIGHP float umbrage_view_z_from_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
                                               UMBRAGE_HIGHP float z_far) {
     return z_near / (1.0 - depth * (1.0 - z_near / z_far));
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet depth_from_view_z{
-    .name = "depth_from_view_z", .summary = "view-space z to perspective depth", .exactness = tier::c, .ulp = 1,
+    .name = "depth_from_view_z",
+    .summary = "view-space z to perspective depth",
+    .exactness = tier::c,
+    .ulp = 1,
     .source = R"GLSL(
 // umbrage_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 0.0 at z_near
 UMBRAGE_HIGHP float umbrage_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
                                               UMBRAGE_HIGHP float z_far) {
     return (1.0 - z_near / z_view) / (1.0 - z_near / z_far);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet view_z_from_reversed_depth{
-    .name = "view_z_from_reversed_depth", .summary = "reversed perspective depth to view-space z",
-    .exactness = tier::c, .ulp = 1, .source = R"GLSL(
+    .name = "view_z_from_reversed_depth",
+    .summary = "reversed perspective depth to view-space z",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
 // umbrage_view_z_from_reversed_depth: perspective depth in [0, 1], 1.0 at z_near, to distance along the light's axis
 UMBRAGE_HIGHP float umbrage_view_z_from_reversed_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
                                                        UMBRAGE_HIGHP float z_far) {
     return z_near / (z_near / z_far + depth * (1.0 - z_near / z_far));
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet reversed_depth_from_view_z{
-    .name = "reversed_depth_from_view_z", .summary = "view-space z to reversed perspective depth",
-    .exactness = tier::c, .ulp = 1, .source = R"GLSL(
+    .name = "reversed_depth_from_view_z",
+    .summary = "view-space z to reversed perspective depth",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
 // umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
 UMBRAGE_HIGHP float umbrage_reversed_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
                                                        UMBRAGE_HIGHP float z_far) {
     return z_near / z_view * (1.0 - z_view / z_far) / (1.0 - z_near / z_far);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet view_z_from_orthographic_depth{
-    .name = "view_z_from_orthographic_depth", .summary = "orthographic depth to view-space z", .exactness = tier::b,
+    .name = "view_z_from_orthographic_depth",
+    .summary = "orthographic depth to view-space z",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
 // axis; when reversed, exchange z_near and z_far
@@ -2142,18 +2294,23 @@ UMBRAGE_HIGHP float umbrage_view_z_from_orthographic_depth(UMBRAGE_HIGHP float d
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z_view = z_near + depth * (z_far - z_near);
     return z_view;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet orthographic_depth_from_view_z{
-    .name = "orthographic_depth_from_view_z", .summary = "view-space z to orthographic depth", .exactness = tier::c,
-    .ulp = 1, .source = R"GLSL(
+    .name = "orthographic_depth_from_view_z",
+    .summary = "view-space z to orthographic depth",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
 // umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
 // z_near; when reversed, exchange z_near and z_far
 UMBRAGE_HIGHP float umbrage_orthographic_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
                                                            UMBRAGE_HIGHP float z_far) {
     return (z_view - z_near) / (z_far - z_near);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto kinds_snippets =
     list<&linear_depth, &project_depth, &distance_depth, &reverse_depth, &depth_from_ndc, &view_z_from_depth,
@@ -2239,9 +2396,9 @@ inline constexpr snippet receiver_rg{.name = receiver_rg_name<Bits>.view(),
                                      .source = receiver_rg_text<Bits>.view()};
 
 inline constexpr auto rg_level_snippets =
-    list<&level_rg<9>, &level_rg<10>, &level_rg<11>, &level_rg<12>, &level_rg<13>, &level_rg<14>,
-         &level_rg<15>, &level_rg<16>, &receiver_rg<9>, &receiver_rg<10>, &receiver_rg<11>, &receiver_rg<12>,
-         &receiver_rg<13>, &receiver_rg<14>, &receiver_rg<15>, &receiver_rg<16>>;
+    list<&level_rg<9>, &level_rg<10>, &level_rg<11>, &level_rg<12>, &level_rg<13>, &level_rg<14>, &level_rg<15>,
+         &level_rg<16>, &receiver_rg<9>, &receiver_rg<10>, &receiver_rg<11>, &receiver_rg<12>, &receiver_rg<13>,
+         &receiver_rg<14>, &receiver_rg<15>, &receiver_rg<16>>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -2318,8 +2475,8 @@ inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view
                                          .source = encode_rg_table_text<Bits>.view()};
 
 inline constexpr auto rg_table_snippets =
-    list<&encode_rg_table<9>, &encode_rg_table<10>, &encode_rg_table<11>, &encode_rg_table<12>,
-         &encode_rg_table<13>, &encode_rg_table<14>, &encode_rg_table<15>, &encode_rg_table<16>>;
+    list<&encode_rg_table<9>, &encode_rg_table<10>, &encode_rg_table<11>, &encode_rg_table<12>, &encode_rg_table<13>,
+         &encode_rg_table<14>, &encode_rg_table<15>, &encode_rg_table<16>>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -2751,34 +2908,44 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet shadow_coordinate{
-    .name = "shadow_coordinate", .summary = "world to texels and depth, before the division", .exactness = tier::b,
+    .name = "shadow_coordinate",
+    .summary = "world to texels and depth, before the division",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
 UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
     return c;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet tap_coordinate{
-    .name = "tap_coordinate", .summary = "a tap's coordinate from the middle's, before the division",
-    .exactness = tier::b, .source = R"GLSL(
+    .name = "tap_coordinate",
+    .summary = "a tap's coordinate from the middle's, before the division",
+    .exactness = tier::b,
+    .source = R"GLSL(
 // umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
 UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE_HIGHP vec2 offset) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moved = vec2(coordinate.x, coordinate.y) + offset * coordinate.w;
     return vec4(moved.x, moved.y, coordinate.z, coordinate.w);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet project_coordinate{
-    .name = "project_coordinate", .summary = "the division by w, lit behind the light", .exactness = tier::c, .ulp = 1,
+    .name = "project_coordinate",
+    .summary = "the division by w, lit behind the light",
+    .exactness = tier::c,
+    .ulp = 1,
     .source = R"GLSL(
 // umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
 UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
     UMBRAGE_HIGHP vec3 p = vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
     return coordinate.w > 0.0 ? p : vec3(65536.0, 65536.0, 0.0);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto texture_matrix_snippets = list<&shadow_coordinate, &tap_coordinate, &project_coordinate>;
 
@@ -2805,17 +2972,18 @@ struct any_fetch {
 
 /// A callable (fetch, coord, receiver) -> visibility: all that functions over images ask for.
 template <class Filter>
-concept filter = std::copy_constructible<Filter> && requires(const Filter& f, const detail::any_fetch& fetch, float receiver) {
+concept filter = std::copy_constructible<Filter> &&
+    requires(const Filter& f, const detail::any_fetch& fetch, float receiver) {
     { f(fetch, glm::vec2(), receiver) } -> std::convertible_to<float>;
 };
 
 /// What a filter of the library tells of itself, for tools, tables and biases.
 template <class Filter>
 concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
-    { Filter::name } -> std::convertible_to<std::string_view>;             // a C++ identifier
-    { Filter::snippet } -> std::convertible_to<const glsl::snippet*>;      // of the same result
-    { f.reach() } -> std::same_as<float>;           // from a receiver to the farthest point of its texels, an axis, in texels
-    { f.is_lit(depth, depth) } -> std::same_as<bool>;                      // the comparison, its direction inside
+    { Filter::name } -> std::convertible_to<std::string_view>;         // a C++ identifier
+    { Filter::snippet } -> std::convertible_to<const glsl::snippet*>;  // of the same result
+    { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest point of its texels, an axis, in texels
+    { f.is_lit(depth, depth) } -> std::same_as<bool>;  // the comparison, its direction inside
 };
 
 namespace detail {
@@ -2823,7 +2991,8 @@ namespace detail {
 /// Says in words what a type lacks that is used as a filter.
 template <class Filter>
 consteval bool is_filter() {
-    static_assert(filter<Filter>, "an umbrage filter is a callable (fetch, glm::vec2 coord, float receiver) -> float, const");
+    static_assert(filter<Filter>,
+                  "an umbrage filter is a callable (fetch, glm::vec2 coord, float receiver) -> float, const");
     return true;
 }
 
@@ -2855,8 +3024,7 @@ template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr bool is_compared(glm::vec<2, T> coord, T receiver, const Compare& is_lit = {}) {
     if constexpr (requires { is_lit.beyond_far(receiver); })
         return inside_texel_space(coord) && !is_lit.beyond_far(receiver);
-    else
-        return inside_texel_space(coord);
+    else return inside_texel_space(coord);
 }
 
 /// Stored depth of a texel: the fetch callable of every filter, by name.
@@ -2886,18 +3054,24 @@ template <class Texel, class Encoding>
 namespace glsl {
 
 inline constexpr snippet inside_texel_space{
-    .name = "inside_texel_space", .summary = "coordinates a filter can take", .exactness = tier::a,
+    .name = "inside_texel_space",
+    .summary = "coordinates a filter can take",
+    .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet is_compared{
-    .name = "is_compared", .summary = "receivers that a filter compares; it takes the others as lit",
-    .exactness = tier::a, .needs = list<&inside_texel_space>, .source = R"GLSL(
+    .name = "is_compared",
+    .summary = "receivers that a filter compares; it takes the others as lit",
+    .exactness = tier::a,
+    .needs = list<&inside_texel_space>,
+    .source = R"GLSL(
 // UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
 #ifndef UMBRAGE_BEYOND_FAR
 #ifdef UMBRAGE_REVERSED
@@ -2910,13 +3084,17 @@ inline constexpr snippet is_compared{
 bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     return umbrage_inside_texel_space(coord) && !UMBRAGE_BEYOND_FAR(receiver);
 }
-)GLSL"};
+)GLSL",
+};
 
-/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps. UMBRAGE_OUTSIDE_LIT, defined beforehand,
-/// makes it bordered(map, cleared_depth(clip)) instead of clamped(map).
+/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps. UMBRAGE_OUTSIDE_LIT, defined
+/// beforehand, makes it bordered(map, cleared_depth(clip)) instead of clamped(map).
 inline constexpr snippet fetch_depth{
-    .name = "fetch_depth", .summary = "stored depth of a texel, as a macro to redefine", .exactness = tier::a,
-    .needs = list<&fetch_clamped, &fetch_bordered, &saturate>, .source = R"GLSL(
+    .name = "fetch_depth",
+    .summary = "stored depth of a texel, as a macro to redefine",
+    .exactness = tier::a,
+    .needs = list<&fetch_clamped, &fetch_bordered, &saturate>,
+    .source = R"GLSL(
 // UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
 // UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
 #ifndef UMBRAGE_FETCH
@@ -2930,7 +3108,8 @@ inline constexpr snippet fetch_depth{
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
     return UMBRAGE_FETCH(map, size, texel);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_space, &is_compared>;
 
@@ -2970,8 +3149,9 @@ template <real T, class Fetch, class Compare = less_equal>
 
 namespace detail {
 template <real T>  // quotients of the compiler's: a run-time division would follow the rounding mode and -ffast-math
-inline constexpr std::array<T, max_box_radius + 1> box_scales{
-    T(1), T(1) / T(9), T(1) / T(25), T(1) / T(49), T(1) / T(81), T(1) / T(121), T(1) / T(169), T(1) / T(225), T(1) / T(289)};
+inline constexpr std::array<T, max_box_radius + 1> box_scales{T(1),          T(1) / T(9),   T(1) / T(25),
+                                                              T(1) / T(49),  T(1) / T(81),  T(1) / T(121),
+                                                              T(1) / T(169), T(1) / T(225), T(1) / T(289)};
 }  // namespace detail
 
 /// 1 / (2r+1)^2, rounded to nearest.
@@ -2996,8 +3176,11 @@ template <real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 
 inline constexpr snippet box_count{
-    .name = "box_count", .summary = "lit texels in a box of radius 0..8", .exactness = tier::a,
-    .needs = list<&compare, &is_compared, &fetch_depth>, .source = R"GLSL(
+    .name = "box_count",
+    .summary = "lit texels in a box of radius 0..8",
+    .exactness = tier::a,
+    .needs = list<&compare, &is_compared, &fetch_depth>,
+    .source = R"GLSL(
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
@@ -3017,10 +3200,14 @@ UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
     }
     return compared ? count : float(width * width);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet box_scale{
-    .name = "box_scale", .summary = "1 / (2r+1)^2", .exactness = tier::a, .source = R"GLSL(
+    .name = "box_scale",
+    .summary = "1 / (2r+1)^2",
+    .exactness = tier::a,
+    .source = R"GLSL(
 // umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
 UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
     UMBRAGE_HIGHP float scale = 0.00346020772;  // not returned as a literal: that would have the host's precision
@@ -3034,18 +3221,23 @@ UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
     if (radius < 1) scale = 1.0;
     return scale;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet box{
-    .name = "box", .summary = "lit share of a box of radius 0..8", .exactness = tier::b,
-    .needs = list<&box_count, &box_scale>, .source = R"GLSL(
+    .name = "box",
+    .summary = "lit share of a box of radius 0..8",
+    .exactness = tier::b,
+    .needs = list<&box_count, &box_scale>,
+    .source = R"GLSL(
 // umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
 UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, int radius) {
     UMBRAGE_HIGHP float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
     return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 
@@ -3111,8 +3303,11 @@ template <real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 
 inline constexpr snippet hard{
-    .name = "hard", .summary = "nearest texel, one test", .exactness = tier::a,
-    .needs = list<&compare, &is_compared, &fetch_depth>, .source = R"GLSL(
+    .name = "hard",
+    .summary = "nearest texel, one test",
+    .exactness = tier::a,
+    .needs = list<&compare, &is_compared, &fetch_depth>,
+    .source = R"GLSL(
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
@@ -3123,7 +3318,8 @@ UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel));
     return compared ? lit : 1.0;
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 
@@ -3173,8 +3369,11 @@ template <real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 
 inline constexpr snippet four_tap{
-    .name = "four_tap", .summary = "mean of four taps with coordinates of their own", .exactness = tier::a,
-    .needs = list<&hard>, .source = R"GLSL(
+    .name = "four_tap",
+    .summary = "mean of four taps with coordinates of their own",
+    .exactness = tier::a,
+    .needs = list<&hard>,
+    .source = R"GLSL(
 // umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels;   receiver  depth, biased
 UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 a,
@@ -3183,7 +3382,8 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     return (umbrage_hard(map, size, a, receiver) + umbrage_hard(map, size, b, receiver) +
             umbrage_hard(map, size, c, receiver) + umbrage_hard(map, size, d, receiver)) * 0.25;
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 
@@ -3200,7 +3400,8 @@ struct four_tap {
     [[nodiscard]] constexpr float reach() const {
         float farthest = 0.0f;
         for (glm::vec2 offset : offsets)
-            for (float along : {offset.x, -offset.x, offset.y, -offset.y}) farthest = along > farthest ? along : farthest;
+            for (float along : {offset.x, -offset.x, offset.y, -offset.y})
+                farthest = along > farthest ? along : farthest;
         return farthest + 0.5f;
     }
     template <class Fetch>
@@ -3237,7 +3438,7 @@ template <real T, class Fetch, class Compare = less_equal>
     if (!is_compared(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);  // position between texel centres, in 1/256 texel
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
-    const glm::vec<2, T> hi = x - texel * T(256);                  // weight of the farther texel, 0..255
+    const glm::vec<2, T> hi = x - texel * T(256);  // weight of the farther texel, 0..255
     const glm::vec<2, T> lo = T(256) - hi;
     const auto lit = [&](int i, int j) {
         return compare(receiver, T(fetch(glm::ivec2(texel) + glm::ivec2(i, j))), is_lit);
@@ -3247,7 +3448,8 @@ template <real T, class Fetch, class Compare = less_equal>
 }
 
 /// The DirectX SDK's form: weights in full floats, linear interpolation, the epsilon inside. The sample relies on
-/// Direct3D 9 putting pixel centres at whole numbers; here coord is as everywhere else, and the half texel is taken off.
+/// Direct3D 9 putting pixel centres at whole numbers; here coord is as everywhere else, and the half texel is taken
+/// off.
 ///
 /// @param fetch      ivec2 texel -> stored depth; called four times
 /// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
@@ -3275,8 +3477,11 @@ template <real T, class Fetch>
 namespace glsl {
 
 inline constexpr snippet pcf_2x2{
-    .name = "pcf_2x2", .summary = "bilinear 2x2, weights in steps of 1/256", .exactness = tier::a,
-    .needs = list<&compare, &is_compared, &fetch_depth>, .source = R"GLSL(
+    .name = "pcf_2x2",
+    .summary = "bilinear 2x2, weights in steps of 1/256",
+    .exactness = tier::a,
+    .needs = list<&compare, &is_compared, &fetch_depth>,
+    .source = R"GLSL(
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
@@ -3294,11 +3499,15 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
     UMBRAGE_HIGHP float visibility = (lo.y * (lo.x * a + hi.x * b) + hi.y * (lo.x * c + hi.x * d)) * (1.0 / 65536.0);
     return compared ? visibility : 1.0;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet pcf_2x2_dx_sdk{
-    .name = "pcf_2x2_dx_sdk", .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats", .exactness = tier::b,
-    .needs = list<&compare_dx_sdk, &is_compared, &fetch_depth>, .source = R"GLSL(
+    .name = "pcf_2x2_dx_sdk",
+    .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats",
+    .exactness = tier::b,
+    .needs = list<&compare_dx_sdk, &is_compared, &fetch_depth>,
+    .source = R"GLSL(
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
@@ -3317,7 +3526,8 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 s
     UMBRAGE_PRECISE UMBRAGE_HIGHP float visibility = low + weight.y * (high - low);
     return compared ? visibility : 1.0;
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 
@@ -3370,7 +3580,8 @@ namespace umbrage {
 /// @param to_point    from the light to the point, of any length whose square neither overflows nor underflows
 /// @param cos_outer   cosine of the angle between axis and edge of the cone, in [0, 1)
 /// @return            1 inside the cone, 0 outside, at its apex, or for NaN
-/// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test, unnormalised
+/// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test,
+///                    unnormalised
 /// @exactness         B
 /// @cite              Microsoft DirectX SDK, ShadowMap sample
 template <real T>
@@ -3401,22 +3612,29 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet spot_cone{
-    .name = "spot_cone", .summary = "1 inside a spot light's cone", .exactness = tier::b, .source = R"GLSL(
+    .name = "spot_cone",
+    .summary = "1 inside a spot light's cone",
+    .exactness = tier::b,
+    .source = R"GLSL(
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
 UMBRAGE_HIGHP float umbrage_spot_cone(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 to_point,
                                       UMBRAGE_HIGHP float cos_outer) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d =
+        direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float length2 =
         to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float edge2 = cos_outer * cos_outer * length2;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float d2 = d * d;
     return d > 0.0 && d2 > edge2 ? 1.0 : 0.0;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet diffuse_ambient{
-    .name = "diffuse_ambient", .summary = "diffuse plus ambient light of a surface", .exactness = tier::b,
+    .name = "diffuse_ambient",
+    .summary = "diffuse plus ambient light of a surface",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
 UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP float ambient,
@@ -3425,7 +3643,8 @@ UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HI
     UMBRAGE_PRECISE UMBRAGE_HIGHP float light = visibility * facing * (1.0 - ambient) + ambient;
     return albedo * light;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto lighting_snippets = list<&spot_cone, &diffuse_ambient>;
 
@@ -3457,7 +3676,10 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet false_colour{
-    .name = "false_colour", .summary = "0..1 to blue, green, red", .exactness = tier::b, .needs = list<&saturate>,
+    .name = "false_colour",
+    .summary = "0..1 to blue, green, red",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_false_colour: blue for 0.0, through green, to red for 1.0
 UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
@@ -3465,7 +3687,8 @@ UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 ramp = 1.5 - abs(vec3(x - 3.0, x - 2.0, x - 1.0));
     return vec3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto false_colour_snippets = list<&false_colour>;
 
@@ -3473,17 +3696,17 @@ inline constexpr auto false_colour_snippets = list<&false_colour>;
 }  // namespace umbrage
 
 // ---- umbrage/primitives.hpp
-// The primitives of umbrage alone, for short compile times. Includes only; each header also stands alone. Functions over
-// whole images, the depth pass among them, and the registry of snippets come with <umbrage/umbrage.hpp>.
+// The primitives of umbrage alone, for short compile times. Includes only; each header also stands alone. Functions
+// over whole images, the depth pass among them, and the registry of snippets come with <umbrage/umbrage.hpp>.
 
 
 // ---- umbrage/simd/blocks/form.hpp
-// The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has none
-// is called receiver by receiver.
+// The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
+// none is called receiver by receiver.
 //
-// A form says what it needs of a map, the least side of a map that it can take, and makes its blocks, for a map of floats
-// or of rg and a direction. Blocks work in two steps, some blocks apart, so that texels have come from memory when they
-// are needed: place() says where to look and prefetches it; the second step loads it, compares and weighs.
+// A form says what it needs of a map, the least side of a map that it can take, and makes its blocks, for a map of
+// floats or of rg and a direction. Blocks work in two steps, some blocks apart, so that texels have come from memory
+// when they are needed: place() says where to look and prefetches it; the second step loads it, compares and weighs.
 //
 //     template <>
 //     struct block_form<filters::pcf_2x2> {
@@ -3508,13 +3731,15 @@ template <class Filter>
 struct block_form;
 
 template <class Filter>
-concept has_block_form = requires { block_form<Filter>::need; };
+concept has_block_form = requires {
+    block_form<Filter>::need;
+};
 
 }  // namespace umbrage::detail
 
 // ---- umbrage/images/receivers.hpp
-// The receivers of a whole image, in the forms that visibility() takes: an image of vec3s (x and y in texels of the map,
-// z depth, biased), three images of floats, or the depth image that a camera saw.
+// The receivers of a whole image, in the forms that visibility() takes: an image of vec3s (x and y in texels of the
+// map, z depth, biased), three images of floats, or the depth image that a camera saw.
 //
 //     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(clip_to_world, to_texels, size, clip), bias};
 //
@@ -3589,9 +3814,9 @@ namespace detail {
 //     namespace umbrage { ... }  // sums stay in their order, quotients stay quotients, -0 stays -0
 //     UMBRAGE_END_STRICT_MATH
 //
-// Comparisons with NaN are not kept: under -ffinite-math-only GCC shortens them even here, so that code which may meet a
-// NaN tests its bits. Denormals may be flushed, which is a mode of the processor. Without the flag these macros are empty,
-// as they are for clang where it has no such pragma (version 14: all but x86).
+// Comparisons with NaN are not kept: under -ffinite-math-only GCC shortens them even here, so that code which may meet
+// a NaN tests its bits. Denormals may be flushed, which is a mode of the processor. Without the flag these macros are
+// empty, as they are for clang where it has no such pragma (version 14: all but x86).
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
 #if defined(__clang__) && (defined(__x86_64__) || __clang_major__ > 14)
@@ -3657,15 +3882,15 @@ template <bool Forward>
     return detail::bit_cast<double>(detail::bit_cast<std::int64_t>(v) & mask);
 }
 [[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
-    return detail::bit_cast<float>((detail::bit_cast<std::int32_t>(a) & mask) | (detail::bit_cast<std::int32_t>(b) & ~mask));
+    return detail::bit_cast<float>((detail::bit_cast<std::int32_t>(a) & mask) |
+                                   (detail::bit_cast<std::int32_t>(b) & ~mask));
 }
 
 /// less_equal as 0 or 1, NaN 0 whatever the compiler believes.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
     if constexpr (finite_math_only)
         return std::int32_t(receiver <= stored) & number_mask(receiver) & number_mask(stored);
-    else
-        return std::int32_t(receiver <= stored);
+    else return std::int32_t(receiver <= stored);
 }
 
 /// saturate: the magnitude up to `highest`, or 0 for what is negative and not a NaN.
@@ -3715,7 +3940,8 @@ struct greatest_of {
 }  // namespace umbrage::detail
 
 // ---- umbrage/simd/dispatch.hpp
-// One loop, compiled for each instruction set, the machine's best chosen when the program runs. No flags, no intrinsics.
+// One loop, compiled for each instruction set, the machine's best chosen when the program runs. No flags, no
+// intrinsics.
 //
 //     umbrage::detail::on_best_isa([&](auto) UMBRAGE_INLINE { for (...) block(...); });
 //
@@ -3791,8 +4017,8 @@ void on_best_isa_without_fma(const Body& body) {
     body(isa_constant<isa::base>{});
 }
 
-/// Elements of a loop whose count the compiler knows. Arrays of as many start at a cache line: where they do not, which on
-/// a stack is chance, a loop over them can take several times as long.
+/// Elements of a loop whose count the compiler knows. Arrays of as many start at a cache line: where they do not, which
+/// on a stack is chance, a loop over them can take several times as long.
 inline constexpr int block = 64;
 
 }  // namespace umbrage::detail
@@ -3803,8 +4029,8 @@ inline constexpr int block = 64;
 //     lanes_of<float, 8> depths;
 //     load_lanes(texels, depths);  // with + - & and [] of the language
 //
-// The compiler's own vectors: they need no header and know no machine. Where it has none, or for a test, plain_lanes gives
-// the same bits. Vectors go by reference: by value, the calling convention depends on the instruction set.
+// The compiler's own vectors: they need no header and know no machine. Where it has none, or for a test, plain_lanes
+// gives the same bits. Vectors go by reference: by value, the calling convention depends on the instruction set.
 
 UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
@@ -3893,7 +4119,8 @@ UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count
                                      lanes_of<std::int32_t, Count>& lit) {
     if constexpr (Forward) lit = receiver <= stored;
     else lit = receiver >= stored;
-    if constexpr (finite_math_only) lit &= (reinterpret_cast<lanes_of<std::int32_t, Count>>(stored) & 0x7FFFFFFF) <= 0x7F800000;
+    if constexpr (finite_math_only)
+        lit &= (reinterpret_cast<lanes_of<std::int32_t, Count>>(stored) & 0x7FFFFFFF) <= 0x7F800000;
 }
 
 template <int Count>
@@ -3968,8 +4195,8 @@ UMBRAGE_END_STRICT_MATH
 
 namespace umbrage::detail {
 
-/// Whether an image is so large that non-temporal stores pay: others would read each cache line before it is overwritten,
-/// and evict what is read meanwhile.
+/// Whether an image is so large that non-temporal stores pay: others would read each cache line before it is
+/// overwritten, and evict what is read meanwhile.
 template <class T>
 [[nodiscard]] inline bool past_cache(const image_view<T>& image) {
     constexpr double large = 4.0 * (1 << 20);  // bytes
@@ -4017,14 +4244,12 @@ UMBRAGE_INLINE inline void stream_block(T* to, const T* from) {
 
 /// Up to a block of floats; most are whole, and then the compiler knows how much there is to copy.
 UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
-    if (count == block)
-        std::memcpy(to, from, block * sizeof(float));
-    else
-        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
+    if (count == block) std::memcpy(to, from, block * sizeof(float));
+    else std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
 }
 
-/// Prefetches a cache line. Callers must be UMBRAGE_INLINE or do more than that: for GCC a function that only prefetches
-/// has no effect, and a call of it is left out.
+/// Prefetches a cache line. Callers must be UMBRAGE_INLINE or do more than that: for GCC a function that only
+/// prefetches has no effect, and a call of it is left out.
 UMBRAGE_INLINE inline void prefetch_line([[maybe_unused]] const void* at) {
 #if defined(__GNUC__) || defined(__clang__)
     __builtin_prefetch(at);
@@ -4105,7 +4330,8 @@ UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, cons
     use(copy);
 }
 template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa, const Use& use) {
+UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa,
+                                         const Use& use) {
     const receiver_texels receivers{from.row(at.y) + at.x};
     if (Isa::value != isa::base || at.count() != block) return use_block(receivers, at.count(), use);
     receiver_block copy;  // GCC takes vec3s apart for SSE only in a loop that does nothing else
@@ -4114,7 +4340,8 @@ UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from
 }
 template <class Isa, class Use>
 UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, Isa, const Use& use) {
-    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(), use);
+    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(),
+              use);
 }
 
 /// receiver_at for a block.
@@ -4126,7 +4353,8 @@ inline void load(const depth_receivers& seen, const block_walk& at, receiver_blo
         const float y = static_cast<float>(at.y) + 0.5f;
         for (int i = 0; i < block; ++i) {
             const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
-            const auto sum = [&](glm::length_t k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
+            const auto sum = [&](glm::length_t k)
+                                 UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
             const float w = sum(3);
             const auto bits = detail::bit_cast<std::int32_t>(w);
             const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));
@@ -4212,8 +4440,8 @@ struct gathered {
 template <class At>
 gathered(void*, At) -> gathered<At>;
 
-/// Blocks of words, in turns. As many as fill a small register make one store: left alone, compilers want more at once than
-/// they can hold.
+/// Blocks of words, in turns. As many as fill a small register make one store: left alone, compilers want more at once
+/// than they can hold.
 template <class Word, class... At>
 UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
     const auto word = [](const void* from) UMBRAGE_INLINE {
@@ -4225,7 +4453,8 @@ UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
     constexpr std::size_t some = sizeof(words) / sizeof(Word);
     const auto load = [&]<std::size_t... I>(int i, const auto& from, std::index_sequence<I...>) UMBRAGE_INLINE {
         const words together{word(from.at(i + static_cast<int>(I)))...};
-        std::memcpy(static_cast<std::byte*>(from.to) + static_cast<std::size_t>(i) * sizeof(Word), &together, sizeof together);
+        std::memcpy(static_cast<std::byte*>(from.to) + static_cast<std::size_t>(i) * sizeof(Word), &together,
+                    sizeof together);
     };
     for (int i = 0; i < block; i += static_cast<int>(some)) (load(i, blocks, std::make_index_sequence<some>{}), ...);
 }
@@ -4253,7 +4482,8 @@ struct loaded_texels<float_texels> {
     UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
 };
 
-/// Byte pairs, two of them to a word. Both sides of the comparison stay 2^bits times the depth, which changes no result.
+/// Byte pairs, two of them to a word. Both sides of the comparison stay 2^bits times the depth, which changes no
+/// result.
 template <>
 struct loaded_texels<rg_texels> {
     static constexpr bool little = std::endian::native == std::endian::little;
@@ -4330,7 +4560,8 @@ template <class T>
 UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
     for (int row = -1; row <= rows; ++row)
 #pragma GCC unroll 4
-        for (int i = 0; i < block; i += 16) prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
+        for (int i = 0; i < block; i += 16)
+            prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
 }
 
 }  // namespace umbrage::detail
@@ -4338,20 +4569,24 @@ UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int
 // ---- umbrage/simd/blocks/box.hpp
 // The box filter over maps of floats: whole rows of the box are loaded at once, never one texel after the other.
 //
-//     std::int32_t lit = umbrage::detail::box_rows<umbrage::depth_direction::forward, 8, 0>(map.stride, 5).count(row, 0, receiver);
+//     const box_rows<depth_direction::forward, 8, 0> rows(map.stride, 5);
+//     std::int32_t lit = rows.count(row, 0, receiver);
 //
 
 namespace umbrage::detail {
 
 /// Lit texels of boxes that lie inside a map at least as wide as a register.
-/// @tparam Lanes   of a register;   Whole  registers that a row of the box fills;   Width  of the box, 0 if not known here
+/// @tparam Lanes   of a register
+/// @tparam Whole   registers that a row of the box fills
+/// @tparam Width   of the box, 0 if not known here
 template <depth_direction Direction, int Lanes, int Whole, int Width = 0>
 struct box_rows {
     using ints = lanes_of<std::int32_t, Lanes>;
     static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
     std::ptrdiff_t stride;
     int width;
-    std::int32_t window[3 * std::size_t(Lanes)]{};  ///< lanes that the rest of a row has in a register, slid to where they are
+    std::int32_t
+        window[3 * std::size_t(Lanes)]{};  ///< lanes that the rest of a row has in a register, slid to where they are
 
     UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(Width ? Width : box_width) {
         for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
@@ -4404,8 +4639,8 @@ private:
     }
 };
 
-/// The part of a map that a block's boxes lie in. Rows of a map that lie a multiple of 2048 bytes apart share their places
-/// in a first-level cache, which has few for each: high boxes push their own rows out of it. Here they do not.
+/// The part of a map that a block's boxes lie in. Rows of a map that lie a multiple of 2048 bytes apart share their
+/// places in a first-level cache, which has few for each: high boxes push their own rows out of it. Here they do not.
 struct map_tile {
     static constexpr int columns = 100, rows = 96;
     float texels[rows][columns];
@@ -4415,7 +4650,8 @@ struct map_tile {
     /// @param last   texel of the map, within columns and rows of the first; at least eight columns
     UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
         const int count = last.x - first.x + 1;
-        const auto eight = [](const float* from, float* to) UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
+        const auto eight = [](const float* from, float* to)
+                               UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
         for (int y = first.y; y <= last.y; ++y) {
             const float* from = texel_at(map, first.x, y);
             float* to = texels[y - first.y];
@@ -4435,7 +4671,8 @@ struct box_blocks {
         alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
         alignas(64) std::int32_t inside[block], compared[block];
         alignas(64) float z[block];
-        std::int32_t all_plain;  ///< all bits if all boxes and what is loaded beside them are inside, and no depth is NaN
+        std::int32_t
+            all_plain;  ///< all bits if all boxes and what is loaded beside them are inside, and no depth is NaN
     };
     image_view<const float> map;
     int radius;  ///< 0 .. max_box_radius
@@ -4571,7 +4808,8 @@ struct placed_tap {
     template <class Test, class T>
     UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset) {
         const texel_bytes memory(map);
-        const auto last_x = static_cast<float>(last_in_space(map.size.x)), last_y = static_cast<float>(last_in_space(map.size.y));
+        const auto last_x = static_cast<float>(last_in_space(map.size.x)),
+                   last_y = static_cast<float>(last_in_space(map.size.y));
         for (int i = 0; i < block; ++i) {
             const float x = receivers.x(i) + offset.x, y = receivers.y(i) + offset.y;
             compared[i] = Test::compared(x, y, receivers.z(i));
@@ -4690,16 +4928,16 @@ struct serial {
 }  // namespace umbrage
 
 // ---- umbrage/simd/blocks/hierarchical_box.hpp
-// The box filter for receivers most of which are wholly lit or wholly in shadow: those ask one number for the whole box.
-// visibility() does it for filters::hierarchical_box; bit for bit what filters::box gives.
+// The box filter for receivers most of which are wholly lit or wholly in shadow: those ask one number for the whole
+// box. visibility() does it for filters::hierarchical_box; bit for bit what filters::box gives.
 //
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out);
 //
 
 namespace umbrage::detail {
 
-/// For every place where a box may start, the bounds of the squares of texels that the box touches. A box of 2r + 1 texels
-/// touches at most `cells` squares of 2^level texels in a row.
+/// For every place where a box may start, the bounds of the squares of texels that the box touches. A box of 2r + 1
+/// texels touches at most `cells` squares of 2^level texels in a row.
 struct box_bounds {
     int level, cells;
     glm::ivec2 last;          ///< of the starts, which begin cells - 1 squares in front of the map
@@ -4715,7 +4953,8 @@ struct box_bounds {
         parallel(squares.y, [&](int from, int to) {
             const int blocks = (squares.x + block - 1) / block;
             const auto columns = static_cast<std::size_t>(blocks * block) << level;
-            std::vector<std::int32_t> low(columns), high(columns), padded(static_cast<std::size_t>(bounds.size().x + cells));
+            std::vector<std::int32_t> low(columns), high(columns),
+                padded(static_cast<std::size_t>(bounds.size().x + cells));
             on_best_isa([&](auto) UMBRAGE_INLINE {
                 for (int y = from; y < to; ++y) {
                     bounds_of_columns(map, y << level, low, high);
@@ -4822,7 +5061,8 @@ struct hierarchical_box_blocks {
             const std::int32_t x = floor_int(masked(receivers.x(i), compared)) - radius;
             const std::int32_t y = floor_int(masked(receivers.y(i), compared)) - radius;
             at.r.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
-            at.offsets[i] = memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
+            at.offsets[i] =
+                memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
             at.compared[i] = compared;
         }
         prefetch(memory, at.offsets, 1);
@@ -4918,8 +5158,9 @@ struct pcf_2x2_blocks {
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         const texel_bytes memory(map.map);
         loaded_texels<Map> low(map), high(map);
-        loaded_texels<Map>::load_two(low, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); },
-                                     high, [&](int i) UMBRAGE_INLINE { return memory.below(at.offsets[i]); });
+        loaded_texels<Map>::load_two(
+            low, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }, high,
+            [&](int i) UMBRAGE_INLINE { return memory.below(at.offsets[i]); });
         for (int i = 0; i < block; ++i) {
             const float z = low.receiver(at.z[i]), lo_x = 256.0f - at.hi_x[i], lo_y = 256.0f - at.hi_y[i];
             const auto weigh = [&](const auto& row) UMBRAGE_INLINE {
@@ -5005,7 +5246,8 @@ struct blur_kernel {
 /// @exactness     A
 template <int Taps>
 [[nodiscard]] blur_kernel make_binomial_kernel() {
-    static_assert(Taps >= 1 && Taps <= 25 && Taps % 2 == 1, "an odd number up to 25: beyond, floats do not hold the weights");
+    static_assert(Taps >= 1 && Taps <= 25 && Taps % 2 == 1,
+                  "an odd number up to 25: beyond, floats do not hold the weights");
     blur_kernel kernel{std::vector<float>(Taps / 2 + 1)};
     double weight = std::ldexp(1.0, 1 - Taps);  // that of the outermost tap
     for (int i = 0; i <= Taps / 2; ++i) {
@@ -5039,10 +5281,12 @@ inline constexpr int float_channels = static_cast<int>(sizeof(T) / sizeof(float)
 
 /// 64 sums of taps; tap(i) is where those at distance i begin, i from -radius to radius.
 template <class Tap, std::size_t... I>
-UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, float* __restrict to, std::index_sequence<I...>) {
+UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, float* __restrict to,
+                                      std::index_sequence<I...>) {
     // Pointers and weights are locals, which stay in registers: one loop holds all taps.
     const float* const centre = tap(0);
-    const std::array<const float*, sizeof...(I)> before{tap(-static_cast<int>(I) - 1)...}, after{tap(static_cast<int>(I) + 1)...};
+    const std::array<const float*, sizeof...(I)> before{tap(-static_cast<int>(I) - 1)...},
+        after{tap(static_cast<int>(I) + 1)...};
     const std::array<float, sizeof...(I)> w{weights[I + 1]...};
     const float w0 = weights[0];
     for (int x = 0; x < block; ++x) {
@@ -5069,8 +5313,10 @@ UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap&
                                     const float* next = nullptr) {
     if (width < block) return blur_some(weights, radius, tap, to, width);
     const auto each = [&](auto&& blur_at) UMBRAGE_INLINE {
-        for (int x = 0; x + block <= width; x += block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
-        if (const int x = width - block; width % block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
+        for (int x = 0; x + block <= width; x += block)
+            blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
+        if (const int x = width - block; width % block)
+            blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
     };
     const auto with_radius = [&](auto taps) UMBRAGE_INLINE {
         each([&](const auto& at, float* result) UMBRAGE_INLINE {
@@ -5106,13 +5352,15 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
         const auto row = [&](int y) { return from.row(y < 0 ? 0 : (y < height ? y : height - 1)); };
         for (int y = first; y < last; ++y) {
             for (int i = -radius; i <= radius; ++i) around[i] = row(y + i);
-            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return around[i]; }, line, width, row(y + radius + 1));
+            blur_row(
+                weights, radius, [=](int i) UMBRAGE_INLINE { return around[i]; }, line, width, row(y + radius + 1));
             for (int i = 0; i < border; ++i) {
                 line[i - border] = line[i % Channels];
                 line[width + i] = line[width - Channels + i % Channels];
             }
             const float* const centre = line;
-            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return centre + i * Channels; }, to.row(y), width);
+            blur_row(
+                weights, radius, [=](int i) UMBRAGE_INLINE { return centre + i * Channels; }, to.row(y), width);
         }
     });
 }
@@ -5127,8 +5375,9 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
 /// @param parallel  cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ, same pixels, or no weights
 /// @formula         w0 c + w1 (before1 + after1) + w2 (before2 + after2) + ..., in this order, along y and then along x
-/// @exactness       B: every instruction set and any pieces give the bits of the written order, as long as the compiler is
-///                  not told that it may fuse a multiplication and an addition (-march with FMA without -ffp-contract=off)
+/// @exactness       B: every instruction set and any pieces give the bits of the written order, as long as the compiler
+///                  is not told that it may fuse a multiplication and an addition (-march with FMA without
+///                  -ffp-contract=off)
 template <class From, class T, class ParallelFor = serial>
 void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, ParallelFor&& parallel = {}) {
     constexpr int channels = detail::float_channels<T>;
@@ -5143,12 +5392,13 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
     const glm::ivec2 size(from.size.x * channels, from.size.y);
     const image_view<const float> floats_from(reinterpret_cast<const float*>(from.data), size, from.stride);
     const image_view<float> floats_to(reinterpret_cast<float*>(to.data), size, to.stride);
-    parallel(size.y, [&](int first, int last) { detail::blur_rows<channels>(floats_from, floats_to, kernel, first, last); });
+    parallel(size.y,
+             [&](int first, int last) { detail::blur_rows<channels>(floats_from, floats_to, kernel, first, last); });
 }
 
 /// The same where one of the two is an image.
 template <class From, class To, class ParallelFor = serial>
-    requires detail::some_image<From, To>
+requires detail::some_image<From, To>
 void blur(const From& from, To&& to, const blur_kernel& kernel, ParallelFor&& parallel = {}) {
     blur(detail::view_of(from), detail::view_of(to), kernel, parallel);
 }
@@ -5303,8 +5553,8 @@ struct codec<depth32f> {
 //     umbrage::image<glm::u8vec2> packed(depth.size());
 //     umbrage::encode(depth, packed, umbrage::rg<11>{});
 //
-// Bit for bit what the encoding's own encode and decode give. The encodings of this library have loops of their own that
-// compilers can vectorise; any other type like them works as well.
+// Bit for bit what the encoding's own encode and decode give. The encodings of this library have loops of their own
+// that compilers can vectorise; any other type like them works as well.
 
 namespace umbrage {
 namespace detail {
@@ -5436,8 +5686,8 @@ void halve(image_view<const float> least, image_view<const float> greatest, dept
                 for (int x = 0; x < size.x; x += block) {
                     const int count = size.x - x < block ? size.x - x : block;
                     const auto load = [&](const image_view<const float>& from) UMBRAGE_INLINE {
-                        const float *low = from.row(2 * y) + 2 * x;
-                        const float *high = from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y) + 2 * x;
+                        const float* low = from.row(2 * y) + 2 * x;
+                        const float* high = from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y) + 2 * x;
                         if (const int there = from.size.x - 2 * x; there < 2 * block) {
                             for (int i = 0; i < 2 * block; ++i) {
                                 const int k = i < there ? i : there - 1;
@@ -5457,7 +5707,8 @@ void halve(image_view<const float> least, image_view<const float> greatest, dept
                     const auto store = [&](auto pick, float* result) UMBRAGE_INLINE {
                         alignas(64) float depths[block];
                         for (int i = 0; i < block; ++i)
-                            depths[i] = from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
+                            depths[i] =
+                                from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
                         copy_floats(result + x, depths, count);
                     };
                     load(least);
@@ -5540,7 +5791,7 @@ struct contrast_stretch {
 
 /// Where an overlay goes: the top left corner, as people see it.
 struct overlay_placement {
-    glm::ivec2 size{0, 0};  ///< in texels of the picture; a zero takes the map's own side
+    glm::ivec2 size{0, 0};                                ///< in texels of the picture; a zero takes the map's own side
     texture_origin map_origin = texture_origin::bottom;   ///< where row 0 of the map is
     texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
 };
@@ -5680,7 +5931,8 @@ public:
         return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
     }
 
-    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes become `outside_vertex`.
+    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes become
+    /// `outside_vertex`.
     /// @exactness  the bits of one by one
     void snap(const glm::vec3 (&positions)[block], snapped_vertex (&vertices)[block]) const {
         using bits = std::int64_t;
@@ -5694,8 +5946,7 @@ public:
             alignas(64) float x[block], y[block], z[block];
             alignas(64) double column[block], row[block], depth[block];
             alignas(64) bits outside[block];
-            for (int i = 0; i < block; ++i)
-                x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
+            for (int i = 0; i < block; ++i) x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
             const glm::dmat4 m = matrix_;
             const glm::dvec2 half_size = half_size_;
             for (int i = 0; i < block; ++i) {
@@ -5881,8 +6132,7 @@ public:
         const int first_x = std::max(left >> 8, bounds.first.x), last_x = std::min(right >> 8, bounds.last.x - 1);
         if (first_x > last_x || first_y > last_y) return;
 
-        const std::int64_t area =
-            std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
+        const std::int64_t area = std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
         if (area == 0 || cull == (area > 0 ? cull_mode::front : cull_mode::back)) return;
 
         // Counter-clockwise, the smallest vertex first, whatever the order in the mesh was.
@@ -6032,8 +6282,7 @@ private:
             units = 1.0 / unit;
             const double dx = truncate<Set>(slope_x * units) * unit;
             const double dy = truncate<Set>(slope_y * units) * unit;
-            depth_[i] = truncate<Set>(z0 * units) * unit +
-                        dx * (first_[0][i] * subtexels + centre - x_[0][i]) +
+            depth_[i] = truncate<Set>(z0 * units) * unit + dx * (first_[0][i] * subtexels + centre - x_[0][i]) +
                         dy * (first_[1][i] * subtexels + centre - y_[0][i]);
             dx_[i] = dx * subtexels;
             dy_[i] = dy * subtexels;
@@ -6101,8 +6350,8 @@ public:
         });
     }
 
-    /// Prefetches what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh. Inlined for the
-    /// reason that prefetch_line() gives.
+    /// Prefetches what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh. Inlined for
+    /// the reason that prefetch_line() gives.
     UMBRAGE_INLINE void expect(std::span<const unsigned> list, std::size_t k) const {
         constexpr std::size_t soon = 16, later = 32;
         if (k + later < list.size()) prefetch_line(&mesh_.triangles[list[k + later]]);
@@ -6163,7 +6412,8 @@ public:
 private:
     static constexpr unsigned nowhere = 1u << projection::planes;
 
-    [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c) {
+    [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b,
+                                                 const snapped_vertex& c) {
         return planes_outside(a) | planes_outside(b) | planes_outside(c);
     }
 
@@ -6186,7 +6436,8 @@ private:
         }
         alignas(64) snapped_vertex vertices[block];
         project_.snap(positions, vertices);
-        for (std::size_t i = 0; i < block; ++i) vertices_[first + i] = finite[i] ? vertices[i] : outside_vertex(nowhere);
+        for (std::size_t i = 0; i < block; ++i)
+            vertices_[first + i] = finite[i] ? vertices[i] : outside_vertex(nowhere);
     }
 
     mesh_view mesh_;
@@ -6212,7 +6463,9 @@ class banded_triangles {
 public:
     template <class ParallelFor>
     banded_triangles(const projected_mesh& mesh, glm::ivec2 size, ParallelFor&& parallel)
-        : mesh_(mesh), rows_(std::clamp(band_texels / std::max(size.x, 1), 1, band_rows)), bands_((size.y + rows_ - 1) / rows_) {
+        : mesh_(mesh),
+          rows_(std::clamp(band_texels / std::max(size.x, 1), 1, band_rows)),
+          bands_((size.y + rows_ - 1) / rows_) {
         const unsigned triangles = mesh.triangle_count(), pieces = (triangles + piece - 1) / piece;
         lists_.resize(std::size_t(pieces) * std::size_t(bands_));
         parallel(static_cast<int>(pieces), [&](int first, int last) {
@@ -6406,7 +6659,7 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::
     parallel(banded.bands(), [&](int first, int last) {
         for (int band = first; band < last; ++band) {
             const detail::texel_bounds bounds{{0, band * banded.rows()},
-                                      {depth.size.x, std::min((band + 1) * banded.rows(), depth.size.y)}};
+                                              {depth.size.x, std::min((band + 1) * banded.rows(), depth.size.y)}};
             const auto triangles = [&](const auto& use) { banded.for_each(band, use); };
             projected.for_each_batch(triangles, bounds, cull, [&](const detail::triangle_batch& batch) {
                 if (forward) detail::draw_batch<true>(depth, flipped, batch);
@@ -6492,11 +6745,11 @@ namespace detail {
 
 /// Floats are always added in fours, in the order that summed_area states; integers in any.
 template <class T, isa Set>
-inline constexpr int sum_lanes = std::is_integral_v<T> && Set != isa::base ? running_sum_lanes : 4;
+inline constexpr int sum_lanes = std::is_integral_v<T>&& Set != isa::base ? running_sum_lanes : 4;
 
-/// The running sums of a band, and those of the bands before it. A load waits for an earlier store whose address has the
-/// same last twelve bits (4K aliasing): so both lie, modulo 4096, away from the rows of the image and of the table. The
-/// worst placement was measured to be five times as slow.
+/// The running sums of a band, and those of the bands before it. A load waits for an earlier store whose address has
+/// the same last twelve bits (4K aliasing): so both lie, modulo 4096, away from the rows of the image and of the table.
+/// The worst placement was measured to be five times as slow.
 template <class Sum>
 class band_sums {
 public:
@@ -6511,7 +6764,9 @@ public:
 private:
     static constexpr std::size_t page = 4096;
     static std::size_t last_bits(const void* p) { return reinterpret_cast<std::uintptr_t>(p) % page; }
-    static Sum* place(Sum* from, std::size_t wanted) { return from + (wanted / 64 * 64 - last_bits(from)) % page / sizeof(Sum); }
+    static Sum* place(Sum* from, std::size_t wanted) {
+        return from + (wanted / 64 * 64 - last_bits(from)) % page / sizeof(Sum);
+    }
 
     std::vector<Sum> memory_;
 
@@ -6567,7 +6822,8 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
     }
 }
 
-inline constexpr int band_rows = 64;  ///< rows of a table that are summed from zero, then put on top of what is before them
+inline constexpr int band_rows =
+    64;  ///< rows of a table that are summed from zero, then put on top of what is before them
 
 /// Rows first <= y < last of one band into the table; `line` becomes the sums of the band down to there.
 template <class From, class Sum>
@@ -6579,10 +6835,8 @@ void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, in
         for (int y = first; y < last; ++y) {
             const From* from = values.row(y);
             Sum* to = sums.row(y);
-            if (is_large && streams_to(to))
-                sum_row<table_store::streaming, lanes>(from, base, line, to, width);
-            else
-                sum_row<table_store::plain, lanes>(from, base, line, to, width);
+            if (is_large && streams_to(to)) sum_row<table_store::streaming, lanes>(from, base, line, to, width);
+            else sum_row<table_store::plain, lanes>(from, base, line, to, width);
         }
     });
     if (is_large) finish_streaming();
@@ -6606,7 +6860,8 @@ void total_of_rows(image_view<const From> values, int first, int last, Sum* line
             for (int x = 1; x < width; ++x) line[x] += line[x - 1];
         } else {
             for (int y = first; y < last; ++y)
-                sum_row<table_store::none, sum_lanes<Sum, decltype(set)::value>>(values.row(y), line, line, line, width);
+                sum_row<table_store::none, sum_lanes<Sum, decltype(set)::value>>(values.row(y), line, line, line,
+                                                                                 width);
         }
     });
 }
@@ -6620,8 +6875,9 @@ void total_of_rows(image_view<const From> values, int first, int last, Sum* line
 /// @param parallel  cuts bands of 64 rows into pieces, see parallel.hpp; the image is then read twice
 /// @throws std::invalid_argument  sizes differ
 /// @exactness   uint32_t A: modulo 2^32. float B. In a row, groups g of four from its start, each summed as g0, g0+g1,
-///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right; to
-///              that the texel above, in bands of 64 rows; to that the last row of the bands before, added up downwards
+///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right;
+///              to that the texel above, in bands of 64 rows; to that the last row of the bands before, added up
+///              downwards
 template <class From, class Sum, class ParallelFor = serial>
 void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& parallel = {}) {
     using value = std::remove_const_t<From>;
@@ -6665,7 +6921,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
 
 /// The same where one of the two is an image.
 template <class From, class Sums, class ParallelFor = serial>
-    requires detail::some_image<From, Sums>
+requires detail::some_image<From, Sums>
 void summed_area(const From& values, Sums&& sums, ParallelFor&& parallel = {}) {
     summed_area(detail::view_of(values), detail::view_of(sums), parallel);
 }
@@ -6753,7 +7009,8 @@ struct one_by_one {
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
-        for (int i = 0; i < count; ++i) visibility[i] = static_cast<float>(filter(fetch, glm::vec2(at.x(i), at.y(i)), at.z(i)));
+        for (int i = 0; i < count; ++i)
+            visibility[i] = static_cast<float>(filter(fetch, glm::vec2(at.x(i), at.y(i)), at.z(i)));
     }
 };
 
@@ -6771,7 +7028,9 @@ template <int Bits>
     return {map, Bits, encoding.edge};
 }
 template <class Encoding>
-concept has_texels_form = requires(image_view<const typename Encoding::texel> map, const Encoding& e) { texels_of(map, e); };
+concept has_texels_form = requires(image_view<const typename Encoding::texel> map, const Encoding& e) {
+    texels_of(map, e);
+};
 
 /// Calls use(map) with the map as a form wants it. The map is decoded where that is less work than the receivers.
 /// @return   false where it is not, or where the form cannot take such a map
@@ -6812,9 +7071,8 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
             else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
         });
         if (done) return;
-        const erased_fetch erased{&fetch, [](const void* f, glm::ivec2 texel) {
-                                      return (*static_cast<const decltype(fetch)*>(f))(texel);
-                                  }};
+        const erased_fetch erased{
+            &fetch, [](const void* f, glm::ivec2 texel) { return (*static_cast<const decltype(fetch)*>(f))(texel); }};
         rows(one_by_one<Filter, erased_fetch>{filter, erased});
     } else {
         rows(one_by_one<Filter, std::remove_cvref_t<decltype(fetch)>>{filter, fetch});

@@ -71,10 +71,8 @@ void print_heading(const machine& on) {
 void print(const result& r) {
     std::printf("%-58s %-22s %10.3f %10.3f %8.2f %6.1f %% ", r.work.c_str(), r.peer.c_str(), r.ours, r.theirs, r.ratio,
                 r.spread * 100);
-    if (r.wanted > 0)
-        std::printf("%8.2f %s", r.wanted, r.ratio < r.wanted ? "missed" : "met");
-    else
-        std::printf("%8s", "");
+    if (r.wanted > 0) std::printf("%8.2f %s", r.wanted, r.ratio < r.wanted ? "missed" : "met");
+    else std::printf("%8s", "");
     std::printf("%s\n", r.converged ? "" : " not settled");
     std::fflush(stdout);
 }
@@ -94,9 +92,7 @@ void add(row r) {
     rows().push_back(std::move(r));
 }
 
-registration::registration(std::function<void()> rows) {
-    registrations().push_back(std::move(rows));
-}
+registration::registration(std::function<void()> rows) { registrations().push_back(std::move(rows)); }
 
 }  // namespace bench
 

@@ -43,16 +43,31 @@ const bench::registration rows([] {
     const auto s = std::make_shared<state>();
     const std::string work = "Gaussian 7 taps, two floats, 1024 x 1024";
     const auto ours = [s] { umbrage::blur(s->moments.view(), s->ours.view(), s->kernel); };
-    bench::add({.work = work, .peer = "memcpy", .items = texels, .ours = ours,
-                .theirs = [s] { std::memcpy(s->theirs.texels().data(), s->moments.texels().data(), sizeof(glm::vec2) << 20); }, .agree = {}});
+    bench::add(
+        {.work = work,
+         .peer = "memcpy",
+         .items = texels,
+         .ours = ours,
+         .theirs = [s] { std::memcpy(s->theirs.texels().data(), s->moments.texels().data(), sizeof(glm::vec2) << 20); },
+         .agree = {}});
 #ifdef UMBRAGE_BENCH_OPENCV
     const auto close = [s] { return s->close(); };
-    bench::add({.work = work, .peer = "OpenCV GaussianBlur", .at_least = 1.3, .items = texels, .ours = ours,
-                .theirs = [s] { peers::opencv::gaussian_7(s->moments, s->theirs, double(sigma)); }, .agree = close});
+    bench::add({.work = work,
+                .peer = "OpenCV GaussianBlur",
+                .at_least = 1.3,
+                .items = texels,
+                .ours = ours,
+                .theirs = [s] { peers::opencv::gaussian_7(s->moments, s->theirs, double(sigma)); },
+                .agree = close});
     const auto& w = s->kernel.weights;
     const std::array<float, 7> taps{w[3], w[2], w[1], w[0], w[1], w[2], w[3]};
-    bench::add({.work = work, .peer = "OpenCV sepFilter2D", .at_least = 1.3, .items = texels, .ours = ours,
-                .theirs = [s, taps] { peers::opencv::separable_7(s->moments, s->theirs, taps); }, .agree = close});
+    bench::add({.work = work,
+                .peer = "OpenCV sepFilter2D",
+                .at_least = 1.3,
+                .items = texels,
+                .ours = ours,
+                .theirs = [s, taps] { peers::opencv::separable_7(s->moments, s->theirs, taps); },
+                .agree = close});
 #endif
 });
 

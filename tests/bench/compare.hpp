@@ -76,12 +76,9 @@ struct comparison {
 
     comparison all;
     for (const row_name& name : order) {
-        if (!new_runs.contains(name))
-            all.only_before.push_back(name);
-        else if (!old_runs.contains(name))
-            all.only_after.push_back(name);
-        else
-            all.changes.push_back({name.first, name.second, summarize(old_runs[name]), summarize(new_runs[name])});
+        if (!new_runs.contains(name)) all.only_before.push_back(name);
+        else if (!old_runs.contains(name)) all.only_after.push_back(name);
+        else all.changes.push_back({name.first, name.second, summarize(old_runs[name]), summarize(new_runs[name])});
     }
     return all;
 }

@@ -34,7 +34,9 @@ public:
             ++disagreements_;
             return;
         }
-        const auto same = [&](const curve& other) { return c.plot == other.plot && c.work == other.work && c.by == other.by; };
+        const auto same = [&](const curve& other) {
+            return c.plot == other.plot && c.work == other.work && c.by == other.by;
+        };
         if (std::ranges::none_of(curves_, same)) curves_.push_back(c);
         const auto at = static_cast<std::size_t>(std::ranges::find_if(curves_, same) - curves_.begin());
 
@@ -77,7 +79,8 @@ public:
         std::ofstream out(path);
         out << "# plot\twork\tby\tx\ty\n";
         for (const curve& c : curves_)
-            for (const auto& [x, y] : c.points) out << c.plot << '\t' << c.work << '\t' << c.by << '\t' << x << '\t' << y << '\n';
+            for (const auto& [x, y] : c.points)
+                out << c.plot << '\t' << c.work << '\t' << c.by << '\t' << x << '\t' << y << '\n';
         return out.flush() && disagreements_ == 0;
     }
 

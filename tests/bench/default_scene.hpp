@@ -13,7 +13,7 @@
 namespace bench {
 
 struct shadowed_scene {
-    umbrage::image<float> map;           ///< bench::map_size
+    umbrage::image<float> map;            ///< bench::map_size
     umbrage::image<glm::vec3> receivers;  ///< bench::screen; where nothing is seen, lit in any map
 };
 

@@ -32,11 +32,15 @@ void add_pass(int count, float side, double at_least, const std::string& work) {
             : triangles(scattered(n, s)), pipe(bench::screen, triangles.positions, triangles.triangles, matrix) {}
     };
     const auto s = std::make_shared<state>(count, side);
-    bench::add({.work = work, .peer = "llvmpipe, one thread", .at_least = at_least, .items = double(count),
-                .ours = [s] {
-                    std::ranges::fill(s->depth.texels(), 1.0f);
-                    umbrage::rasterize_depth(s->depth, s->triangles, s->matrix, umbrage::opengl_clip_space);
-                },
+    bench::add({.work = work,
+                .peer = "llvmpipe, one thread",
+                .at_least = at_least,
+                .items = double(count),
+                .ours =
+                    [s] {
+                        std::ranges::fill(s->depth.texels(), 1.0f);
+                        umbrage::rasterize_depth(s->depth, s->triangles, s->matrix, umbrage::opengl_clip_space);
+                    },
                 .theirs = [s] { s->pipe.clear_and_draw(); },
                 .agree = [s] {  // but for samples on edges that the two snap differently
                     const auto theirs = s->pipe.read();
@@ -64,17 +68,21 @@ const bench::registration rows([] {
 #endif
 #ifdef UMBRAGE_BENCH_EMBREE
     const auto s = std::make_shared<mask_state>();
-    bench::add({.work = "shadow mask 1920 x 1080, a million triangles", .peer = "Embree, build and rays", .at_least = 3,
+    bench::add({.work = "shadow mask 1920 x 1080, a million triangles",
+                .peer = "Embree, build and rays",
+                .at_least = 3,
                 .items = bench::pixels,
-                .ours = [s] {
-                    s->draw(s->map);
-                    umbrage::visibility(s->map.view(), umbrage::depth32f{}, s->receivers.view(),
-                                        umbrage::filters::pcf_2x2{}, s->ours.view());
-                },
-                .theirs = [s] {
-                    s->embree.build(s->scene.positions, s->scene.triangles);
-                    s->embree.visibility(s->points, s->to_light, s->theirs);
-                },
+                .ours =
+                    [s] {
+                        s->draw(s->map);
+                        umbrage::visibility(s->map.view(), umbrage::depth32f{}, s->receivers.view(),
+                                            umbrage::filters::pcf_2x2{}, s->ours.view());
+                    },
+                .theirs =
+                    [s] {
+                        s->embree.build(s->scene.positions, s->scene.triangles);
+                        s->embree.visibility(s->points, s->to_light, s->theirs);
+                    },
                 .agree = [s] {  // but for borders of shadows and grazing light, which the map has in texels
                     const auto ours = s->ours.texels();
                     std::size_t differ = 0, shadowed = 0;

@@ -24,16 +24,35 @@ const bench::registration rows([] {
     const auto s = std::make_shared<state>();
     const auto encode = [s] { umbrage::encode(s->depth, s->packed, umbrage::rg<11>{}); };
     const auto decode = [s] { umbrage::decode(s->packed, s->back, umbrage::rg<11>{}); };
-    const auto copy = [s] { std::memcpy(s->to.data(), s->from.data(), std::size_t(bench::map_texels) * 3); };  // reads and writes 6 bytes
-    bench::add({.work = "encode 11 bits, 2048 x 2048", .peer = "memcpy", .at_least = 0.9, .items = bench::map_texels,
-                .ours = encode, .theirs = copy, .agree = {}});
-    bench::add({.work = "encode 11 bits, 2048 x 2048", .peer = "GLM code", .at_least = 10, .items = bench::map_texels,
-                .ours = encode, .theirs = [s] { peers::glm_code::encode(s->glm_depth, s->glm_packed); },
+    const auto copy = [s] {
+        std::memcpy(s->to.data(), s->from.data(), std::size_t(bench::map_texels) * 3);
+    };  // reads and writes 6 bytes
+    bench::add({.work = "encode 11 bits, 2048 x 2048",
+                .peer = "memcpy",
+                .at_least = 0.9,
+                .items = bench::map_texels,
+                .ours = encode,
+                .theirs = copy,
+                .agree = {}});
+    bench::add({.work = "encode 11 bits, 2048 x 2048",
+                .peer = "GLM code",
+                .at_least = 10,
+                .items = bench::map_texels,
+                .ours = encode,
+                .theirs = [s] { peers::glm_code::encode(s->glm_depth, s->glm_packed); },
                 .agree = [s] { return std::ranges::equal(s->packed.texels(), s->glm_packed); }});
-    bench::add({.work = "decode 11 bits, 2048 x 2048", .peer = "memcpy", .at_least = 0.9, .items = bench::map_texels,
-                .ours = decode, .theirs = copy, .agree = {}});
-    bench::add({.work = "decode 11 bits, 2048 x 2048", .peer = "GLM code", .items = bench::map_texels,
-                .ours = decode, .theirs = [s] { peers::glm_code::decode(s->glm_packed, s->glm_back); },
+    bench::add({.work = "decode 11 bits, 2048 x 2048",
+                .peer = "memcpy",
+                .at_least = 0.9,
+                .items = bench::map_texels,
+                .ours = decode,
+                .theirs = copy,
+                .agree = {}});
+    bench::add({.work = "decode 11 bits, 2048 x 2048",
+                .peer = "GLM code",
+                .items = bench::map_texels,
+                .ours = decode,
+                .theirs = [s] { peers::glm_code::decode(s->glm_packed, s->glm_back); },
                 .agree = [s] { return std::ranges::equal(s->back.texels(), s->glm_back); }});
 });
 

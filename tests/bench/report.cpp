@@ -22,9 +22,7 @@ report read(const std::string& path) {
     try {
         const nlohmann::json document = nlohmann::json::parse(std::ifstream(path));
         return {document.at("machine").get<machine>(), document.at("rows").get<std::vector<result>>()};
-    } catch (const nlohmann::json::exception& e) {
-        throw std::runtime_error(path + ": " + e.what());
-    }
+    } catch (const nlohmann::json::exception& e) { throw std::runtime_error(path + ": " + e.what()); }
 }
 
 }  // namespace bench

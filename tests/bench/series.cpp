@@ -84,13 +84,16 @@ void encoding_over_map_size(measurements& m, int side) {
     auto glm_back = glm_depth;
     auto glm_packed = copy_of(packed);
     add("encode 11 bits", "umbrage", [&] { umbrage::encode(depth, packed, rg11); });
-    add("encode 11 bits", "GLM code", [&] { peers::glm_code::encode(glm_depth, glm_packed); },
+    add(
+        "encode 11 bits", "GLM code", [&] { peers::glm_code::encode(glm_depth, glm_packed); },
         [&] { return std::ranges::equal(packed.texels(), glm_packed); });
     add("decode 11 bits", "umbrage", [&] { umbrage::decode(packed, back, umbrage::rg<11>{}); });
-    add("decode 11 bits", "GLM code", [&] { peers::glm_code::decode(glm_packed, glm_back); },
+    add(
+        "decode 11 bits", "GLM code", [&] { peers::glm_code::decode(glm_packed, glm_back); },
         [&] { return std::ranges::equal(back.texels(), glm_back); });
     // as many bytes read and written as by either: 6 a texel
-    add("the same traffic", "memcpy", [&] { std::memcpy(glm_back.data(), depth.texels().data(), std::size_t(texels) * 3); });
+    add("the same traffic", "memcpy",
+        [&] { std::memcpy(glm_back.data(), depth.texels().data(), std::size_t(texels) * 3); });
     m.measure();
 }
 
@@ -112,9 +115,11 @@ void visibility_over_map_size(measurements& m, int side) {
     auto theirs = copy_of(ours);
     const umbrage::filters::pcf_2x2 filter;
     add("PCF 2x2, float map", "umbrage", [&] { umbrage::visibility(map, f32, receivers, filter, ours); });
-    add("PCF 2x2, float map", "GLM code", [&] { peers::glm_code::pcf_2x2(glm_map, glm_receivers, theirs); },
+    add(
+        "PCF 2x2, float map", "GLM code", [&] { peers::glm_code::pcf_2x2(glm_map, glm_receivers, theirs); },
         [&] { return mean_difference(ours.texels(), theirs) < 1e-3; });  // weights in 1/256 here, in floats there
-    add("PCF 2x2, 11-bit map", "umbrage", [&] { umbrage::visibility(packed, rg11, receivers, filter, other); },
+    add(
+        "PCF 2x2, 11-bit map", "umbrage", [&] { umbrage::visibility(packed, rg11, receivers, filter, other); },
         [&] { return std::ranges::equal(ours.texels(), other.texels()); });
     m.measure();
 }
@@ -122,8 +127,8 @@ void visibility_over_map_size(measurements& m, int side) {
 void summed_area_over_map_size(measurements& m, int side) {
     const double texels = double(side) * side;
     const auto add = [&](const char* by, const auto& run, const std::function<bool()>& agree = {}) {
-        m.add({"map_size_summed_area", by == std::string("memcpy") ? "the same traffic" : "table", by, {}}, side, texels, run,
-              false, agree);
+        m.add({"map_size_summed_area", by == std::string("memcpy") ? "the same traffic" : "table", by, {}}, side,
+              texels, run, false, agree);
     };
     image<std::uint32_t> words({side, side}), sums(words.size());
     for (std::uint32_t i = 0; auto& word : words.texels()) word = (i++ * 2654435761u) >> 24;
@@ -132,10 +137,12 @@ void summed_area_over_map_size(measurements& m, int side) {
     // OpenCV takes no integers wider than bytes: its floats, of the same size.
     image<float> floats(words.size()), their_sums(words.size() + 1);
     std::ranges::copy(words.texels(), floats.texels().begin());
-    add("OpenCV, float", [&] { peers::opencv::integral(floats, their_sums); }, [&] {
-        const int at = std::min(side, 256);  // as far as floats count without rounding
-        return float(sums[{at - 1, at - 1}]) == their_sums[{at, at}];
-    });
+    add(
+        "OpenCV, float", [&] { peers::opencv::integral(floats, their_sums); },
+        [&] {
+            const int at = std::min(side, 256);  // as far as floats count without rounding
+            return float(sums[{at - 1, at - 1}]) == their_sums[{at, at}];
+        });
 #endif
     image<std::uint32_t> copy(words.size());
     add("memcpy", [&] { std::memcpy(copy.texels().data(), words.texels().data(), words.texels().size_bytes()); });
@@ -149,17 +156,22 @@ void box_over_kernel_size(measurements& m) {
     const auto glm_receivers = copy_of(receivers);
     image<float> ours(bench::screen), other(bench::screen);
     auto theirs = copy_of(ours);
-    const auto add = [&](const char* work, const char* by, int radius, const auto& run, const std::function<bool()>& agree = {}) {
+    const auto add = [&](const char* work, const char* by, int radius, const auto& run,
+                         const std::function<bool()>& agree = {}) {
         m.add({"kernel_size", work, by, {}}, 2 * radius + 1, bench::pixels, run, false, agree);
     };
     for (int radius = 0; radius <= 8; ++radius) {
         add("every texel", "umbrage", radius,
             [&, radius] { umbrage::visibility(map, f32, receivers, umbrage::filters::box{radius}, ours); });
-        add("every texel", "GLM code", radius,
+        add(
+            "every texel", "GLM code", radius,
             [&, radius] { peers::glm_code::pcf_box(radius, glm_map, glm_receivers, theirs); },
             [&] { return mean_difference(ours.texels(), theirs) < 1e-7; });
-        add("hierarchical, bounds included", "umbrage", radius,
-            [&, radius] { umbrage::visibility(map, f32, receivers, umbrage::filters::hierarchical_box{radius}, other); },
+        add(
+            "hierarchical, bounds included", "umbrage", radius,
+            [&, radius] {
+                umbrage::visibility(map, f32, receivers, umbrage::filters::hierarchical_box{radius}, other);
+            },
             [&] { return std::ranges::equal(ours.texels(), other.texels()); });
     }
     m.measure();
@@ -175,13 +187,16 @@ void over_triangles(measurements& m, int n) {
 #ifdef UMBRAGE_BENCH_LLVMPIPE_DEPTH
     const auto pipe = start<peers::llvmpipe_pass>(bench::map_size, hills.scene.positions, hills.scene.triangles,
                                                   bench::to_opengl_depth() * hills.world_to_light);
-    if (pipe) add("depth pass 2048 x 2048", "llvmpipe", [&] { pipe->clear_and_draw(); }, [&] {
-        // but for samples on edges that the two snap differently
-        const auto theirs = pipe->read();
-        std::size_t differ = 0;
-        for (std::size_t i = 0; i < theirs.size(); ++i) differ += std::abs(map.texels()[i] - theirs[i]) > 1e-4f;
-        return differ * 100 < theirs.size();
-    });
+    if (pipe)
+        add(
+            "depth pass 2048 x 2048", "llvmpipe", [&] { pipe->clear_and_draw(); },
+            [&] {
+                // but for samples on edges that the two snap differently
+                const auto theirs = pipe->read();
+                std::size_t differ = 0;
+                for (std::size_t i = 0; i < theirs.size(); ++i) differ += std::abs(map.texels()[i] - theirs[i]) > 1e-4f;
+                return differ * 100 < theirs.size();
+            });
 #endif
     add("shadow mask 1920 x 1080", "umbrage", [&] {
         hills.draw(map);
@@ -190,10 +205,16 @@ void over_triangles(measurements& m, int n) {
 #ifdef UMBRAGE_BENCH_EMBREE
     std::vector<float> theirs(mask.texels().size());
     const auto embree = start<peers::embree_scene>();
-    if (embree) add("shadow mask 1920 x 1080", "Embree, build and rays", [&] {
-        embree->build(hills.scene.positions, hills.scene.triangles);
-        embree->visibility(hills.points, hills.to_light, theirs);
-    }, [&] { return mean_difference(mask.texels(), theirs) < 0.02; });  // borders of shadows, which a map has in texels
+    if (embree)
+        add(
+            "shadow mask 1920 x 1080", "Embree, build and rays",
+            [&] {
+                embree->build(hills.scene.positions, hills.scene.triangles);
+                embree->visibility(hills.points, hills.to_light, theirs);
+            },
+            [&] {
+                return mean_difference(mask.texels(), theirs) < 0.02;
+            });  // borders of shadows, which a map has in texels
 #endif
     m.measure();
 }
@@ -222,7 +243,8 @@ void over_threads(measurements& m) {
         });
         add("a copy", "memcpy", [&, parallel] {
             parallel(bench::map_size.y, [&](int first, int last) {
-                std::memcpy(copy.view().row(first), depth.view().row(first), std::size_t(last - first) * sizeof(float) * 2048);
+                std::memcpy(copy.view().row(first), depth.view().row(first),
+                            std::size_t(last - first) * sizeof(float) * 2048);
             });
         });
     }

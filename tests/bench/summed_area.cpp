@@ -44,28 +44,48 @@ struct state {
 
 const bench::registration rows([] {
     const auto s = std::make_shared<state>();
-    const auto copy = [s] { std::memcpy(s->their_sums.texels().data(), s->words.texels().data(), sizeof(std::uint32_t) << 22); };
+    const auto copy = [s] {
+        std::memcpy(s->their_sums.texels().data(), s->words.texels().data(), sizeof(std::uint32_t) << 22);
+    };
     const auto words = [s] { umbrage::summed_area(s->words.view(), s->sums.view()); };
     const auto floats = [s] { umbrage::summed_area(s->floats.view(), s->float_sums.view()); };
-    bench::add({.work = "summed-area table of uint32, 2048 x 2048", .peer = "memcpy", .at_least = 0.75, .items = bench::map_texels,
-                .ours = words, .theirs = copy, .agree = {}});
-    bench::add({.work = "summed-area table of floats, 2048 x 2048", .peer = "memcpy", .items = bench::map_texels,
-                .ours = floats, .theirs = copy, .agree = {}});
+    bench::add({.work = "summed-area table of uint32, 2048 x 2048",
+                .peer = "memcpy",
+                .at_least = 0.75,
+                .items = bench::map_texels,
+                .ours = words,
+                .theirs = copy,
+                .agree = {}});
+    bench::add({.work = "summed-area table of floats, 2048 x 2048",
+                .peer = "memcpy",
+                .items = bench::map_texels,
+                .ours = floats,
+                .theirs = copy,
+                .agree = {}});
 #ifdef UMBRAGE_BENCH_OPENCV
     // OpenCV takes no integers wider than bytes: against our words its floats, of the same size.
     const auto their_floats = [s] { peers::opencv::integral(s->floats, s->their_float_sums); };
     const auto near = [](float a, float b) { return std::abs(a - b) <= 1e-3f * b; };
-    bench::add({.work = "summed-area table of uint32, 2048 x 2048", .peer = "OpenCV integral, float", .at_least = 1.6,
-                .items = bench::map_texels, .ours = words, .theirs = their_floats,
+    bench::add({.work = "summed-area table of uint32, 2048 x 2048",
+                .peer = "OpenCV integral, float",
+                .at_least = 1.6,
+                .items = bench::map_texels,
+                .ours = words,
+                .theirs = their_floats,
                 .agree = [s] {
                     return state::agree(s->sums, s->their_float_sums, [](std::uint32_t a, float b) {
                         return std::abs(static_cast<float>(a) - b) <= 1e-3f * b;  // floats stop counting at 2^24
                     });
                 }});
-    bench::add({.work = "summed-area table of floats, 2048 x 2048", .peer = "OpenCV integral, float", .items = bench::map_texels,
-                .ours = floats, .theirs = their_floats,
+    bench::add({.work = "summed-area table of floats, 2048 x 2048",
+                .peer = "OpenCV integral, float",
+                .items = bench::map_texels,
+                .ours = floats,
+                .theirs = their_floats,
                 .agree = [s, near] { return state::agree(s->float_sums, s->their_float_sums, near); }});
-    bench::add({.work = "summed-area table of bytes, 2048 x 2048", .peer = "OpenCV integral, bytes", .items = bench::map_texels,
+    bench::add({.work = "summed-area table of bytes, 2048 x 2048",
+                .peer = "OpenCV integral, bytes",
+                .items = bench::map_texels,
                 .ours = [s] { umbrage::summed_area(s->bytes.view(), s->byte_sums.view()); },
                 .theirs = [s] { peers::opencv::integral(s->bytes, s->their_sums); },
                 .agree = [s] { return state::agree(s->byte_sums, s->their_sums, std::equal_to<>()); }});

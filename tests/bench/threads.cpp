@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a second thread gives. Two processors of a machine may be two halves of one core: what copies and multiplications
-// gain here is what anything can gain.
+// What a second thread gives. Two processors of a machine may be two halves of one core: what copies and
+// multiplications gain here is what anything can gain.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -70,24 +70,38 @@ const bench::registration rows([] {
             run(alone, umbrage::serial{});
             return std::ranges::equal(out.texels(), alone.texels());
         };
-        bench::add({.work = work + ", two threads", .peer = "memcpy, two threads", .at_least = at_least,
-                    .items = bench::map_texels, .ours = [run, &out] { run(out, two_threads); },
-                    .theirs = [=] { s->copy(bytes); }, .agree = same_alone, .measured = bench::clock::wall});
+        bench::add({.work = work + ", two threads",
+                    .peer = "memcpy, two threads",
+                    .at_least = at_least,
+                    .items = bench::map_texels,
+                    .ours = [run, &out] { run(out, two_threads); },
+                    .theirs = [=] { s->copy(bytes); },
+                    .agree = same_alone,
+                    .measured = bench::clock::wall});
     };
     const umbrage::rg<11> rg;
-    on_both("encode 11 bits", 0.9, 3, s->packed, [=](auto& out, const auto& threads) { umbrage::encode(s->depth, out, rg, threads); });
-    on_both("decode 11 bits", 0.9, 3, s->back, [=](auto& out, const auto& threads) { umbrage::decode(s->packed, out, rg, threads); });
+    on_both("encode 11 bits", 0.9, 3, s->packed,
+            [=](auto& out, const auto& threads) { umbrage::encode(s->depth, out, rg, threads); });
+    on_both("decode 11 bits", 0.9, 3, s->back,
+            [=](auto& out, const auto& threads) { umbrage::decode(s->packed, out, rg, threads); });
     on_both("summed-area table of uint32", 0, 4, s->sums,
             [=](auto& out, const auto& threads) { umbrage::summed_area(s->words.view(), out.view(), threads); });
 
-    const auto against_one = [](const std::string& work, double at_least, double items, const auto& two, const auto& one,
-                                const auto& agree) {
-        bench::add({.work = work + ", two threads", .peer = "one thread", .at_least = at_least, .items = items,
-                    .ours = two, .theirs = one, .agree = agree, .measured = bench::clock::wall});
+    const auto against_one = [](const std::string& work, double at_least, double items, const auto& two,
+                                const auto& one, const auto& agree) {
+        bench::add({.work = work + ", two threads",
+                    .peer = "one thread",
+                    .at_least = at_least,
+                    .items = items,
+                    .ours = two,
+                    .theirs = one,
+                    .agree = agree,
+                    .measured = bench::clock::wall});
     };
     constexpr int products = 1000000;
-    against_one("limit: multiplications", 0, products, [=] { two_threads(products, multiply); }, [] { multiply(0, products); },
-                std::function<bool()>());
+    against_one(
+        "limit: multiplications", 0, products, [=] { two_threads(products, multiply); }, [] { multiply(0, products); },
+        std::function<bool()>());
     const auto same = [s] { return std::ranges::equal(s->one.texels(), s->two.texels()); };
     const auto filtered = [=](image<float>& out, const auto& threads) {
         return [=, &out] {
@@ -104,8 +118,9 @@ const bench::registration rows([] {
     };
     for (const bool large : {false, true}) {
         const bench::mesh& mesh = large ? s->large : s->hills;
-        against_one(large ? "depth pass, 100-pixel triangles" : "depth pass, hills", 1.75, double(mesh.triangles.size()),
-                    drawn(mesh, s->two, two_threads), drawn(mesh, s->one, umbrage::serial{}), same);
+        against_one(large ? "depth pass, 100-pixel triangles" : "depth pass, hills", 1.75,
+                    double(mesh.triangles.size()), drawn(mesh, s->two, two_threads),
+                    drawn(mesh, s->one, umbrage::serial{}), same);
     }
 });
 

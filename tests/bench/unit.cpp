@@ -21,9 +21,7 @@ namespace {
 using doctest::Approx;
 
 /// In (0, 1).
-double random(std::mt19937& engine) {
-    return (static_cast<double>(engine()) + 0.5) / 4294967296.0;
-}
+double random(std::mt19937& engine) { return (static_cast<double>(engine()) + 0.5) / 4294967296.0; }
 
 struct machine_model {
     double time = 0;

@@ -23,7 +23,8 @@ using umbrage::filters::pcf_2x2;
 struct state {
     image<float> map = bench::make_map(), ours{bench::screen}, other{bench::screen};
     image<glm::u8vec2> packed{bench::map_size};
-    image<glm::vec3> coherent = bench::make_receivers(bench::order::coherent), random = bench::make_receivers(bench::order::random);
+    image<glm::vec3> coherent = bench::make_receivers(bench::order::coherent),
+                     random = bench::make_receivers(bench::order::random);
     peers::glm_code::float_map glm_map{{map.texels().begin(), map.texels().end()}, bench::map_size};
     std::vector<glm::vec3> glm_receivers{coherent.texels().begin(), coherent.texels().end()};
     std::vector<float> theirs = std::vector<float>(glm_receivers.size());
@@ -51,20 +52,44 @@ const bench::registration rows([] {
     const auto glm_5x5 = [s] { peers::glm_code::pcf_5x5(s->glm_map, s->glm_receivers, s->theirs); };
     const auto close = [s] { return s->close(1e-3); };
 
-    bench::add({.work = "PCF 2x2, float map, coherent 1920 x 1080", .peer = "GLM code", .at_least = 10, .items = bench::pixels,
-                .ours = on_floats(s->coherent, pcf_2x2{}), .theirs = glm_2x2, .agree = close});
-    bench::add({.work = "PCF 2x2, 11-bit map, coherent 1920 x 1080", .peer = "GLM code, float map", .at_least = 13,
-                .items = bench::pixels, .ours = on_packed(s->coherent, pcf_2x2{}), .theirs = glm_2x2, .agree = close});
-    bench::add({.work = "PCF 5x5, float map, coherent 1920 x 1080", .peer = "GLM code", .at_least = 18, .items = bench::pixels,
-                .ours = on_floats(s->coherent, box{2}), .theirs = glm_5x5, .agree = [s] { return s->close(1e-7); }});
-    bench::add({.work = "PCF 2x2, 11-bit map, random 1920 x 1080", .peer = "ours, float map", .at_least = 1.5,
-                .items = bench::pixels, .ours = on_packed(s->random, pcf_2x2{}),
+    bench::add({.work = "PCF 2x2, float map, coherent 1920 x 1080",
+                .peer = "GLM code",
+                .at_least = 10,
+                .items = bench::pixels,
+                .ours = on_floats(s->coherent, pcf_2x2{}),
+                .theirs = glm_2x2,
+                .agree = close});
+    bench::add({.work = "PCF 2x2, 11-bit map, coherent 1920 x 1080",
+                .peer = "GLM code, float map",
+                .at_least = 13,
+                .items = bench::pixels,
+                .ours = on_packed(s->coherent, pcf_2x2{}),
+                .theirs = glm_2x2,
+                .agree = close});
+    bench::add({.work = "PCF 5x5, float map, coherent 1920 x 1080",
+                .peer = "GLM code",
+                .at_least = 18,
+                .items = bench::pixels,
+                .ours = on_floats(s->coherent, box{2}),
+                .theirs = glm_5x5,
+                .agree = [s] { return s->close(1e-7); }});
+    bench::add({.work = "PCF 2x2, 11-bit map, random 1920 x 1080",
+                .peer = "ours, float map",
+                .at_least = 1.5,
+                .items = bench::pixels,
+                .ours = on_packed(s->random, pcf_2x2{}),
                 .theirs = [=] { umbrage::visibility(s->map, f32, s->random, pcf_2x2{}, s->other); },
                 .agree = [s] { return std::ranges::equal(s->ours.texels(), s->other.texels()); }});
     const auto scene = std::make_shared<bench::shadowed_scene>(bench::default_scene(8));
-    bench::add({.work = "box 17 x 17, hierarchical, default scene, bounds too", .peer = "ours, brute force", .at_least = 6,
+    bench::add({.work = "box 17 x 17, hierarchical, default scene, bounds too",
+                .peer = "ours, brute force",
+                .at_least = 6,
                 .items = bench::pixels,
-                .ours = [=] { umbrage::visibility(scene->map, f32, scene->receivers, umbrage::filters::hierarchical_box{8}, s->ours); },
+                .ours =
+                    [=] {
+                        umbrage::visibility(scene->map, f32, scene->receivers, umbrage::filters::hierarchical_box{8},
+                                            s->ours);
+                    },
                 .theirs = [=] { umbrage::visibility(scene->map, f32, scene->receivers, box{8}, s->other); },
                 .agree = [s] { return std::ranges::equal(s->ours.texels(), s->other.texels()); }});
 #ifdef UMBRAGE_BENCH_LLVMPIPE
@@ -73,11 +98,19 @@ const bench::registration rows([] {
             pipe->read(s->theirs);
             return std::ranges::equal(s->ours.texels(), s->theirs);
         };
-        bench::add({.work = "PCF 2x2, float map, coherent 1920 x 1080", .peer = "llvmpipe, one thread", .at_least = 8,
-                    .items = bench::pixels, .ours = on_floats(s->coherent, pcf_2x2{}), .theirs = [pipe] { pipe->draw(false); },
+        bench::add({.work = "PCF 2x2, float map, coherent 1920 x 1080",
+                    .peer = "llvmpipe, one thread",
+                    .at_least = 8,
+                    .items = bench::pixels,
+                    .ours = on_floats(s->coherent, pcf_2x2{}),
+                    .theirs = [pipe] { pipe->draw(false); },
                     .agree = same});
-        bench::add({.work = "PCF 2x2, 11-bit map, coherent 1920 x 1080", .peer = "llvmpipe, one thread", .at_least = 8,
-                    .items = bench::pixels, .ours = on_packed(s->coherent, pcf_2x2{}), .theirs = [pipe] { pipe->draw(true); },
+        bench::add({.work = "PCF 2x2, 11-bit map, coherent 1920 x 1080",
+                    .peer = "llvmpipe, one thread",
+                    .at_least = 8,
+                    .items = bench::pixels,
+                    .ours = on_packed(s->coherent, pcf_2x2{}),
+                    .theirs = [pipe] { pipe->draw(true); },
                     .agree = same});
     }
 #endif

@@ -38,9 +38,7 @@ const paths headers = below(root / "include/umbrage", ".hpp");
 const paths unit_tests = below(root / "tests/unit", ".cpp");
 const paths parity_entries = below(root / "tests/parity/entries", ".cpp");
 
-std::string text_of(const std::string& header) {
-    return read(root / "include/umbrage" / (header + ".hpp"));
-}
+std::string text_of(const std::string& header) { return read(root / "include/umbrage" / (header + ".hpp")); }
 
 /// Something to call, besides comments and directives.
 bool has_functions(const std::string& text) {

@@ -120,9 +120,7 @@ void run(const entry& e, std::vector<candidate*>& mutants, std::size_t count, ba
                 log.str("");
                 try {
                     if (differs(changed[turn])) c->end = fate::caught;
-                } catch (const std::runtime_error&) {
-                    c->end = fate::refused;
-                }
+                } catch (const std::runtime_error&) { c->end = fate::refused; }
                 c->inputs = count;
             }
         }
@@ -239,9 +237,7 @@ int run_all(int argc, char** argv) {
 }  // namespace
 }  // namespace mutation
 
-int main(int argc, char** argv) try {
-    return mutation::run_all(argc, argv);
-} catch (const std::exception& error) {
+int main(int argc, char** argv) try { return mutation::run_all(argc, argv); } catch (const std::exception& error) {
     std::cerr << "mutation: " << error.what() << '\n';
     return 2;
 }

@@ -31,7 +31,8 @@ struct job {
 };
 
 /// The inputs from `first` on: entry, map, number and serial decide each of them.
-[[nodiscard]] job make_job(const entry& e, const texels* map, std::size_t first, std::size_t count, std::uint64_t serial);
+[[nodiscard]] job make_job(const entry& e, const texels* map, std::size_t first, std::size_t count,
+                           std::uint64_t serial);
 
 /// As many of the entry's enumeration, in an order in which any part is a fair sample; on the entry's first map.
 [[nodiscard]] job make_whole_job(const entry& e, std::size_t first, std::size_t count, std::uint64_t serial);

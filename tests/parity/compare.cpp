@@ -21,7 +21,8 @@ std::int64_t ordered(float v) {
 void print(std::ostream& log, const char* name, vec4 v) {
     log << "    " << name << std::hexfloat;
     for (int c = 0; c < 4; ++c) log << "  " << v[c];
-    log << std::defaultfloat << std::setprecision(9) << "   (" << v.x << ", " << v.y << ", " << v.z << ", " << v.w << ")\n";
+    log << std::defaultfloat << std::setprecision(9) << "   (" << v.x << ", " << v.y << ", " << v.z << ", " << v.w
+        << ")\n";
 }
 
 }  // namespace
@@ -74,7 +75,8 @@ void compare(const job& j, const expectation& expected, const std::vector<vec4>&
         }
         if (t.different++ >= 3) continue;
         s = j.at(i);
-        log << "  differs: " << e.name() << ", input " << i << " of class " << j.classes[i % j.classes.size()]->name << '\n';
+        log << "  differs: " << e.name() << ", input " << i << " of class " << j.classes[i % j.classes.size()]->name
+            << '\n';
         for (int k = 0; k < max_inputs; ++k)
             if (e.uses(k)) print(log, ("x" + std::to_string(k) + "   ").c_str(), s.x[static_cast<std::size_t>(k)]);
         if (j.map) log << "    map   " << j.map->size().x << " x " << j.map->size().y << '\n';

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What generated C++ needs to read GLSL: its names, lent by GLM, and textures. No out parameters, no array constructors.
+// What generated C++ needs to read GLSL: its names, lent by GLM, and textures. No out parameters, no array
+// constructors.
 #pragma once
 
 #include <glm/common.hpp>
@@ -15,14 +16,14 @@
 namespace parity::glsl_as_cpp {
 
 // Named one by one: a using-directive would let the C library's double functions in.
-using glm::bvec2, glm::bvec3, glm::bvec4, glm::ivec2, glm::ivec3, glm::ivec4, glm::mat3, glm::mat4, glm::vec2, glm::vec3,
-    glm::vec4, glm::uint;
 using glm::abs, glm::acos, glm::asin, glm::atan, glm::ceil, glm::clamp, glm::cos, glm::cross, glm::distance, glm::dot,
     glm::exp, glm::exp2, glm::floatBitsToInt, glm::floatBitsToUint, glm::floor, glm::fract, glm::intBitsToFloat,
-    glm::inversesqrt, glm::length, glm::log, glm::log2, glm::max, glm::min, glm::mix, glm::mod, glm::normalize, glm::pow,
-    glm::sign, glm::sin, glm::sqrt, glm::step, glm::tan, glm::uintBitsToFloat;
+    glm::inversesqrt, glm::length, glm::log, glm::log2, glm::max, glm::min, glm::mix, glm::mod, glm::normalize,
+    glm::pow, glm::sign, glm::sin, glm::sqrt, glm::step, glm::tan, glm::uintBitsToFloat;
 using glm::all, glm::any, glm::equal, glm::greaterThan, glm::greaterThanEqual, glm::lessThan, glm::lessThanEqual,
     glm::notEqual;
+using glm::bvec2, glm::bvec3, glm::bvec4, glm::ivec2, glm::ivec3, glm::ivec4, glm::mat3, glm::mat4, glm::vec2,
+    glm::vec3, glm::vec4, glm::uint;
 
 using sampler2D = umbrage::image_view<const vec4>;
 

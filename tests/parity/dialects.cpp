@@ -58,8 +58,8 @@ struct compiler {
                 }
                 fs::path module = file;
                 module += ".spv";
-                files += (files.empty() ? "" : " && ") + quoted(glslang) + " -V --quiet " + quoted(file) + " -o " + quoted(module) +
-                         " && " + quoted(spirv_val) + " --target-env vulkan1.0 " + quoted(module);
+                files += (files.empty() ? "" : " && ") + quoted(glslang) + " -V --quiet " + quoted(file) + " -o " +
+                         quoted(module) + " && " + quoted(spirv_val) + " --target-env vulkan1.0 " + quoted(module);
             }
         }
         const fs::path script = place / "run.sh", log = place / "log.txt";
@@ -68,7 +68,8 @@ struct compiler {
         if (run("sh " + quoted(script) + " > " + quoted(log) + " 2>&1")) return true;
         std::ifstream words(log);
         for (std::string line; std::getline(words, line);)
-            if (line.find("ERROR") != std::string::npos || line.find("error") != std::string::npos) std::cout << line << '\n';
+            if (line.find("ERROR") != std::string::npos || line.find("error") != std::string::npos)
+                std::cout << line << '\n';
         std::cout << "REJECTED in " << dialect << "; numbers of files are those of entries, texts in " << place << '\n';
         return false;
     }
@@ -77,8 +78,10 @@ struct compiler {
 /// What WebGL 1 forbids, each around the same harmless body, which must pass.
 int rules_without_teeth(const compiler& c) {
     const auto shader_of = [](const std::string& body) {
-        return "#version 100\nprecision highp float;\nvarying vec2 p;\nuniform int n;\nvoid main() {\n    float s = 0.0;\n"
-               "    vec4 a = vec4(p, p);\n    " + body + "\n    gl_FragColor = vec4(s);\n}\n";
+        return "#version 100\nprecision highp float;\nvarying vec2 p;\nuniform int n;\nvoid main() {\n    float s = "
+               "0.0;\n"
+               "    vec4 a = vec4(p, p);\n    " +
+               body + "\n    gl_FragColor = vec4(s);\n}\n";
     };
     int wrong = 0;
     const auto expect = [&](bool good, const std::string& body) {

@@ -18,7 +18,8 @@
 namespace parity {
 namespace {
 
-EGLContext create(EGLDisplay display, EGLenum api, EGLint profile, std::initializer_list<std::pair<EGLint, EGLint>> versions) {
+EGLContext create(EGLDisplay display, EGLenum api, EGLint profile,
+                  std::initializer_list<std::pair<EGLint, EGLint>> versions) {
     eglBindAPI(api);
     for (const auto& [major, minor] : versions) {
         std::vector<EGLint> wish{EGL_CONTEXT_MAJOR_VERSION, major, EGL_CONTEXT_MINOR_VERSION, minor};
@@ -44,7 +45,8 @@ public:
         add(create(display, EGL_OPENGL_ES_API, 0, {{3, 2}, {3, 1}, {3, 0}}), {v100, v300_es, v310_es, v320_es});
         add(create(display, EGL_OPENGL_API, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, {{4, 6}, {4, 5}, {4, 3}, {3, 3}}),
             {v150, v330, v430, v450, v460});
-        add(create(display, EGL_OPENGL_API, EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT, {{4, 6}, {4, 5}, {3, 1}, {3, 0}}),
+        add(create(display, EGL_OPENGL_API, EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+                   {{4, 6}, {4, 5}, {3, 1}, {3, 0}}),
             {v110, v120, v130});
         std::sort(dialects_.begin(), dialects_.end(), [](auto& a, auto& b) { return a.first < b.first; });
     }
@@ -59,7 +61,8 @@ public:
     [[nodiscard]] std::string obstacle(const entry& e) const override {
         const int limit = contexts_.front()->max_size();
         if (e.table.size().x <= limit) return {};
-        return "its table of " + std::to_string(e.table.size().x) + " texels is wider than a texture here, " + std::to_string(limit);
+        return "its table of " + std::to_string(e.table.size().x) + " texels is wider than a texture here, " +
+               std::to_string(limit);
     }
     [[nodiscard]] std::vector<vec4> run(version v, const job& j, std::size_t count) override {
         for (const auto& [dialect, c] : dialects_)
@@ -101,7 +104,8 @@ backends egl_backends(std::string_view driver) {
         return all;
     }
     const auto query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
-    const auto query_string = reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(eglGetProcAddress("eglQueryDeviceStringEXT"));
+    const auto query_string =
+        reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(eglGetProcAddress("eglQueryDeviceStringEXT"));
     if (!has(client, "EGL_EXT_platform_device") || !query_devices || !query_string) return all;
     EGLDeviceEXT devices[32];
     EGLint count = 0;

@@ -63,18 +63,18 @@ enum class target { rgba32f, rgba8 };
 
 struct entry {
     const snippet* primitive = nullptr;
-    std::string variant{};                   ///< tells entries of one primitive apart; empty for the plain one
-    std::vector<input_class> classes{};      ///< taken in turn
+    std::string variant{};               ///< tells entries of one primitive apart; empty for the plain one
+    std::vector<input_class> classes{};  ///< taken in turn
     enumeration whole{};
     std::function<vec4(const sample&)> twin{};
-    std::string call{};                      ///< vec4 expression of x0 .. x5, map, map_size, table; GLSL and C++ alike
-    std::vector<texels> maps{};              ///< each gets its share of the inputs; none: no map
-    texels table{};                          ///< values k / 255
-    std::vector<const snippet*> also{};      ///< further snippets that `call` uses
-    std::vector<const snippet*> before{};    ///< snippets that `preamble` makes the primitive use
-    std::string preamble{};                  ///< macros
+    std::string call{};                    ///< vec4 expression of x0 .. x5, map, map_size, table; GLSL and C++ alike
+    std::vector<texels> maps{};            ///< each gets its share of the inputs; none: no map
+    texels table{};                        ///< values k / 255
+    std::vector<const snippet*> also{};    ///< further snippets that `call` uses
+    std::vector<const snippet*> before{};  ///< snippets that `preamble` makes the primitive use
+    std::string preamble{};                ///< macros
     target output = target::rgba32f;
-    bool bits = false;                       ///< a denormal must not act as zero
+    bool bits = false;  ///< a denormal must not act as zero
 
     [[nodiscard]] std::string name() const {
         return std::string(primitive->name) + (variant.empty() ? "" : " (" + variant + ")");

@@ -21,19 +21,24 @@ namespace parity {
 
 // The functions in use; EGL finds them for whichever context is current.
 #define PARITY_GL(X)                                                                                                  \
-    X(ACTIVETEXTURE, ActiveTexture) X(ATTACHSHADER, AttachShader) X(BINDATTRIBLOCATION, BindAttribLocation)            \
-    X(BINDBUFFER, BindBuffer) X(BINDFRAMEBUFFER, BindFramebuffer) X(BINDTEXTURE, BindTexture)                          \
-    X(BINDVERTEXARRAY, BindVertexArray) X(BUFFERDATA, BufferData) X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)    \
-    X(COMPILESHADER, CompileShader) X(CREATEPROGRAM, CreateProgram) X(CREATESHADER, CreateShader)                      \
-    X(DELETEPROGRAM, DeleteProgram) X(DELETESHADER, DeleteShader) X(DISABLE, Disable) X(DRAWARRAYS, DrawArrays)        \
-    X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)                  \
-    X(GENBUFFERS, GenBuffers) X(GENFRAMEBUFFERS, GenFramebuffers) X(GENTEXTURES, GenTextures)                          \
-    X(GENVERTEXARRAYS, GenVertexArrays) X(GETERROR, GetError) X(GETINTEGERV, GetIntegerv)                              \
-    X(GETPROGRAMINFOLOG, GetProgramInfoLog) X(GETPROGRAMIV, GetProgramiv) X(GETSHADERINFOLOG, GetShaderInfoLog)        \
-    X(GETSHADERIV, GetShaderiv) X(GETSTRING, GetString) X(GETUNIFORMLOCATION, GetUniformLocation)                      \
-    X(LINKPROGRAM, LinkProgram) X(PIXELSTOREI, PixelStorei) X(READPIXELS, ReadPixels) X(SHADERSOURCE, ShaderSource)    \
-    X(TEXIMAGE2D, TexImage2D) X(TEXPARAMETERI, TexParameteri) X(TEXSUBIMAGE2D, TexSubImage2D) X(UNIFORM1I, Uniform1i)  \
-    X(UNIFORM2F, Uniform2f) X(USEPROGRAM, UseProgram) X(VERTEXATTRIBPOINTER, VertexAttribPointer) X(VIEWPORT, Viewport)
+    X(ACTIVETEXTURE, ActiveTexture)                                                                                   \
+    X(ATTACHSHADER, AttachShader)                                                                                     \
+    X(BINDATTRIBLOCATION, BindAttribLocation)                                                                         \
+    X(BINDBUFFER, BindBuffer) X(BINDFRAMEBUFFER, BindFramebuffer) X(BINDTEXTURE, BindTexture) X(                      \
+        BINDVERTEXARRAY, BindVertexArray) X(BUFFERDATA, BufferData) X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) \
+        X(COMPILESHADER, CompileShader) X(CREATEPROGRAM, CreateProgram) X(CREATESHADER, CreateShader) X(              \
+            DELETEPROGRAM, DeleteProgram) X(DELETESHADER, DeleteShader) X(DISABLE, Disable) X(DRAWARRAYS, DrawArrays) \
+            X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)         \
+                X(GENBUFFERS, GenBuffers) X(GENFRAMEBUFFERS, GenFramebuffers) X(GENTEXTURES, GenTextures)             \
+                    X(GENVERTEXARRAYS, GenVertexArrays) X(GETERROR, GetError) X(GETINTEGERV, GetIntegerv)             \
+                        X(GETPROGRAMINFOLOG, GetProgramInfoLog) X(GETPROGRAMIV, GetProgramiv)                         \
+                            X(GETSHADERINFOLOG, GetShaderInfoLog) X(GETSHADERIV, GetShaderiv) X(GETSTRING, GetString) \
+                                X(GETUNIFORMLOCATION, GetUniformLocation) X(LINKPROGRAM, LinkProgram) X(              \
+                                    PIXELSTOREI, PixelStorei) X(READPIXELS, ReadPixels) X(SHADERSOURCE, ShaderSource) \
+                                    X(TEXIMAGE2D, TexImage2D) X(TEXPARAMETERI, TexParameteri)                         \
+                                        X(TEXSUBIMAGE2D, TexSubImage2D) X(UNIFORM1I, Uniform1i)                       \
+                                            X(UNIFORM2F, Uniform2f) X(USEPROGRAM, UseProgram)                         \
+                                                X(VERTEXATTRIBPOINTER, VertexAttribPointer) X(VIEWPORT, Viewport)
 
 struct functions {
 #define PARITY_DECLARE(TYPE, NAME) PFNGL##TYPE##PROC NAME = nullptr;
@@ -87,9 +92,7 @@ public:
         try {
             gl_.DeleteProgram(link(make_shader(nothing, v)));
             return true;
-        } catch (const std::runtime_error&) {
-            return false;
-        }
+        } catch (const std::runtime_error&) { return false; }
     }
 
     std::vector<vec4> run(version v, const job& j, std::size_t count) {
@@ -125,8 +128,10 @@ private:
     void upload(std::size_t unit, const vec4* texels_of, glm::ivec2 size, int whole_height) const {
         gl_.ActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
         gl_.BindTexture(GL_TEXTURE_2D, textures_[unit]);
-        for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-        for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+        for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+            gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+        for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+            gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
         gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, whole_height, 0, GL_RGBA, GL_FLOAT, nullptr);
         gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels_of);
     }
@@ -184,7 +189,8 @@ private:
         const GLuint id = gl_.CreateProgram();
         char log[4096] = "";
         GLint good = GL_TRUE;
-        const std::pair<GLenum, const std::string*> stages[] = {{GL_VERTEX_SHADER, &s.vertex}, {GL_FRAGMENT_SHADER, &s.fragment}};
+        const std::pair<GLenum, const std::string*> stages[] = {{GL_VERTEX_SHADER, &s.vertex},
+                                                                {GL_FRAGMENT_SHADER, &s.fragment}};
         for (const auto& [kind, text] : stages) {
             const GLuint stage = gl_.CreateShader(kind);
             const char* source = text->c_str();

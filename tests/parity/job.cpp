@@ -29,9 +29,8 @@ job filled(const entry& e, const texels* map, std::size_t count, std::uint64_t s
 
 job make_job(const entry& e, const texels* map, std::size_t first, std::size_t count, std::uint64_t serial) {
     const std::size_t kinds = e.classes.size();
-    job j = filled(e, map, count, serial, [&](std::size_t i, random& r, sample& s) {
-        e.classes[i % kinds].fill((first + i) / kinds, r, s);
-    });
+    job j = filled(e, map, count, serial,
+                   [&](std::size_t i, random& r, sample& s) { e.classes[i % kinds].fill((first + i) / kinds, r, s); });
     for (const input_class& c : e.classes) j.classes.push_back(&c);
     return j;
 }

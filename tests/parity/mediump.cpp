@@ -21,9 +21,8 @@ namespace {
 
 // Snippets in mediump, what is around them in highp: positions in a texture of inputs need it.
 const std::string low = "#define UMBRAGE_HIGHP mediump\n";
-constexpr snippet high_again{.name = "high_again",
-                             .summary = {},
-                             .source = "\n#undef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP highp\n"};
+constexpr snippet high_again{
+    .name = "high_again", .summary = {}, .source = "\n#undef UMBRAGE_HIGHP\n#define UMBRAGE_HIGHP highp\n"};
 
 /// `call` over inputs x0, in mediump.
 std::vector<vec4> run(backend& b, version v, const snippet& s, std::string call, std::vector<vec4> inputs,
@@ -54,9 +53,8 @@ std::vector<vec4> half_depths() {
 }
 
 bool computes_at_16_bits(backend& b, version v) {
-    static constexpr snippet plus_one{.name = "plus_one",
-                                      .summary = {},
-                                      .source = "\nmediump float plus_one(mediump float v) { return v + 1.0; }\n"};
+    static constexpr snippet plus_one{
+        .name = "plus_one", .summary = {}, .source = "\nmediump float plus_one(mediump float v) { return v + 1.0; }\n"};
     return run(b, v, plus_one, "vec4(plus_one(x0.x))", {vec4(2048.0f)}).front().x == 2048.0f;
 }
 

@@ -29,7 +29,7 @@ struct options {
     std::size_t count = std::size_t(1) << 20;        ///< in the main dialects: one of each kind of GLSL
     std::size_t other_count = std::size_t(1) << 16;  ///< in the others
 
-    std::size_t whole = std::size_t(1) << 16;        ///< of an enumeration, in the last of the main dialects
+    std::size_t whole = std::size_t(1) << 16;  ///< of an enumeration, in the last of the main dialects
 
     [[nodiscard]] bool wants(const backend& b, version v) const {
         return versions.empty() || ("," + versions + ",").find("," + b.label(v) + ",") != std::string::npos;
@@ -37,7 +37,9 @@ struct options {
     [[nodiscard]] static bool main(version v) {
         return v == version::v100 || v == version::v300_es || v == version::v450 || v == version::vulkan;
     }
-    [[nodiscard]] std::size_t inputs(version v, bool only) const { return only || main(v) ? count : std::min(count, other_count); }
+    [[nodiscard]] std::size_t inputs(version v, bool only) const {
+        return only || main(v) ? count : std::min(count, other_count);
+    }
 };
 
 options parse(int argc, char** argv) {
@@ -83,7 +85,8 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
     for (version v : b.versions())
         if (e.runs_in(v) && o.wants(b, v) && o.inputs(v, only) > 0) dialects.push_back(v);
     std::vector<row> rows;
-    for (version v : dialects) rows.push_back({e.name(), tier_name(*e.primitive), b.name(), b.label(v), b.obstacle(e), {}});
+    for (version v : dialects)
+        rows.push_back({e.name(), tier_name(*e.primitive), b.name(), b.label(v), b.obstacle(e), {}});
     if (rows.empty() || !rows.front().obstacle.empty()) return rows;
 
     std::size_t most = 0;
@@ -133,8 +136,9 @@ void write(const std::vector<row>& rows, const std::string& path) {
     std::ofstream file(path);
     file << "primitive\ttier\timplementation\tdialect\tinputs\tdiffering\tworst_ulp\tflushed\tclasses\tobstacle\n";
     for (const row& r : rows)
-        file << r.primitive << '\t' << r.exactness << '\t' << r.implementation << '\t' << r.dialect << '\t' << r.t.total << '\t'
-             << r.t.different << '\t' << r.t.worst_ulp << '\t' << r.t.flushed << '\t' << per_class(r.t) << '\t' << r.obstacle << '\n';
+        file << r.primitive << '\t' << r.exactness << '\t' << r.implementation << '\t' << r.dialect << '\t' << r.t.total
+             << '\t' << r.t.different << '\t' << r.t.worst_ulp << '\t' << r.t.flushed << '\t' << per_class(r.t) << '\t'
+             << r.obstacle << '\n';
     if (!file) throw std::runtime_error("cannot write " + path);
 }
 
@@ -147,7 +151,9 @@ void print(const std::vector<row>& rows) {
         tally sum;
         std::string dialects;
         std::size_t k = i;
-        for (; k < rows.size() && rows[k].primitive == rows[i].primitive && rows[k].implementation == rows[i].implementation; ++k) {
+        for (; k < rows.size() && rows[k].primitive == rows[i].primitive &&
+               rows[k].implementation == rows[i].implementation;
+             ++k) {
             sum.total += rows[k].t.total;
             sum.different += rows[k].t.different;
             sum.flushed += rows[k].t.flushed;
@@ -189,8 +195,8 @@ int run_all(int argc, char** argv) {
         for (const entry& e : entries()) {
             if (e.name().find(o.filter) == std::string::npos) continue;
             if (isatty(STDERR_FILENO))
-                std::cerr << "\r\33[K" << 100 * (&e - entries().data()) / static_cast<std::ptrdiff_t>(entries().size()) << " % "
-                          << e.name() << std::flush;
+                std::cerr << "\r\33[K" << 100 * (&e - entries().data()) / static_cast<std::ptrdiff_t>(entries().size())
+                          << " % " << e.name() << std::flush;
             try {
                 const auto some = run(e, *b, o);
                 rows.insert(rows.end(), some.begin(), some.end());
@@ -212,19 +218,17 @@ int run_all(int argc, char** argv) {
         for (const auto& [name, n] : r.t.inputs) starved += n == 0 ? 1 : 0;
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    std::cout << "parity on " << o.driver << ": " << entries().size() << " entries, " << rows.size() - not_run << " runs, "
-              << not_run << " not possible here, " << inputs << " inputs, " << different << " differing results, " << broken
-              << " broken entries, " << starved << " classes without input, " << std::fixed << std::setprecision(1)
-              << seconds.count() << " s\n";
+    std::cout << "parity on " << o.driver << ": " << entries().size() << " entries, " << rows.size() - not_run
+              << " runs, " << not_run << " not possible here, " << inputs << " inputs, " << different
+              << " differing results, " << broken << " broken entries, " << starved << " classes without input, "
+              << std::fixed << std::setprecision(1) << seconds.count() << " s\n";
     return different || broken || starved || inputs == 0 ? 1 : 0;
 }
 
 }  // namespace
 }  // namespace parity
 
-int main(int argc, char** argv) try {
-    return parity::run_all(argc, argv);
-} catch (const std::exception& error) {
+int main(int argc, char** argv) try { return parity::run_all(argc, argv); } catch (const std::exception& error) {
     std::cerr << "parity: " << error.what() << '\n';
     return 2;
 }

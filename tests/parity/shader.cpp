@@ -20,7 +20,8 @@ shader make_shader(const entry& e, version v) {
 
     const std::vector<snippet> none;
     shader s;
-    s.vertex = source(v, none) + (old ? "attribute vec2 corner;\nvarying UMBRAGE_HIGHP vec2 position;\n" : located("in vec2 corner;\n")) +
+    s.vertex = source(v, none) +
+               (old ? "attribute vec2 corner;\nvarying UMBRAGE_HIGHP vec2 position;\n" : located("in vec2 corner;\n")) +
                "void main() {\n" + (old ? "    position = corner * 0.5 + 0.5;\n" : "") +
                "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n";
 
@@ -43,7 +44,8 @@ shader make_shader(const entry& e, version v) {
         if (!e.uses(i)) continue;
         const std::string x = "x" + std::to_string(i);
         f += "    UMBRAGE_HIGHP vec4 " + x + " = " +
-             (old ? "texture2D(" + x + "_texels, position);\n" : "texelFetch(" + x + "_texels, ivec2(gl_FragCoord.xy), 0);\n");
+             (old ? "texture2D(" + x + "_texels, position);\n"
+                  : "texelFetch(" + x + "_texels, ivec2(gl_FragCoord.xy), 0);\n");
     }
     // gl_FragColor is mediump in GLSL ES 1.00. Mesa drops the rounding of a product that is stored as it is, but not of
     // a value that comes out of a branch: that it rounds in the branch.

@@ -19,20 +19,19 @@ float not_a_number(std::uint64_t i, random& r) {
 float infinity(std::uint64_t i) { return signed_by(i, std::numeric_limits<float>::infinity()); }
 
 /// v, the float before it, the float after it, in turn.
-float beside(std::uint64_t i, float v) {
-    return i % 3 == 0 ? v : std::nextafter(v, i % 3 == 1 ? -1e30f : 1e30f);
-}
+float beside(std::uint64_t i, float v) { return i % 3 == 0 ? v : std::nextafter(v, i % 3 == 1 ? -1e30f : 1e30f); }
 
 }  // namespace
 
 std::vector<value_class> special_values() {
-    return {{"zero", [](auto i, random&) { return signed_by(i, 0.0f); }},
-            {"one", [](auto i, random&) { return beside(i, 1.0f); }},
-            {"out of range", [](auto i, random& r) { return signed_by(i, 1.0f + std::exp2(r.between(-20.0f, 40.0f))); }},
-            {"denormal", denormal},
-            {"smallest normal", [](auto i, random&) { return signed_by(i, std::numeric_limits<float>::min()); }},
-            {"NaN", not_a_number},
-            {"infinity", [](auto i, random&) { return infinity(i); }}};
+    return {
+        {"zero", [](auto i, random&) { return signed_by(i, 0.0f); }},
+        {"one", [](auto i, random&) { return beside(i, 1.0f); }},
+        {"out of range", [](auto i, random& r) { return signed_by(i, 1.0f + std::exp2(r.between(-20.0f, 40.0f))); }},
+        {"denormal", denormal},
+        {"smallest normal", [](auto i, random&) { return signed_by(i, std::numeric_limits<float>::min()); }},
+        {"NaN", not_a_number},
+        {"infinity", [](auto i, random&) { return infinity(i); }}};
 }
 
 std::vector<value_class> depth_values(int bits) {
@@ -56,7 +55,8 @@ std::vector<input_class> spread(std::vector<range> arguments, const std::vector<
                                ordinary(r, s);
                                const std::uint64_t turn = i % (n + 1), round = i / (n + 1);
                                for (std::size_t a = 0; a < n; ++a)
-                                   if (turn == n || turn == a) s.x[a / 4][static_cast<int>(a % 4)] = kind.make(round + (turn == n ? a : 0), r);
+                                   if (turn == n || turn == a)
+                                       s.x[a / 4][static_cast<int>(a % 4)] = kind.make(round + (turn == n ? a : 0), r);
                            }});
     return classes;
 }
@@ -71,8 +71,10 @@ std::vector<input_class> channels(bool edges) {
     const auto byte = [](std::uint64_t i, int c) { return static_cast<float>((i * 0x9E3779B1u >> (8 * c)) & 0xFF); };
     std::vector<input_class> classes{
         {"codes", each([byte](auto i, int c, random&) { return byte(i, c) / 255.0f; })},
-        {"codes off by an ulp", each([byte](auto i, int c, random& r) { return beside(r.bits(), byte(i, c) / 255.0f); })},
-        {"codes off by 0.4", each([byte](auto i, int c, random& r) { return (byte(i, c) + r.between(-0.4f, 0.4f)) / 255.0f; })},
+        {"codes off by an ulp",
+         each([byte](auto i, int c, random& r) { return beside(r.bits(), byte(i, c) / 255.0f); })},
+        {"codes off by 0.4",
+         each([byte](auto i, int c, random& r) { return (byte(i, c) + r.between(-0.4f, 0.4f)) / 255.0f; })},
         {"out of range", each([](auto, int, random& r) { return static_cast<float>(r.below(1024) - 512) / 255.0f; })}};
     for (const value_class& kind : special_values()) {
         if (kind.name == "out of range" || kind.name == "smallest normal") continue;  // own; sums of it with denormals
@@ -86,15 +88,18 @@ std::vector<input_class> channels(bool edges) {
 }
 
 enumeration all_depths() {
-    return {{"all k/2^24", [](std::uint64_t i, random&, sample& s) { s.x[0].x = static_cast<float>(i) * 0x1p-24f; }}, 1 << 24};
+    return {{"all k/2^24", [](std::uint64_t i, random&, sample& s) { s.x[0].x = static_cast<float>(i) * 0x1p-24f; }},
+            1 << 24};
 }
 
 enumeration all_codes() {
-    return {{"all codes", [](std::uint64_t i, random& r, sample& s) {
+    return {{"all codes",
+             [](std::uint64_t i, random& r, sample& s) {
                  for (int c = 0; c < 3; ++c) s.x[0][c] = static_cast<float>(i >> (8 * c) & 0xFF) / 255.0f;
                  s.x[0].w = static_cast<float>(r.below(256)) / 255.0f;
                  s.x[1].x = static_cast<float>((i >> 16) % 3) * 0.5f;
-             }}, 1 << 24};
+             }},
+            1 << 24};
 }
 
 std::vector<input_class> receivers() {
@@ -110,9 +115,8 @@ std::vector<input_class> receivers() {
         };
     };
     const auto one_of_three = [then](auto value) {
-        return then([value](std::uint64_t i, random& r, vec4& x, auto&) {
-            x[static_cast<int>(i % 3)] = value(i / 3, r);
-        });
+        return then(
+            [value](std::uint64_t i, random& r, vec4& x, auto&) { x[static_cast<int>(i % 3)] = value(i / 3, r); });
     };
     return {{"random", [ordinary](auto, random& r, sample& s) { ordinary(r, s); }},
             {"texel edges", then([](std::uint64_t i, random& r, vec4& x, auto&) {
@@ -126,7 +130,8 @@ std::vector<input_class> receivers() {
             {"zero", one_of_three([](std::uint64_t i, random&) { return signed_by(i, 0.0f); })},
             {"one", one_of_three([](std::uint64_t i, random&) { return beside(i, 1.0f); })},
             {"out of range", one_of_three([](std::uint64_t i, random& r) {
-                 return i % 4 == 0 ? beside(i / 4, i % 8 ? 32768.0f : -32768.0f) : signed_by(i, std::exp2(r.between(0.0f, 60.0f)));
+                 return i % 4 == 0 ? beside(i / 4, i % 8 ? 32768.0f : -32768.0f)
+                                   : signed_by(i, std::exp2(r.between(0.0f, 60.0f)));
              })},
             {"denormal", one_of_three(denormal)},
             {"NaN", one_of_three(not_a_number)},
@@ -134,10 +139,12 @@ std::vector<input_class> receivers() {
 }
 
 std::vector<input_class> whole_texels() {
-    return {{"random", [](auto, random& r, sample& s) {
+    return {{"random",
+             [](auto, random& r, sample& s) {
                  for (int c = 0; c < 2; ++c) s.x[0][c] = static_cast<float>(r.below(s.map.size[c]));
              }},
-            {"texel edges", [](std::uint64_t i, random& r, sample& s) {
+            {"texel edges",
+             [](std::uint64_t i, random& r, sample& s) {
                  for (int c = 0; c < 2; ++c)
                      s.x[0][c] = static_cast<float>(((i >> c & 1) ? s.map.size[c] : 0) + r.below(5) - 2);
              }},

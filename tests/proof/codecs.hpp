@@ -73,7 +73,9 @@ template <int Bits>
 glm::u8vec2 of_code(const umbrage::rg<Bits>&, std::uint32_t x) {
     return glm::u8vec2(x & 0xFF, (x >> 8) * (1u << (16 - Bits)));
 }
-inline glm::u8vec3 of_code(const umbrage::rgb24&, std::uint32_t x) { return glm::u8vec3(x / 65536, x / 256 % 256, x % 256); }
+inline glm::u8vec3 of_code(const umbrage::rgb24&, std::uint32_t x) {
+    return glm::u8vec3(x / 65536, x / 256 % 256, x % 256);
+}
 
 /// Of bytes, or as sampled.
 template <int Bits, class From, class T>
@@ -92,8 +94,8 @@ bool table_agrees(const umbrage::rg<Bits>& encoding, float depth) {
 }
 inline bool table_agrees(const umbrage::rgb24&, float) { return true; }
 
-/// How many of the inputs n = first .. last - 1 break a promise: the code; the same texel through the table; each edge on
-/// its side and within the stated error; 1 decodes to 1; order, also against the input before the first.
+/// How many of the inputs n = first .. last - 1 break a promise: the code; the same texel through the table; each edge
+/// on its side and within the stated error; 1 decodes to 1; order, also against the input before the first.
 template <class Encoding>
 [[nodiscard]] std::uint64_t own_failures(float (*input)(std::uint64_t), std::uint64_t first, std::uint64_t last) {
     const Encoding encoding;
@@ -118,8 +120,8 @@ template <class Encoding>
     return failures;
 }
 
-/// How many of the codes first .. last - 1 break a promise: every place in the code's interval but its end encodes as the
-/// code again; what an 8-bit target keeps, rounding or truncating, and reads off by ulp decode as the bytes do.
+/// How many of the codes first .. last - 1 break a promise: every place in the code's interval but its end encodes as
+/// the code again; what an 8-bit target keeps, rounding or truncating, and reads off by ulp decode as the bytes do.
 template <class Encoding>
 [[nodiscard]] std::uint64_t code_failures(std::uint64_t first, std::uint64_t last) {
     const Encoding encoding;
@@ -139,7 +141,8 @@ template <class Encoding>
             auto sampled = umbrage::load_unorm8(texel);
             for (int i = 0; i < sampled.length(); ++i)
                 if (sampled[i] > 0.0f || ulp > 0)
-                    sampled[i] = std::bit_cast<float>(static_cast<std::uint32_t>(std::bit_cast<std::int32_t>(sampled[i]) + ulp));
+                    sampled[i] =
+                        std::bit_cast<float>(static_cast<std::uint32_t>(std::bit_cast<std::int32_t>(sampled[i]) + ulp));
             good = good && decode(encoding, sampled, 1.0f) == upper;
         }
         failures += !good;
@@ -153,8 +156,8 @@ template <class Encoding>
 using is_foreign = std::bool_constant<!umbrage::has_edge<Encoding> && (Encoding{}.error().above > 0)>;
 using foreign = encodings_that<is_foreign>;
 
-/// What a format does wrong: pairs of neighbours among all floats, and in the lattice, that decode out of order, where the
-/// store rounds and where it truncates; what 1 decodes to.
+/// What a format does wrong: pairs of neighbours among all floats, and in the lattice, that decode out of order, where
+/// the store rounds and where it truncates; what 1 decodes to.
 struct faults {
     std::array<std::uint64_t, 2> disorder_of_floats{0, 0}, disorder_of_lattice{0, 0};
     float one = 1.0f;

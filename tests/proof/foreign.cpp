@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Formats of others over every depth of 24 bits: their worst errors and faults are what the headers state, no more and no
-// less. All floats: `make prove`.
+// Formats of others over every depth of 24 bits: their worst errors and faults are what the headers state, no more and
+// no less. All floats: `make prove`.
 #include <doctest/doctest.h>
 
 #include "codecs.hpp"
@@ -28,8 +28,8 @@ TEST_CASE_TEMPLATE_DEFINE("foreign formats: NaN of either sign, infinities, nega
     CAPTURE(Format::name);
     constexpr std::uint64_t nan = (1 << 23) - 1, zero = 1ull << 31, all = 1ull << 32;  // boundaries among all floats
     for (auto store : proof::stores)
-        for (std::uint64_t at : {std::uint64_t(5000), nan, zero, zero + (1 << 23), zero + 0x3F800000u, zero + 0x7F800000u,
-                                 all - 5000})
+        for (std::uint64_t at :
+             {std::uint64_t(5000), nan, zero, zero + (1 << 23), zero + 0x3F800000u, zero + 0x7F800000u, all - 5000})
             CHECK(proof::look_at<Format>(store, proof::nth_float, at - 5000, at + 5000).failures == 0);
 }
 TEST_CASE_TEMPLATE_APPLY(ends, proof::foreign);

@@ -115,14 +115,17 @@ std::string grouped(std::uint64_t n) {
 }
 
 std::string proof(const report& tried) {
-    std::string text = "| implementation | dialects | primitives | inputs | differing bits, A and B | worst, C |\n|---|--:|--:|--:|--:|--:|\n";
+    std::string text =
+        "| implementation | dialects | primitives | inputs | differing bits, A and B | worst, C "
+        "|\n|---|--:|--:|--:|--:|--:|\n";
     for (const auto& [name, t] : tried.by_implementation) {
         text += "| " + name + " | " + std::to_string(t.dialects.size()) + " | " + std::to_string(t.primitives.size()) +
                 " | " + grouped(t.inputs) + " | " + grouped(t.differing) + " | " +
                 std::to_string(static_cast<long>(t.worst_ulp)) + " ulp |\n";
     }
-    text += "\n<details><summary>Each primitive, all implementations together, by class of input</summary>\n\n"
-            "| primitive | tier | inputs | of each class | differing |\n|---|---|--:|---|--:|\n";
+    text +=
+        "\n<details><summary>Each primitive, all implementations together, by class of input</summary>\n\n"
+        "| primitive | tier | inputs | of each class | differing |\n|---|---|--:|---|--:|\n";
     for (const family& f : families()) {
         tally t;
         for (std::string_view name : f.names) {
@@ -145,7 +148,8 @@ std::string proof(const report& tried) {
 
 /// Puts `text` between the section's marks.
 std::string replaced(const std::string& page, std::string_view section, const std::string& text) {
-    const std::string begin = "<!-- begin: " + std::string(section) + " -->\n", end = "<!-- end: " + std::string(section) + " -->";
+    const std::string begin = "<!-- begin: " + std::string(section) + " -->\n",
+                      end = "<!-- end: " + std::string(section) + " -->";
     const auto from = page.find(begin), to = page.find(end);
     if (from == page.npos || to == page.npos || to < from) {
         std::cerr << "no section '" << section << "' in the page\n";
@@ -169,8 +173,7 @@ int main(int argc, char** argv) {
     std::stringstream old;
     old << std::ifstream(args[1]).rdbuf();
     const report tried = read_reports(args[2]);
-    const std::string page =
-        replaced(replaced(old.str(), "primitives", primitives()), "proof", proof(tried));
+    const std::string page = replaced(replaced(old.str(), "primitives", primitives()), "proof", proof(tried));
     if (page == old.str()) return 0;
     if (args[0] == "--write") {
         std::ofstream(args[1]) << page;

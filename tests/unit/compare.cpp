@@ -15,8 +15,26 @@ template <class T>
 std::vector<T> values() {
     const T infinity = std::numeric_limits<T>::infinity(), nan = std::numeric_limits<T>::quiet_NaN();
     const T least = std::numeric_limits<T>::denorm_min(), eps = std::numeric_limits<T>::epsilon();
-    return {nan, -nan, -infinity, T(-2), T(-1), -least, T(-0.0), T(0), least, eps, T(0.25), T(0.5) - eps / 4, T(0.5),
-            T(0.5) + eps / 2, T(1) - eps / 2, T(1), T(1) + eps, T(2), std::numeric_limits<T>::max(), infinity};
+    return {nan,
+            -nan,
+            -infinity,
+            T(-2),
+            T(-1),
+            -least,
+            T(-0.0),
+            T(0),
+            least,
+            eps,
+            T(0.25),
+            T(0.5) - eps / 4,
+            T(0.5),
+            T(0.5) + eps / 2,
+            T(1) - eps / 2,
+            T(1),
+            T(1) + eps,
+            T(2),
+            std::numeric_limits<T>::max(),
+            infinity};
 }
 
 }  // namespace

@@ -9,7 +9,8 @@
 #include <umbrage/config.hpp>
 
 TEST_CASE("fail: the message, thrown") {
-    CHECK_THROWS_WITH_AS(umbrage::detail::fail("umbrage::f: a message"), "umbrage::f: a message", std::invalid_argument);
+    CHECK_THROWS_WITH_AS(umbrage::detail::fail("umbrage::f: a message"), "umbrage::f: a message",
+                         std::invalid_argument);
 }
 
 TEST_CASE("set_error_handler: gives the one before, and errors are thrown all the same where they can be") {

@@ -26,9 +26,11 @@ static_assert(saturate(from_bits(0x3F7FFFFF)) < 1.0f && saturate(from_bits(0x3F8
 }  // namespace
 
 TEST_CASE("saturate: the value inside [0, 1], to the bit") {
-    for (float v : {0.0f, from_bits(1), from_bits(0x007FFFFF), from_bits(0x00800000), 0.1f, 0.5f, from_bits(0x3F7FFFFF), 1.0f})
+    for (float v :
+         {0.0f, from_bits(1), from_bits(0x007FFFFF), from_bits(0x00800000), 0.1f, 0.5f, from_bits(0x3F7FFFFF), 1.0f})
         CHECK(bits(saturate(v)) == bits(v));
-    for (double v : {0.0, from_bits64(1), 0.1, 0.5, from_bits64(0x3FEFFFFFFFFFFFFF), 1.0}) CHECK(bits(saturate(v)) == bits(v));
+    for (double v : {0.0, from_bits64(1), 0.1, 0.5, from_bits64(0x3FEFFFFFFFFFFFFF), 1.0})
+        CHECK(bits(saturate(v)) == bits(v));
 }
 
 TEST_CASE("saturate: below, above, -0, infinities") {

@@ -43,15 +43,15 @@ concept encoding = std::copyable<Encoding> && requires(const Encoding& e, float 
 /// What an encoding of the library tells of itself, for tools, tables and shaders.
 template <class Encoding>
 concept known_encoding = encoding<Encoding> && requires(const Encoding& e) {
-    { Encoding::name } -> std::convertible_to<std::string_view>;         // a C++ identifier, without the template
-    { Encoding::summary } -> std::convertible_to<std::string_view>;      // one sentence
+    { Encoding::name } -> std::convertible_to<std::string_view>;     // a C++ identifier, without the template
+    { Encoding::summary } -> std::convertible_to<std::string_view>;  // one sentence
     { Encoding::writer } -> std::convertible_to<const glsl::snippet*>;
-    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;   // null: the texel is the depth
+    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;  // null: the texel is the depth
     { Encoding::writes } -> std::convertible_to<written>;
-    { Encoding::codes } -> std::convertible_to<std::uint64_t>;           // texels that the writer can give
-    { e.direction } -> std::convertible_to<depth_direction>;             // far is 1 forward, 0 reversed
-    { e.error(unorm_store::truncates) } -> std::same_as<decoding_error>; // by default the store rounds
-    { e.cleared() } -> std::same_as<typename Encoding::texel>;           // an empty map's: decodes to the far plane
+    { Encoding::codes } -> std::convertible_to<std::uint64_t>;            // texels that the writer can give
+    { e.direction } -> std::convertible_to<depth_direction>;              // far is 1 forward, 0 reversed
+    { e.error(unorm_store::truncates) } -> std::same_as<decoding_error>;  // by default the store rounds
+    { e.cleared() } -> std::same_as<typename Encoding::texel>;            // an empty map's: decodes to the far plane
 };
 
 /// Whether the reader asks which place of a code's interval it shall answer: lower_edge, centre or upper_edge.
@@ -65,9 +65,12 @@ namespace detail {
 /// Says in words what a type lacks that is used as an encoding.
 template <class Encoding>
 consteval bool is_encoding() {
-    static_assert(requires { typename Encoding::texel; }, "an umbrage encoding needs a type `texel`");
-    static_assert(requires(const Encoding& e, float d) { e.encode(d); }, "an umbrage encoding needs `texel encode(float) const`");
-    static_assert(encoding<Encoding>, "an umbrage encoding needs `float decode(texel) const`, and `encode` to return a texel");
+    static_assert(
+        requires { typename Encoding::texel; }, "an umbrage encoding needs a type `texel`");
+    static_assert(
+        requires(const Encoding& e, float d) { e.encode(d); }, "an umbrage encoding needs `texel encode(float) const`");
+    static_assert(encoding<Encoding>,
+                  "an umbrage encoding needs `float decode(texel) const`, and `encode` to return a texel");
     return true;
 }
 

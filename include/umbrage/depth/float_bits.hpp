@@ -33,11 +33,11 @@ namespace umbrage {
 /// Bytes to float.
 [[nodiscard]] constexpr float decode_float_bits(glm::u8vec4 texel) {
     return detail::bit_cast<float>(std::uint32_t(texel.x) | std::uint32_t(texel.y) << 8 | std::uint32_t(texel.z) << 16 |
-                                std::uint32_t(texel.w) << 24);
+                                   std::uint32_t(texel.w) << 24);
 }
 
 /// Values read from an 8-bit texture to float.
-/// @param c       as sampled, k / 255, in any rounding; outside [0, 1], which no texture gives, clamped; NaN counts as 1
+/// @param c       as sampled, k / 255, in any rounding; clamped to [0, 1], which no texture leaves; NaN counts as 1
 /// @exactness     A
 [[nodiscard]] inline float decode_float_bits(glm::vec4 c) {
     glm::u8vec4 texel(0);
@@ -48,18 +48,26 @@ namespace umbrage {
 namespace glsl {
 
 inline constexpr snippet encode_float_bits{
-    .name = "encode_float_bits", .summary = "any float's bit pattern to four channels, R least significant",
-    .exactness = tier::a, .lowest = version::v300_es, .source = R"GLSL(
+    .name = "encode_float_bits",
+    .summary = "any float's bit pattern to four channels, R least significant",
+    .exactness = tier::a,
+    .lowest = version::v300_es,
+    .source = R"GLSL(
 // umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
 UMBRAGE_HIGHP vec4 umbrage_encode_float_bits(UMBRAGE_HIGHP float v) {
     UMBRAGE_HIGHP uint bits = floatBitsToUint(v);
     return vec4(float(bits & 255u), float((bits >> 8) & 255u), float((bits >> 16) & 255u), float(bits >> 24));
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet decode_float_bits{
-    .name = "decode_float_bits", .summary = "four channels, R least significant, to the float they are",
-    .exactness = tier::a, .lowest = version::v300_es, .needs = list<&saturate>, .source = R"GLSL(
+    .name = "decode_float_bits",
+    .summary = "four channels, R least significant, to the float they are",
+    .exactness = tier::a,
+    .lowest = version::v300_es,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
 UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_HIGHP uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);
@@ -68,7 +76,8 @@ UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_HIGHP uint a = uint(umbrage_saturate(c.w) * 255.0 + 0.5);
     return uintBitsToFloat(r | (g << 8) | (b << 16) | (a << 24));
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 

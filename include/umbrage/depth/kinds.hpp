@@ -140,90 +140,128 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet linear_depth{
-    .name = "linear_depth", .summary = "view-space z over z_far", .exactness = tier::b, .source = R"GLSL(
+    .name = "linear_depth",
+    .summary = "view-space z over z_far",
+    .exactness = tier::b,
+    .source = R"GLSL(
 // umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
 UMBRAGE_HIGHP float umbrage_linear_depth(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float inv_z_far) {
     return z_view * inv_z_far;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet project_depth{
-    .name = "project_depth", .summary = "z / w, far behind the light", .exactness = tier::c, .ulp = 1,
+    .name = "project_depth",
+    .summary = "z / w, far behind the light",
+    .exactness = tier::c,
+    .ulp = 1,
     .source = R"GLSL(
 // umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
 UMBRAGE_HIGHP float umbrage_project_depth(UMBRAGE_HIGHP float z, UMBRAGE_HIGHP float w, UMBRAGE_HIGHP float cleared) {
     return w > 0.0 ? z / w : cleared;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet distance_depth{
-    .name = "distance_depth", .summary = "distance to the light over its range", .exactness = tier::c, .ulp = 1,
+    .name = "distance_depth",
+    .summary = "distance to the light over its range",
+    .exactness = tier::c,
+    .ulp = 1,
     .source = R"GLSL(
 // umbrage_distance_depth: length of to_point, from the light, times 1 / range
 UMBRAGE_HIGHP float umbrage_distance_depth(UMBRAGE_HIGHP vec3 to_point, UMBRAGE_HIGHP float inv_range) {
     return sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet reverse_depth{
-    .name = "reverse_depth", .summary = "1 - depth", .exactness = tier::b, .source = R"GLSL(
+    .name = "reverse_depth",
+    .summary = "1 - depth",
+    .exactness = tier::b,
+    .source = R"GLSL(
 // umbrage_reverse_depth: forward depth from reversed, or reversed from forward
 UMBRAGE_HIGHP float umbrage_reverse_depth(UMBRAGE_HIGHP float depth) {
     return 1.0 - depth;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet depth_from_ndc{
-    .name = "depth_from_ndc", .summary = "z/w in [-1, 1] to depth in [0, 1]", .exactness = tier::b, .source = R"GLSL(
+    .name = "depth_from_ndc",
+    .summary = "z/w in [-1, 1] to depth in [0, 1]",
+    .exactness = tier::b,
+    .source = R"GLSL(
 // umbrage_depth_from_ndc: depth in [0, 1] from z/w in [-1, 1]
 UMBRAGE_HIGHP float umbrage_depth_from_ndc(UMBRAGE_HIGHP float ndc) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = ndc * 0.5 + 0.5;
     return depth;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet view_z_from_depth{
-    .name = "view_z_from_depth", .summary = "perspective depth to view-space z", .exactness = tier::c, .ulp = 1,
+    .name = "view_z_from_depth",
+    .summary = "perspective depth to view-space z",
+    .exactness = tier::c,
+    .ulp = 1,
     .source = R"GLSL(
 // umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
 UMBRAGE_HIGHP float umbrage_view_z_from_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
                                               UMBRAGE_HIGHP float z_far) {
     return z_near / (1.0 - depth * (1.0 - z_near / z_far));
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet depth_from_view_z{
-    .name = "depth_from_view_z", .summary = "view-space z to perspective depth", .exactness = tier::c, .ulp = 1,
+    .name = "depth_from_view_z",
+    .summary = "view-space z to perspective depth",
+    .exactness = tier::c,
+    .ulp = 1,
     .source = R"GLSL(
 // umbrage_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 0.0 at z_near
 UMBRAGE_HIGHP float umbrage_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
                                               UMBRAGE_HIGHP float z_far) {
     return (1.0 - z_near / z_view) / (1.0 - z_near / z_far);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet view_z_from_reversed_depth{
-    .name = "view_z_from_reversed_depth", .summary = "reversed perspective depth to view-space z",
-    .exactness = tier::c, .ulp = 1, .source = R"GLSL(
+    .name = "view_z_from_reversed_depth",
+    .summary = "reversed perspective depth to view-space z",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
 // umbrage_view_z_from_reversed_depth: perspective depth in [0, 1], 1.0 at z_near, to distance along the light's axis
 UMBRAGE_HIGHP float umbrage_view_z_from_reversed_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
                                                        UMBRAGE_HIGHP float z_far) {
     return z_near / (z_near / z_far + depth * (1.0 - z_near / z_far));
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet reversed_depth_from_view_z{
-    .name = "reversed_depth_from_view_z", .summary = "view-space z to reversed perspective depth",
-    .exactness = tier::c, .ulp = 1, .source = R"GLSL(
+    .name = "reversed_depth_from_view_z",
+    .summary = "view-space z to reversed perspective depth",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
 // umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
 UMBRAGE_HIGHP float umbrage_reversed_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
                                                        UMBRAGE_HIGHP float z_far) {
     return z_near / z_view * (1.0 - z_view / z_far) / (1.0 - z_near / z_far);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet view_z_from_orthographic_depth{
-    .name = "view_z_from_orthographic_depth", .summary = "orthographic depth to view-space z", .exactness = tier::b,
+    .name = "view_z_from_orthographic_depth",
+    .summary = "orthographic depth to view-space z",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
 // axis; when reversed, exchange z_near and z_far
@@ -232,18 +270,23 @@ UMBRAGE_HIGHP float umbrage_view_z_from_orthographic_depth(UMBRAGE_HIGHP float d
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z_view = z_near + depth * (z_far - z_near);
     return z_view;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet orthographic_depth_from_view_z{
-    .name = "orthographic_depth_from_view_z", .summary = "view-space z to orthographic depth", .exactness = tier::c,
-    .ulp = 1, .source = R"GLSL(
+    .name = "orthographic_depth_from_view_z",
+    .summary = "view-space z to orthographic depth",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
 // umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
 // z_near; when reversed, exchange z_near and z_far
 UMBRAGE_HIGHP float umbrage_orthographic_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
                                                            UMBRAGE_HIGHP float z_far) {
     return (z_view - z_near) / (z_far - z_near);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto kinds_snippets =
     list<&linear_depth, &project_depth, &distance_depth, &reverse_depth, &depth_from_ndc, &view_z_from_depth,

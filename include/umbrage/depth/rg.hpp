@@ -63,7 +63,8 @@ namespace glsl {
 template <int Bits>
 inline constexpr auto encode_rg_name = detail::fill<16>("encode_rg$b", {{'b', Bits}});
 template <int Bits>
-inline constexpr auto encode_rg_text = detail::fill<1024>(R"GLSL(
+inline constexpr auto encode_rg_text =
+    detail::fill<1024>(R"GLSL(
 // umbrage_encode_rg$b: depth to the two channels of a $b-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
 //   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
@@ -72,7 +73,7 @@ UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
     return vec2(x - high * 256.0, high * $s.0);
 }
 )GLSL",
-                                                                 {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}, {'s', 1 << (16 - Bits)}});
+                       {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}, {'s', 1 << (16 - Bits)}});
 template <int Bits>
 inline constexpr snippet encode_rg{.name = encode_rg_name<Bits>.view(),
                                    .summary = "depth to two channels, R the low byte",
@@ -91,7 +92,7 @@ UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP floa
     return (k.x + k.y * $g.0 + edge) * (1.0 / $n.0);
 }
 )GLSL",
-                                                                 {{'b', Bits}, {'n', 1 << Bits}, {'g', 1 << (Bits - 8)}});
+                                                          {{'b', Bits}, {'n', 1 << Bits}, {'g', 1 << (Bits - 8)}});
 template <int Bits>
 inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
                                    .summary = "two channels, R the low byte, to depth",

@@ -49,9 +49,12 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet encode_rgb24{
-    .name = "encode_rgb24", .summary = "depth to three channels, R most significant", .exactness = tier::a,
-    .needs = list<&saturate>, .source = R"GLSL(
-// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 (umbrage_to_unorm writes them)
+    .name = "encode_rgb24",
+    .summary = "depth to three channels, R most significant",
+    .exactness = tier::a,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
+// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
 //   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
 UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
@@ -60,18 +63,23 @@ UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
     return vec3(high, middle, rest - middle * 256.0);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet decode_rgb24{
-    .name = "decode_rgb24", .summary = "three channels, R most significant, to depth", .exactness = tier::a,
-    .needs = list<&from_unorm>, .source = R"GLSL(
+    .name = "decode_rgb24",
+    .summary = "three channels, R most significant, to depth",
+    .exactness = tier::a,
+    .needs = list<&from_unorm>,
+    .source = R"GLSL(
 // umbrage_decode_rgb24: three channels, as sampled, to depth
 //   edge   0.0 or 1.0: lower or upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
     UMBRAGE_HIGHP vec3 k = umbrage_from_unorm(c);
     return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 

@@ -27,17 +27,18 @@ struct any_fetch {
 
 /// A callable (fetch, coord, receiver) -> visibility: all that functions over images ask for.
 template <class Filter>
-concept filter = std::copy_constructible<Filter> && requires(const Filter& f, const detail::any_fetch& fetch, float receiver) {
+concept filter = std::copy_constructible<Filter> &&
+    requires(const Filter& f, const detail::any_fetch& fetch, float receiver) {
     { f(fetch, glm::vec2(), receiver) } -> std::convertible_to<float>;
 };
 
 /// What a filter of the library tells of itself, for tools, tables and biases.
 template <class Filter>
 concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
-    { Filter::name } -> std::convertible_to<std::string_view>;             // a C++ identifier
-    { Filter::snippet } -> std::convertible_to<const glsl::snippet*>;      // of the same result
-    { f.reach() } -> std::same_as<float>;           // from a receiver to the farthest point of its texels, an axis, in texels
-    { f.is_lit(depth, depth) } -> std::same_as<bool>;                      // the comparison, its direction inside
+    { Filter::name } -> std::convertible_to<std::string_view>;         // a C++ identifier
+    { Filter::snippet } -> std::convertible_to<const glsl::snippet*>;  // of the same result
+    { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest point of its texels, an axis, in texels
+    { f.is_lit(depth, depth) } -> std::same_as<bool>;  // the comparison, its direction inside
 };
 
 namespace detail {
@@ -45,7 +46,8 @@ namespace detail {
 /// Says in words what a type lacks that is used as a filter.
 template <class Filter>
 consteval bool is_filter() {
-    static_assert(filter<Filter>, "an umbrage filter is a callable (fetch, glm::vec2 coord, float receiver) -> float, const");
+    static_assert(filter<Filter>,
+                  "an umbrage filter is a callable (fetch, glm::vec2 coord, float receiver) -> float, const");
     return true;
 }
 

@@ -34,8 +34,7 @@ template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr bool is_compared(glm::vec<2, T> coord, T receiver, const Compare& is_lit = {}) {
     if constexpr (requires { is_lit.beyond_far(receiver); })
         return inside_texel_space(coord) && !is_lit.beyond_far(receiver);
-    else
-        return inside_texel_space(coord);
+    else return inside_texel_space(coord);
 }
 
 /// Stored depth of a texel: the fetch callable of every filter, by name.
@@ -65,18 +64,24 @@ template <class Texel, class Encoding>
 namespace glsl {
 
 inline constexpr snippet inside_texel_space{
-    .name = "inside_texel_space", .summary = "coordinates a filter can take", .exactness = tier::a,
+    .name = "inside_texel_space",
+    .summary = "coordinates a filter can take",
+    .exactness = tier::a,
     .source = R"GLSL(
 // umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
 bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
     return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet is_compared{
-    .name = "is_compared", .summary = "receivers that a filter compares; it takes the others as lit",
-    .exactness = tier::a, .needs = list<&inside_texel_space>, .source = R"GLSL(
+    .name = "is_compared",
+    .summary = "receivers that a filter compares; it takes the others as lit",
+    .exactness = tier::a,
+    .needs = list<&inside_texel_space>,
+    .source = R"GLSL(
 // UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
 #ifndef UMBRAGE_BEYOND_FAR
 #ifdef UMBRAGE_REVERSED
@@ -89,13 +94,17 @@ inline constexpr snippet is_compared{
 bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
     return umbrage_inside_texel_space(coord) && !UMBRAGE_BEYOND_FAR(receiver);
 }
-)GLSL"};
+)GLSL",
+};
 
-/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps. UMBRAGE_OUTSIDE_LIT, defined beforehand,
-/// makes it bordered(map, cleared_depth(clip)) instead of clamped(map).
+/// UMBRAGE_FETCH, the depth behind a texel: define it beforehand for packed maps. UMBRAGE_OUTSIDE_LIT, defined
+/// beforehand, makes it bordered(map, cleared_depth(clip)) instead of clamped(map).
 inline constexpr snippet fetch_depth{
-    .name = "fetch_depth", .summary = "stored depth of a texel, as a macro to redefine", .exactness = tier::a,
-    .needs = list<&fetch_clamped, &fetch_bordered, &saturate>, .source = R"GLSL(
+    .name = "fetch_depth",
+    .summary = "stored depth of a texel, as a macro to redefine",
+    .exactness = tier::a,
+    .needs = list<&fetch_clamped, &fetch_bordered, &saturate>,
+    .source = R"GLSL(
 // UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
 // UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
 #ifndef UMBRAGE_FETCH
@@ -109,7 +118,8 @@ inline constexpr snippet fetch_depth{
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
     return UMBRAGE_FETCH(map, size, texel);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_space, &is_compared>;
 

@@ -35,7 +35,8 @@ struct blur_kernel {
 /// @exactness     A
 template <int Taps>
 [[nodiscard]] blur_kernel make_binomial_kernel() {
-    static_assert(Taps >= 1 && Taps <= 25 && Taps % 2 == 1, "an odd number up to 25: beyond, floats do not hold the weights");
+    static_assert(Taps >= 1 && Taps <= 25 && Taps % 2 == 1,
+                  "an odd number up to 25: beyond, floats do not hold the weights");
     blur_kernel kernel{std::vector<float>(Taps / 2 + 1)};
     double weight = std::ldexp(1.0, 1 - Taps);  // that of the outermost tap
     for (int i = 0; i <= Taps / 2; ++i) {
@@ -69,10 +70,12 @@ inline constexpr int float_channels = static_cast<int>(sizeof(T) / sizeof(float)
 
 /// 64 sums of taps; tap(i) is where those at distance i begin, i from -radius to radius.
 template <class Tap, std::size_t... I>
-UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, float* __restrict to, std::index_sequence<I...>) {
+UMBRAGE_INLINE inline void blur_block(const float* weights, const Tap& tap, float* __restrict to,
+                                      std::index_sequence<I...>) {
     // Pointers and weights are locals, which stay in registers: one loop holds all taps.
     const float* const centre = tap(0);
-    const std::array<const float*, sizeof...(I)> before{tap(-static_cast<int>(I) - 1)...}, after{tap(static_cast<int>(I) + 1)...};
+    const std::array<const float*, sizeof...(I)> before{tap(-static_cast<int>(I) - 1)...},
+        after{tap(static_cast<int>(I) + 1)...};
     const std::array<float, sizeof...(I)> w{weights[I + 1]...};
     const float w0 = weights[0];
     for (int x = 0; x < block; ++x) {
@@ -99,8 +102,10 @@ UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap&
                                     const float* next = nullptr) {
     if (width < block) return blur_some(weights, radius, tap, to, width);
     const auto each = [&](auto&& blur_at) UMBRAGE_INLINE {
-        for (int x = 0; x + block <= width; x += block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
-        if (const int x = width - block; width % block) blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
+        for (int x = 0; x + block <= width; x += block)
+            blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
+        if (const int x = width - block; width % block)
+            blur_at([&](int i) UMBRAGE_INLINE { return tap(i) + x; }, to + x);
     };
     const auto with_radius = [&](auto taps) UMBRAGE_INLINE {
         each([&](const auto& at, float* result) UMBRAGE_INLINE {
@@ -136,13 +141,15 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
         const auto row = [&](int y) { return from.row(y < 0 ? 0 : (y < height ? y : height - 1)); };
         for (int y = first; y < last; ++y) {
             for (int i = -radius; i <= radius; ++i) around[i] = row(y + i);
-            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return around[i]; }, line, width, row(y + radius + 1));
+            blur_row(
+                weights, radius, [=](int i) UMBRAGE_INLINE { return around[i]; }, line, width, row(y + radius + 1));
             for (int i = 0; i < border; ++i) {
                 line[i - border] = line[i % Channels];
                 line[width + i] = line[width - Channels + i % Channels];
             }
             const float* const centre = line;
-            blur_row(weights, radius, [=](int i) UMBRAGE_INLINE { return centre + i * Channels; }, to.row(y), width);
+            blur_row(
+                weights, radius, [=](int i) UMBRAGE_INLINE { return centre + i * Channels; }, to.row(y), width);
         }
     });
 }
@@ -157,8 +164,9 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
 /// @param parallel  cuts the rows into pieces, see parallel.hpp
 /// @throws std::invalid_argument  sizes differ, same pixels, or no weights
 /// @formula         w0 c + w1 (before1 + after1) + w2 (before2 + after2) + ..., in this order, along y and then along x
-/// @exactness       B: every instruction set and any pieces give the bits of the written order, as long as the compiler is
-///                  not told that it may fuse a multiplication and an addition (-march with FMA without -ffp-contract=off)
+/// @exactness       B: every instruction set and any pieces give the bits of the written order, as long as the compiler
+///                  is not told that it may fuse a multiplication and an addition (-march with FMA without
+///                  -ffp-contract=off)
 template <class From, class T, class ParallelFor = serial>
 void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, ParallelFor&& parallel = {}) {
     constexpr int channels = detail::float_channels<T>;
@@ -173,12 +181,13 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
     const glm::ivec2 size(from.size.x * channels, from.size.y);
     const image_view<const float> floats_from(reinterpret_cast<const float*>(from.data), size, from.stride);
     const image_view<float> floats_to(reinterpret_cast<float*>(to.data), size, to.stride);
-    parallel(size.y, [&](int first, int last) { detail::blur_rows<channels>(floats_from, floats_to, kernel, first, last); });
+    parallel(size.y,
+             [&](int first, int last) { detail::blur_rows<channels>(floats_from, floats_to, kernel, first, last); });
 }
 
 /// The same where one of the two is an image.
 template <class From, class To, class ParallelFor = serial>
-    requires detail::some_image<From, To>
+requires detail::some_image<From, To>
 void blur(const From& from, To&& to, const blur_kernel& kernel, ParallelFor&& parallel = {}) {
     blur(detail::view_of(from), detail::view_of(to), kernel, parallel);
 }

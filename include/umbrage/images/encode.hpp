@@ -5,8 +5,8 @@
 //     umbrage::image<glm::u8vec2> packed(depth.size());
 //     umbrage::encode(depth, packed, umbrage::rg<11>{});
 //
-// Bit for bit what the encoding's own encode and decode give. The encodings of this library have loops of their own that
-// compilers can vectorise; any other type like them works as well.
+// Bit for bit what the encoding's own encode and decode give. The encodings of this library have loops of their own
+// that compilers can vectorise; any other type like them works as well.
 #pragma once
 
 #include <umbrage/depth/encoding.hpp>

@@ -42,8 +42,8 @@ void halve(image_view<const float> least, image_view<const float> greatest, dept
                 for (int x = 0; x < size.x; x += block) {
                     const int count = size.x - x < block ? size.x - x : block;
                     const auto load = [&](const image_view<const float>& from) UMBRAGE_INLINE {
-                        const float *low = from.row(2 * y) + 2 * x;
-                        const float *high = from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y) + 2 * x;
+                        const float* low = from.row(2 * y) + 2 * x;
+                        const float* high = from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y) + 2 * x;
                         if (const int there = from.size.x - 2 * x; there < 2 * block) {
                             for (int i = 0; i < 2 * block; ++i) {
                                 const int k = i < there ? i : there - 1;
@@ -63,7 +63,8 @@ void halve(image_view<const float> least, image_view<const float> greatest, dept
                     const auto store = [&](auto pick, float* result) UMBRAGE_INLINE {
                         alignas(64) float depths[block];
                         for (int i = 0; i < block; ++i)
-                            depths[i] = from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
+                            depths[i] =
+                                from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
                         copy_floats(result + x, depths, count);
                     };
                     load(least);

@@ -60,7 +60,7 @@ struct contrast_stretch {
 
 /// Where an overlay goes: the top left corner, as people see it.
 struct overlay_placement {
-    glm::ivec2 size{0, 0};  ///< in texels of the picture; a zero takes the map's own side
+    glm::ivec2 size{0, 0};                                ///< in texels of the picture; a zero takes the map's own side
     texture_origin map_origin = texture_origin::bottom;   ///< where row 0 of the map is
     texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
 };

@@ -66,7 +66,7 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::
     parallel(banded.bands(), [&](int first, int last) {
         for (int band = first; band < last; ++band) {
             const detail::texel_bounds bounds{{0, band * banded.rows()},
-                                      {depth.size.x, std::min((band + 1) * banded.rows(), depth.size.y)}};
+                                              {depth.size.x, std::min((band + 1) * banded.rows(), depth.size.y)}};
             const auto triangles = [&](const auto& use) { banded.for_each(band, use); };
             projected.for_each_batch(triangles, bounds, cull, [&](const detail::triangle_batch& batch) {
                 if (forward) detail::draw_batch<true>(depth, flipped, batch);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The receivers of a whole image, in the forms that visibility() takes: an image of vec3s (x and y in texels of the map,
-// z depth, biased), three images of floats, or the depth image that a camera saw.
+// The receivers of a whole image, in the forms that visibility() takes: an image of vec3s (x and y in texels of the
+// map, z depth, biased), three images of floats, or the depth image that a camera saw.
 //
 //     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(clip_to_world, to_texels, size, clip), bias};
 //

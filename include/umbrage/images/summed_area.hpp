@@ -32,11 +32,11 @@ namespace detail {
 
 /// Floats are always added in fours, in the order that summed_area states; integers in any.
 template <class T, isa Set>
-inline constexpr int sum_lanes = std::is_integral_v<T> && Set != isa::base ? running_sum_lanes : 4;
+inline constexpr int sum_lanes = std::is_integral_v<T>&& Set != isa::base ? running_sum_lanes : 4;
 
-/// The running sums of a band, and those of the bands before it. A load waits for an earlier store whose address has the
-/// same last twelve bits (4K aliasing): so both lie, modulo 4096, away from the rows of the image and of the table. The
-/// worst placement was measured to be five times as slow.
+/// The running sums of a band, and those of the bands before it. A load waits for an earlier store whose address has
+/// the same last twelve bits (4K aliasing): so both lie, modulo 4096, away from the rows of the image and of the table.
+/// The worst placement was measured to be five times as slow.
 template <class Sum>
 class band_sums {
 public:
@@ -51,7 +51,9 @@ public:
 private:
     static constexpr std::size_t page = 4096;
     static std::size_t last_bits(const void* p) { return reinterpret_cast<std::uintptr_t>(p) % page; }
-    static Sum* place(Sum* from, std::size_t wanted) { return from + (wanted / 64 * 64 - last_bits(from)) % page / sizeof(Sum); }
+    static Sum* place(Sum* from, std::size_t wanted) {
+        return from + (wanted / 64 * 64 - last_bits(from)) % page / sizeof(Sum);
+    }
 
     std::vector<Sum> memory_;
 
@@ -107,7 +109,8 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
     }
 }
 
-inline constexpr int band_rows = 64;  ///< rows of a table that are summed from zero, then put on top of what is before them
+inline constexpr int band_rows =
+    64;  ///< rows of a table that are summed from zero, then put on top of what is before them
 
 /// Rows first <= y < last of one band into the table; `line` becomes the sums of the band down to there.
 template <class From, class Sum>
@@ -119,10 +122,8 @@ void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, in
         for (int y = first; y < last; ++y) {
             const From* from = values.row(y);
             Sum* to = sums.row(y);
-            if (is_large && streams_to(to))
-                sum_row<table_store::streaming, lanes>(from, base, line, to, width);
-            else
-                sum_row<table_store::plain, lanes>(from, base, line, to, width);
+            if (is_large && streams_to(to)) sum_row<table_store::streaming, lanes>(from, base, line, to, width);
+            else sum_row<table_store::plain, lanes>(from, base, line, to, width);
         }
     });
     if (is_large) finish_streaming();
@@ -146,7 +147,8 @@ void total_of_rows(image_view<const From> values, int first, int last, Sum* line
             for (int x = 1; x < width; ++x) line[x] += line[x - 1];
         } else {
             for (int y = first; y < last; ++y)
-                sum_row<table_store::none, sum_lanes<Sum, decltype(set)::value>>(values.row(y), line, line, line, width);
+                sum_row<table_store::none, sum_lanes<Sum, decltype(set)::value>>(values.row(y), line, line, line,
+                                                                                 width);
         }
     });
 }
@@ -160,8 +162,9 @@ void total_of_rows(image_view<const From> values, int first, int last, Sum* line
 /// @param parallel  cuts bands of 64 rows into pieces, see parallel.hpp; the image is then read twice
 /// @throws std::invalid_argument  sizes differ
 /// @exactness   uint32_t A: modulo 2^32. float B. In a row, groups g of four from its start, each summed as g0, g0+g1,
-///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right; to
-///              that the texel above, in bands of 64 rows; to that the last row of the bands before, added up downwards
+///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right;
+///              to that the texel above, in bands of 64 rows; to that the last row of the bands before, added up
+///              downwards
 template <class From, class Sum, class ParallelFor = serial>
 void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& parallel = {}) {
     using value = std::remove_const_t<From>;
@@ -205,7 +208,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
 
 /// The same where one of the two is an image.
 template <class From, class Sums, class ParallelFor = serial>
-    requires detail::some_image<From, Sums>
+requires detail::some_image<From, Sums>
 void summed_area(const From& values, Sums&& sums, ParallelFor&& parallel = {}) {
     summed_area(detail::view_of(values), detail::view_of(sums), parallel);
 }

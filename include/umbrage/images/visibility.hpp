@@ -69,7 +69,8 @@ struct one_by_one {
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
-        for (int i = 0; i < count; ++i) visibility[i] = static_cast<float>(filter(fetch, glm::vec2(at.x(i), at.y(i)), at.z(i)));
+        for (int i = 0; i < count; ++i)
+            visibility[i] = static_cast<float>(filter(fetch, glm::vec2(at.x(i), at.y(i)), at.z(i)));
     }
 };
 
@@ -87,7 +88,9 @@ template <int Bits>
     return {map, Bits, encoding.edge};
 }
 template <class Encoding>
-concept has_texels_form = requires(image_view<const typename Encoding::texel> map, const Encoding& e) { texels_of(map, e); };
+concept has_texels_form = requires(image_view<const typename Encoding::texel> map, const Encoding& e) {
+    texels_of(map, e);
+};
 
 /// Calls use(map) with the map as a form wants it. The map is decoded where that is less work than the receivers.
 /// @return   false where it is not, or where the form cannot take such a map
@@ -128,9 +131,8 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
             else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
         });
         if (done) return;
-        const erased_fetch erased{&fetch, [](const void* f, glm::ivec2 texel) {
-                                      return (*static_cast<const decltype(fetch)*>(f))(texel);
-                                  }};
+        const erased_fetch erased{
+            &fetch, [](const void* f, glm::ivec2 texel) { return (*static_cast<const decltype(fetch)*>(f))(texel); }};
         rows(one_by_one<Filter, erased_fetch>{filter, erased});
     } else {
         rows(one_by_one<Filter, std::remove_cvref_t<decltype(fetch)>>{filter, fetch});

@@ -116,34 +116,44 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet shadow_coordinate{
-    .name = "shadow_coordinate", .summary = "world to texels and depth, before the division", .exactness = tier::b,
+    .name = "shadow_coordinate",
+    .summary = "world to texels and depth, before the division",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
 UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
     return c;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet tap_coordinate{
-    .name = "tap_coordinate", .summary = "a tap's coordinate from the middle's, before the division",
-    .exactness = tier::b, .source = R"GLSL(
+    .name = "tap_coordinate",
+    .summary = "a tap's coordinate from the middle's, before the division",
+    .exactness = tier::b,
+    .source = R"GLSL(
 // umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
 UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE_HIGHP vec2 offset) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moved = vec2(coordinate.x, coordinate.y) + offset * coordinate.w;
     return vec4(moved.x, moved.y, coordinate.z, coordinate.w);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet project_coordinate{
-    .name = "project_coordinate", .summary = "the division by w, lit behind the light", .exactness = tier::c, .ulp = 1,
+    .name = "project_coordinate",
+    .summary = "the division by w, lit behind the light",
+    .exactness = tier::c,
+    .ulp = 1,
     .source = R"GLSL(
 // umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
 UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
     UMBRAGE_HIGHP vec3 p = vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
     return coordinate.w > 0.0 ? p : vec3(65536.0, 65536.0, 0.0);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto texture_matrix_snippets = list<&shadow_coordinate, &tap_coordinate, &project_coordinate>;
 

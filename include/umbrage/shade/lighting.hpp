@@ -20,7 +20,8 @@ namespace umbrage {
 /// @param to_point    from the light to the point, of any length whose square neither overflows nor underflows
 /// @param cos_outer   cosine of the angle between axis and edge of the cone, in [0, 1)
 /// @return            1 inside the cone, 0 outside, at its apex, or for NaN
-/// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test, unnormalised
+/// @formula           d > 0 and d^2 > cos_outer^2 |to_point|^2, d = direction . to_point: the sample's test,
+///                    unnormalised
 /// @exactness         B
 /// @cite              Microsoft DirectX SDK, ShadowMap sample
 template <real T>
@@ -51,22 +52,29 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet spot_cone{
-    .name = "spot_cone", .summary = "1 inside a spot light's cone", .exactness = tier::b, .source = R"GLSL(
+    .name = "spot_cone",
+    .summary = "1 inside a spot light's cone",
+    .exactness = tier::b,
+    .source = R"GLSL(
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
 UMBRAGE_HIGHP float umbrage_spot_cone(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 to_point,
                                       UMBRAGE_HIGHP float cos_outer) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d =
+        direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float length2 =
         to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float edge2 = cos_outer * cos_outer * length2;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float d2 = d * d;
     return d > 0.0 && d2 > edge2 ? 1.0 : 0.0;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet diffuse_ambient{
-    .name = "diffuse_ambient", .summary = "diffuse plus ambient light of a surface", .exactness = tier::b,
+    .name = "diffuse_ambient",
+    .summary = "diffuse plus ambient light of a surface",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
 UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP float ambient,
@@ -75,7 +83,8 @@ UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HI
     UMBRAGE_PRECISE UMBRAGE_HIGHP float light = visibility * facing * (1.0 - ambient) + ambient;
     return albedo * light;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto lighting_snippets = list<&spot_cone, &diffuse_ambient>;
 

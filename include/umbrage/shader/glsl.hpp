@@ -53,11 +53,11 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
 
 /// One GLSL function (with its overloads) and what is known of it.
 struct snippet {
-    std::string_view name;                 ///< of the C++ twin; the GLSL function is umbrage_<name>
-    std::string_view summary;              ///< one line
+    std::string_view name;     ///< of the C++ twin; the GLSL function is umbrage_<name>
+    std::string_view summary;  ///< one line
     tier exactness = tier::a;
-    int ulp = 0;                           ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
-    version lowest = version::v100;        ///< v100: every dialect; v300_es: 300 es and 330 upwards
+    int ulp = 0;                     ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
+    version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
     std::span<const snippet* const> needs{};  ///< a list<>
     std::string_view source;
 };

@@ -43,15 +43,15 @@ template <bool Forward>
     return detail::bit_cast<double>(detail::bit_cast<std::int64_t>(v) & mask);
 }
 [[nodiscard]] UMBRAGE_INLINE inline float select(std::int32_t mask, float a, float b) {
-    return detail::bit_cast<float>((detail::bit_cast<std::int32_t>(a) & mask) | (detail::bit_cast<std::int32_t>(b) & ~mask));
+    return detail::bit_cast<float>((detail::bit_cast<std::int32_t>(a) & mask) |
+                                   (detail::bit_cast<std::int32_t>(b) & ~mask));
 }
 
 /// less_equal as 0 or 1, NaN 0 whatever the compiler believes.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t is_lit(float receiver, float stored) {
     if constexpr (finite_math_only)
         return std::int32_t(receiver <= stored) & number_mask(receiver) & number_mask(stored);
-    else
-        return std::int32_t(receiver <= stored);
+    else return std::int32_t(receiver <= stored);
 }
 
 /// saturate: the magnitude up to `highest`, or 0 for what is negative and not a NaN.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One loop, compiled for each instruction set, the machine's best chosen when the program runs. No flags, no intrinsics.
+// One loop, compiled for each instruction set, the machine's best chosen when the program runs. No flags, no
+// intrinsics.
 //
 //     umbrage::detail::on_best_isa([&](auto) UMBRAGE_INLINE { for (...) block(...); });
 //
@@ -81,8 +82,8 @@ void on_best_isa_without_fma(const Body& body) {
     body(isa_constant<isa::base>{});
 }
 
-/// Elements of a loop whose count the compiler knows. Arrays of as many start at a cache line: where they do not, which on
-/// a stack is chance, a loop over them can take several times as long.
+/// Elements of a loop whose count the compiler knows. Arrays of as many start at a cache line: where they do not, which
+/// on a stack is chance, a loop over them can take several times as long.
 inline constexpr int block = 64;
 
 }  // namespace umbrage::detail

@@ -5,8 +5,8 @@
 //     lanes_of<float, 8> depths;
 //     load_lanes(texels, depths);  // with + - & and [] of the language
 //
-// The compiler's own vectors: they need no header and know no machine. Where it has none, or for a test, plain_lanes gives
-// the same bits. Vectors go by reference: by value, the calling convention depends on the instruction set.
+// The compiler's own vectors: they need no header and know no machine. Where it has none, or for a test, plain_lanes
+// gives the same bits. Vectors go by reference: by value, the calling convention depends on the instruction set.
 #pragma once
 
 #include <cstdint>
@@ -103,7 +103,8 @@ UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count
                                      lanes_of<std::int32_t, Count>& lit) {
     if constexpr (Forward) lit = receiver <= stored;
     else lit = receiver >= stored;
-    if constexpr (finite_math_only) lit &= (reinterpret_cast<lanes_of<std::int32_t, Count>>(stored) & 0x7FFFFFFF) <= 0x7F800000;
+    if constexpr (finite_math_only)
+        lit &= (reinterpret_cast<lanes_of<std::int32_t, Count>>(stored) & 0x7FFFFFFF) <= 0x7F800000;
 }
 
 template <int Count>

@@ -18,8 +18,8 @@
 
 namespace umbrage::detail {
 
-/// Whether an image is so large that non-temporal stores pay: others would read each cache line before it is overwritten,
-/// and evict what is read meanwhile.
+/// Whether an image is so large that non-temporal stores pay: others would read each cache line before it is
+/// overwritten, and evict what is read meanwhile.
 template <class T>
 [[nodiscard]] inline bool past_cache(const image_view<T>& image) {
     constexpr double large = 4.0 * (1 << 20);  // bytes
@@ -67,14 +67,12 @@ UMBRAGE_INLINE inline void stream_block(T* to, const T* from) {
 
 /// Up to a block of floats; most are whole, and then the compiler knows how much there is to copy.
 UMBRAGE_INLINE inline void copy_floats(float* to, const float* from, int count) {
-    if (count == block)
-        std::memcpy(to, from, block * sizeof(float));
-    else
-        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
+    if (count == block) std::memcpy(to, from, block * sizeof(float));
+    else std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
 }
 
-/// Prefetches a cache line. Callers must be UMBRAGE_INLINE or do more than that: for GCC a function that only prefetches
-/// has no effect, and a call of it is left out.
+/// Prefetches a cache line. Callers must be UMBRAGE_INLINE or do more than that: for GCC a function that only
+/// prefetches has no effect, and a call of it is left out.
 UMBRAGE_INLINE inline void prefetch_line([[maybe_unused]] const void* at) {
 #if defined(__GNUC__) || defined(__clang__)
     __builtin_prefetch(at);

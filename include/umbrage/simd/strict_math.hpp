@@ -6,9 +6,9 @@
 //     namespace umbrage { ... }  // sums stay in their order, quotients stay quotients, -0 stays -0
 //     UMBRAGE_END_STRICT_MATH
 //
-// Comparisons with NaN are not kept: under -ffinite-math-only GCC shortens them even here, so that code which may meet a
-// NaN tests its bits. Denormals may be flushed, which is a mode of the processor. Without the flag these macros are empty,
-// as they are for clang where it has no such pragma (version 14: all but x86).
+// Comparisons with NaN are not kept: under -ffinite-math-only GCC shortens them even here, so that code which may meet
+// a NaN tests its bits. Denormals may be flushed, which is a mode of the processor. Without the flag these macros are
+// empty, as they are for clang where it has no such pragma (version 14: all but x86).
 #pragma once
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)

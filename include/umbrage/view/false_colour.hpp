@@ -30,7 +30,10 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet false_colour{
-    .name = "false_colour", .summary = "0..1 to blue, green, red", .exactness = tier::b, .needs = list<&saturate>,
+    .name = "false_colour",
+    .summary = "0..1 to blue, green, red",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_false_colour: blue for 0.0, through green, to red for 1.0
 UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
@@ -38,7 +41,8 @@ UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 ramp = 1.5 - abs(vec3(x - 3.0, x - 2.0, x - 1.0));
     return vec3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto false_colour_snippets = list<&false_colour>;
 

@@ -111,7 +111,8 @@ void main() {
 )GLSL";
 
 /// Writes a vec4 expression of `depth`, or of `c`, the texel in the same place.
-inline std::string fragment_shader(const std::string& precision, const std::string& text, const std::string& expression) {
+inline std::string fragment_shader(const std::string& precision, const std::string& text,
+                                   const std::string& expression) {
     return "#version 300 es\nprecision " + precision + " float;\nprecision " + precision + " int;\n" + text + R"GLSL(
 uniform highp int first;
 uniform highp sampler2D texels;
@@ -120,7 +121,8 @@ void main() {
     highp ivec2 at = ivec2(gl_FragCoord.xy);
     highp vec4 c = texelFetch(texels, at, 0);
     highp float depth = float(first + at.y * 4096 + at.x) * (1.0 / 16777216.0);
-    result = )GLSL" + expression + ";\n}\n";
+    result = )GLSL" +
+           expression + ";\n}\n";
 }
 inline std::string encoder(const codec& c, const way& w) { return fragment_shader(w.precision, c.text, c.encode); }
 inline std::string decoder(const codec& c, const way& w) {

@@ -47,16 +47,18 @@ std::string quoted(const std::string& text) {
 std::pair<std::string, std::vector<result>> swiftshader(const std::vector<codec>& all, const std::string& script) {
     const std::string page = std::filesystem::absolute("swiftshader.html");
     std::ofstream html(page);
-    html << "<body><script>const programs = {vertex: " << quoted(vertex_shader)
-         << ", truncate: " << quoted(truncating) << ", runs: [";
+    html << "<body><script>const programs = {vertex: " << quoted(vertex_shader) << ", truncate: " << quoted(truncating)
+         << ", runs: [";
     for (const codec& c : all)
         for (const way& w : ways)
             html << "{truncates: " << w.truncates << ", encode: " << quoted(encoder(c, w))
                  << ", decode: " << quoted(decoder(c, w)) << "},";
     html << "]};\n" << read(script) << "</script></body>" << std::flush;
 
-    const std::string command = "chromium --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader "
-                                "--disable-gpu-watchdog --dump-dom 'file://" + page + "' 2> swiftshader.log";
+    const std::string command =
+        "chromium --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader "
+        "--disable-gpu-watchdog --dump-dom 'file://" +
+        page + "' 2> swiftshader.log";
     FILE* pipe = popen(command.c_str(), "r");
     std::string dom;
     for (int c = 0; pipe && (c = std::fgetc(pipe)) != EOF;) dom += static_cast<char>(c);
@@ -100,24 +102,21 @@ int main(int argc, char** argv) try {
     const std::vector<codec> all = codecs(argv[1]);
     std::ofstream tsv(argv[3]);
     tsv << "implementation\twriter\tformat\treader\tway\tbits\tbreaks\tof 1.0\n";
-    std::puts("Depths k / 2^24, k = 0 .. 2^24, through an 8-bit render target.\n"
-              "bits: the worst error of a depth below 1 is 2^-bits; breaks: depths that decode below the one before.\n"
-              "truncated: bits where the store cuts off, not rounds; mediump: bits where the host shader asks for it.");
+    std::puts(
+        "Depths k / 2^24, k = 0 .. 2^24, through an 8-bit render target.\n"
+        "bits: the worst error of a depth below 1 is 2^-bits; breaks: depths that decode below the one before.\n"
+        "truncated: bits where the store cuts off, not rounds; mediump: bits where the host shader asks for it.");
     try {
         const mesa gl;
         std::vector<result> results;
         for (const codec& c : all)
             for (const way& w : ways) results.push_back(gl.run(c, w));
         print(gl.name(), all, results, tsv);
-    } catch (const std::exception& e) {
-        std::printf("\nllvmpipe is left out: %s\n", e.what());
-    }
+    } catch (const std::exception& e) { std::printf("\nllvmpipe is left out: %s\n", e.what()); }
     try {
         const auto [name, results] = swiftshader(all, argv[2]);
         print(name, all, results, tsv);
-    } catch (const std::exception& e) {
-        std::printf("\nSwiftShader is left out: %s\n", e.what());
-    }
+    } catch (const std::exception& e) { std::printf("\nSwiftShader is left out: %s\n", e.what()); }
 } catch (const std::exception& e) {
     std::cerr << e.what() << '\n';
     return 1;

@@ -30,8 +30,8 @@ void embree_scene::build(std::span<const glm::vec3> positions, std::span<const g
     auto* vertices = rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
                                              positions.size());
     std::copy(positions.begin(), positions.end(), static_cast<glm::vec3*>(vertices));
-    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(), 0, sizeof(glm::uvec3),
-                               triangles.size());
+    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(), 0,
+                               sizeof(glm::uvec3), triangles.size());
     rtcCommitGeometry(mesh);
     rtcAttachGeometry(state_->scene, mesh);
     rtcReleaseGeometry(mesh);

@@ -53,12 +53,14 @@ void pcf_2x2(const float_map& map, const std::vector<glm::vec3>& receivers, std:
         const glm::ivec2 texel(base);
         const float z = receivers[i].z;
         const float low = glm::mix(lit(map, texel, z), lit(map, texel + glm::ivec2(1, 0), z), weight.x);
-        const float high = glm::mix(lit(map, texel + glm::ivec2(0, 1), z), lit(map, texel + glm::ivec2(1, 1), z), weight.x);
+        const float high =
+            glm::mix(lit(map, texel + glm::ivec2(0, 1), z), lit(map, texel + glm::ivec2(1, 1), z), weight.x);
         visibility[i] = glm::mix(low, high, weight.y);
     }
 }
 
-void pcf_box(int radius, const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility) {
+void pcf_box(int radius, const float_map& map, const std::vector<glm::vec3>& receivers,
+             std::vector<float>& visibility) {
     constexpr std::array boxes{&box<0>, &box<1>, &box<2>, &box<3>, &box<4>, &box<5>, &box<6>, &box<7>, &box<8>};
     boxes.at(static_cast<std::size_t>(radius))(map, receivers, visibility);
 }

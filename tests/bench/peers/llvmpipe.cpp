@@ -37,7 +37,8 @@ GLuint program(bool packed) {
                                      : "";
     const std::string fragment =
         umbrage::glsl::source(umbrage::glsl::version::v300_es,
-                              {umbrage::glsl::decode_rg<11>, umbrage::glsl::fetch_clamped, umbrage::glsl::pcf_2x2}, fetch) +
+                              {umbrage::glsl::decode_rg<11>, umbrage::glsl::fetch_clamped, umbrage::glsl::pcf_2x2},
+                              fetch) +
         "uniform highp sampler2D map, receivers;\n"
         "out highp vec4 visibility;\n"
         "void main() {\n"
@@ -45,8 +46,9 @@ GLuint program(bool packed) {
         "    visibility = vec4(umbrage_pcf_2x2(map, vec2(textureSize(map, 0)), r.xy, r.z), 0.0, 0.0, 1.0);\n"
         "}\n";
     const GLuint id = glCreateProgram();
-    glAttachShader(id, stage(GL_VERTEX_SHADER, "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, "
-                                               "gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n"));
+    glAttachShader(id, stage(GL_VERTEX_SHADER,
+                             "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, "
+                             "gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n"));
     glAttachShader(id, stage(GL_FRAGMENT_SHADER, fragment));
     glLinkProgram(id);
     glUseProgram(id);
@@ -60,7 +62,8 @@ void texture(GLenum unit, GLenum internal, GLenum format, GLenum type, glm::ivec
     glGenTextures(1, &id);
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_2D, id);
-    for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
     glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal), size.x, size.y, 0, format, type, texels);
     if (unit == 3) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, id, 0);
 }

@@ -13,7 +13,8 @@ const int one_thread = (cv::setNumThreads(1), 0);
 /// The same pixels, not a copy.
 template <class T>
 cv::Mat mat(umbrage::image_view<T> view, int type) {
-    return {view.size.y, view.size.x, type, const_cast<std::remove_const_t<T>*>(view.data), static_cast<std::size_t>(view.stride)};
+    return {view.size.y, view.size.x, type, const_cast<std::remove_const_t<T>*>(view.data),
+            static_cast<std::size_t>(view.stride)};
 }
 
 }  // namespace
@@ -23,7 +24,8 @@ void gaussian_7(umbrage::image_view<const glm::vec2> from, umbrage::image_view<g
     cv::GaussianBlur(mat(from, CV_32FC2), result, {7, 7}, sigma, sigma, cv::BORDER_REPLICATE);
 }
 
-void separable_7(umbrage::image_view<const glm::vec2> from, umbrage::image_view<glm::vec2> to, std::span<const float, 7> kernel) {
+void separable_7(umbrage::image_view<const glm::vec2> from, umbrage::image_view<glm::vec2> to,
+                 std::span<const float, 7> kernel) {
     cv::Mat result = mat(to, CV_32FC2);
     const cv::Mat taps(1, 7, CV_32F, const_cast<float*>(kernel.data()));
     cv::sepFilter2D(mat(from, CV_32FC2), result, -1, taps, taps, {-1, -1}, 0.0, cv::BORDER_REPLICATE);

@@ -18,7 +18,7 @@ struct shader {
     std::string owner, name;
     std::string preamble;  ///< macros, functions of peers
     std::vector<umbrage::glsl::snippet> snippets;
-    std::string result;    ///< vec4 expression of x0 .. x5, map, table, depth_map, map_size
+    std::string result;  ///< vec4 expression of x0 .. x5, map, table, depth_map, map_size
 };
 
 /// Shaders for one job; the first is ours.

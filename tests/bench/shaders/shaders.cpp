@@ -55,7 +55,8 @@ void main() {
     x1 = x2 = x3 = x4 = x5 = vec4(corner * 2048.0, 0.5, 1.0);
     gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
 }
-)GLSL", "vert");
+)GLSL",
+                   "vert");
 }
 
 bench::spirv fragment(const shader& s) {
@@ -66,7 +67,9 @@ layout(binding = 2) uniform sampler2DShadow depth_map;
 layout(push_constant) uniform constants { vec2 map_size; };
 layout(location = 0) out vec4 result;
 void main() {
-    result = )GLSL" + s.result + ";\n}\n", "frag");
+    result = )GLSL" + s.result +
+                       ";\n}\n",
+                   "frag");
 }
 
 /// Writes the lines of every measure, by shader, and for each peer the ratio to ours.

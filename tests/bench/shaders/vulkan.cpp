@@ -37,11 +37,14 @@ public:
                                                   .dynamicRendering = VK_TRUE};
         const float priority = 1.0f;
         const VkDeviceQueueCreateInfo queue{.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO,
-                                            .queueFamilyIndex = family_, .queueCount = 1,
+                                            .queueFamilyIndex = family_,
+                                            .queueCount = 1,
                                             .pQueuePriorities = &priority};
         const char* extension = VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME;
-        const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, .pNext = &features,
-                                      .queueCreateInfoCount = 1, .pQueueCreateInfos = &queue,
+        const VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
+                                      .pNext = &features,
+                                      .queueCreateInfoCount = 1,
+                                      .pQueueCreateInfos = &queue,
                                       .enabledExtensionCount = statistics ? 1u : 0u,
                                       .ppEnabledExtensionNames = &extension};
         check(vkCreateDevice(physical_, &info, nullptr, &device_), "vkCreateDevice");
@@ -49,13 +52,19 @@ public:
         std::vector<VkDescriptorSetLayoutBinding> bindings;
         for (std::uint32_t i = 0; i < 3; ++i)
             bindings.push_back({i, texture_type, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
-        set_layout_ = make<VkDescriptorSetLayout>(device_, vkCreateDescriptorSetLayout, VkDescriptorSetLayoutCreateInfo{
-            .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-            .bindingCount = 3, .pBindings = bindings.data()});
+        set_layout_ = make<VkDescriptorSetLayout>(
+            device_, vkCreateDescriptorSetLayout,
+            VkDescriptorSetLayoutCreateInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
+                                            .bindingCount = 3,
+                                            .pBindings = bindings.data()});
         const VkPushConstantRange constants{VK_SHADER_STAGE_FRAGMENT_BIT, 0, 8};
-        layout_ = make<VkPipelineLayout>(device_, vkCreatePipelineLayout, VkPipelineLayoutCreateInfo{
-            .sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, .setLayoutCount = 1, .pSetLayouts = &set_layout_,
-            .pushConstantRangeCount = 1, .pPushConstantRanges = &constants});
+        layout_ =
+            make<VkPipelineLayout>(device_, vkCreatePipelineLayout,
+                                   VkPipelineLayoutCreateInfo{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                                              .setLayoutCount = 1,
+                                                              .pSetLayouts = &set_layout_,
+                                                              .pushConstantRangeCount = 1,
+                                                              .pPushConstantRanges = &constants});
     }
 
     [[nodiscard]] std::string name() const override { return properties_.deviceName; }
@@ -75,8 +84,8 @@ public:
         std::vector<statistic> result;
         for (std::uint32_t i = 0; i < count; ++i) {
             if (!(all[i].stages & VK_SHADER_STAGE_FRAGMENT_BIT)) continue;
-            const VkPipelineExecutableInfoKHR one{.sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR,
-                                                  .pipeline = pipeline, .executableIndex = i};
+            const VkPipelineExecutableInfoKHR one{
+                .sType = VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR, .pipeline = pipeline, .executableIndex = i};
             std::uint32_t lines = 0;
             check(statistics_of(device_, &one, &lines, nullptr), "statistics");
             std::vector<VkPipelineExecutableStatisticKHR> found(
@@ -97,12 +106,15 @@ public:
             submit([&] {
                 vkCmdResetQueryPool(commands_, queries_, 0, 2);
                 const VkRenderingAttachmentInfo colour{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO,
-                                                       .imageView = target_, .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
+                                                       .imageView = target_,
+                                                       .imageLayout = VK_IMAGE_LAYOUT_GENERAL,
                                                        .loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE,
                                                        .storeOp = VK_ATTACHMENT_STORE_OP_STORE};
                 const VkRenderingInfo rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO,
-                                                .renderArea = {{0, 0}, {width, height}}, .layerCount = 1,
-                                                .colorAttachmentCount = 1, .pColorAttachments = &colour};
+                                                .renderArea = {{0, 0}, {width, height}},
+                                                .layerCount = 1,
+                                                .colorAttachmentCount = 1,
+                                                .pColorAttachments = &colour};
                 const VkViewport viewport{0, 0, float(width), float(height), 0, 1};
                 const float size[] = {map_size, map_size};
                 vkCmdWriteTimestamp(commands_, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, queries_, 0);
@@ -118,7 +130,8 @@ public:
             });
             std::uint64_t ticks[2];
             check(vkGetQueryPoolResults(device_, queries_, 0, 2, sizeof ticks, ticks, sizeof ticks[0],
-                                        VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT), "timestamps");
+                                        VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+                  "timestamps");
             least = std::min(least, double(ticks[1] - ticks[0]) * double(properties_.limits.timestampPeriod) * 1e-6);
         }
         vkDestroyPipeline(device_, pipeline, nullptr);
@@ -130,19 +143,22 @@ private:
                                            VkPipelineCreateFlags flags) const {
         VkPipelineShaderStageCreateInfo stages[2];
         const std::pair<VkShaderStageFlagBits, const spirv*> texts[] = {{VK_SHADER_STAGE_VERTEX_BIT, &vertex},
-                                                                       {VK_SHADER_STAGE_FRAGMENT_BIT, &fragment}};
+                                                                        {VK_SHADER_STAGE_FRAGMENT_BIT, &fragment}};
         for (int i = 0; i < 2; ++i) {
             const auto& [stage, code] = texts[i];
             const VkShaderModuleCreateInfo module{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                                  .codeSize = code->size() * 4, .pCode = code->data()};
-            stages[i] = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO, .stage = stage,
-                         .module = make<VkShaderModule>(device_, vkCreateShaderModule, module), .pName = "main"};
+                                                  .codeSize = code->size() * 4,
+                                                  .pCode = code->data()};
+            stages[i] = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                         .stage = stage,
+                         .module = make<VkShaderModule>(device_, vkCreateShaderModule, module),
+                         .pName = "main"};
         }
         const VkPipelineRenderingCreateInfo rendering{.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
                                                       .colorAttachmentCount = 1,
                                                       .pColorAttachmentFormats = &target_format};
-        const VkPipelineVertexInputStateCreateInfo input{
-            .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+        const VkPipelineVertexInputStateCreateInfo input{.sType =
+                                                             VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
         const VkPipelineInputAssemblyStateCreateInfo assembly{
             .sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO,
             .topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST};
@@ -155,16 +171,26 @@ private:
             .rasterizationSamples = VK_SAMPLE_COUNT_1_BIT};
         const VkPipelineColorBlendAttachmentState all_channels{.colorWriteMask = 15};
         const VkPipelineColorBlendStateCreateInfo blend{
-            .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO, .attachmentCount = 1,
+            .sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
+            .attachmentCount = 1,
             .pAttachments = &all_channels};
         const VkDynamicState states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
         const VkPipelineDynamicStateCreateInfo dynamic{.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
-                                                       .dynamicStateCount = 2, .pDynamicStates = states};
-        const VkGraphicsPipelineCreateInfo info{
-            .sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, .pNext = &rendering, .flags = flags,
-            .stageCount = 2, .pStages = stages, .pVertexInputState = &input, .pInputAssemblyState = &assembly,
-            .pViewportState = &viewport, .pRasterizationState = &raster, .pMultisampleState = &samples,
-            .pColorBlendState = &blend, .pDynamicState = &dynamic, .layout = layout_};
+                                                       .dynamicStateCount = 2,
+                                                       .pDynamicStates = states};
+        const VkGraphicsPipelineCreateInfo info{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO,
+                                                .pNext = &rendering,
+                                                .flags = flags,
+                                                .stageCount = 2,
+                                                .pStages = stages,
+                                                .pVertexInputState = &input,
+                                                .pInputAssemblyState = &assembly,
+                                                .pViewportState = &viewport,
+                                                .pRasterizationState = &raster,
+                                                .pMultisampleState = &samples,
+                                                .pColorBlendState = &blend,
+                                                .pDynamicState = &dynamic,
+                                                .layout = layout_};
         VkPipeline pipeline{};
         check(vkCreateGraphicsPipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline), "a pipeline");
         for (const auto& stage : stages) vkDestroyShaderModule(device_, stage.module, nullptr);
@@ -174,31 +200,47 @@ private:
     /// What drawing needs beside a pipeline.
     void prepare(std::uint32_t width, std::uint32_t height) {
         vkGetDeviceQueue(device_, family_, 0, &queue_);
-        const auto pool = make<VkCommandPool>(device_, vkCreateCommandPool, VkCommandPoolCreateInfo{
-            .sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
-            .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT, .queueFamilyIndex = family_});
-        commands_ = make<VkCommandBuffer>(device_, vkAllocateCommandBuffers, VkCommandBufferAllocateInfo{
-            .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, .commandPool = pool,
-            .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY, .commandBufferCount = 1});
-        queries_ = make<VkQueryPool>(device_, vkCreateQueryPool, VkQueryPoolCreateInfo{
-            .sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO, .queryType = VK_QUERY_TYPE_TIMESTAMP, .queryCount = 2});
+        const auto pool =
+            make<VkCommandPool>(device_, vkCreateCommandPool,
+                                VkCommandPoolCreateInfo{.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO,
+                                                        .flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT,
+                                                        .queueFamilyIndex = family_});
+        commands_ =
+            make<VkCommandBuffer>(device_, vkAllocateCommandBuffers,
+                                  VkCommandBufferAllocateInfo{.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO,
+                                                              .commandPool = pool,
+                                                              .level = VK_COMMAND_BUFFER_LEVEL_PRIMARY,
+                                                              .commandBufferCount = 1});
+        queries_ = make<VkQueryPool>(device_, vkCreateQueryPool,
+                                     VkQueryPoolCreateInfo{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO,
+                                                           .queryType = VK_QUERY_TYPE_TIMESTAMP,
+                                                           .queryCount = 2});
         target_ = image(target_format, width, height, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, false);
 
         const VkDescriptorPoolSize three{texture_type, 3};
-        const auto sets = make<VkDescriptorPool>(device_, vkCreateDescriptorPool, VkDescriptorPoolCreateInfo{
-            .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, .maxSets = 1, .poolSizeCount = 1,
-            .pPoolSizes = &three});
-        set_ = make<VkDescriptorSet>(device_, vkAllocateDescriptorSets, VkDescriptorSetAllocateInfo{
-            .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO, .descriptorPool = sets, .descriptorSetCount = 1,
-            .pSetLayouts = &set_layout_});
+        const auto sets =
+            make<VkDescriptorPool>(device_, vkCreateDescriptorPool,
+                                   VkDescriptorPoolCreateInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                                                              .maxSets = 1,
+                                                              .poolSizeCount = 1,
+                                                              .pPoolSizes = &three});
+        set_ =
+            make<VkDescriptorSet>(device_, vkAllocateDescriptorSets,
+                                  VkDescriptorSetAllocateInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                                                              .descriptorPool = sets,
+                                                              .descriptorSetCount = 1,
+                                                              .pSetLayouts = &set_layout_});
         const VkFormat colour = VK_FORMAT_R8G8B8A8_UNORM;
         const VkImageView views[] = {image(colour, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true),
                                      image(colour, map_size, 32, VK_IMAGE_USAGE_SAMPLED_BIT, true),
                                      image(VK_FORMAT_D32_SFLOAT, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true)};
         for (std::uint32_t i = 0; i < 3; ++i) {
             const VkDescriptorImageInfo texture{sampler(i == 2), views[i], VK_IMAGE_LAYOUT_GENERAL};
-            const VkWriteDescriptorSet write{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET, .dstSet = set_,
-                                             .dstBinding = i, .descriptorCount = 1, .descriptorType = texture_type,
+            const VkWriteDescriptorSet write{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                             .dstSet = set_,
+                                             .dstBinding = i,
+                                             .descriptorCount = 1,
+                                             .descriptorType = texture_type,
                                              .pImageInfo = &texture};
             vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
         }

@@ -24,8 +24,7 @@ Handle make(VkDevice device, Function create, const Info& info) {
     Handle handle{};
     if constexpr (std::is_invocable_v<Function, VkDevice, const Info*, const VkAllocationCallbacks*, Handle*>)
         check(create(device, &info, nullptr, &handle), typeid(Info).name());
-    else
-        check(create(device, &info, &handle), typeid(Info).name());
+    else check(create(device, &info, &handle), typeid(Info).name());
     return handle;
 }
 
@@ -38,8 +37,8 @@ protected:
         check(vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer");
         record();
         check(vkEndCommandBuffer(commands_), "vkEndCommandBuffer");
-        const VkSubmitInfo info{.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1,
-                                .pCommandBuffers = &commands_};
+        const VkSubmitInfo info{
+            .sType = VK_STRUCTURE_TYPE_SUBMIT_INFO, .commandBufferCount = 1, .pCommandBuffers = &commands_};
         check(vkQueueSubmit(queue_, 1, &info, VK_NULL_HANDLE), "vkQueueSubmit");
         check(vkQueueWaitIdle(queue_), "vkQueueWaitIdle");
     }
@@ -49,18 +48,25 @@ protected:
         vkGetPhysicalDeviceMemoryProperties(physical_, &memory);
         for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i)
             if (need.memoryTypeBits >> i & 1 && (memory.memoryTypes[i].propertyFlags & flags) == flags)
-                return make<VkDeviceMemory>(device_, vkAllocateMemory, VkMemoryAllocateInfo{
-                    .sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, .allocationSize = need.size,
-                    .memoryTypeIndex = i});
+                return make<VkDeviceMemory>(device_, vkAllocateMemory,
+                                            VkMemoryAllocateInfo{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
+                                                                 .allocationSize = need.size,
+                                                                 .memoryTypeIndex = i});
         throw std::runtime_error("no memory of the kind needed");
     }
 
     /// An image in the general layout; with texels, filled with them. Views and images are never destroyed.
     VkImageView image(VkFormat format, std::uint32_t width, std::uint32_t height, VkImageUsageFlags usage, bool noise) {
-        const VkImage handle = make<VkImage>(device_, vkCreateImage, VkImageCreateInfo{
-            .sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO, .imageType = VK_IMAGE_TYPE_2D, .format = format,
-            .extent = {width, height, 1}, .mipLevels = 1, .arrayLayers = 1, .samples = VK_SAMPLE_COUNT_1_BIT,
-            .tiling = VK_IMAGE_TILING_OPTIMAL, .usage = usage | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+        const VkImage handle = make<VkImage>(device_, vkCreateImage,
+                                             VkImageCreateInfo{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                                                               .imageType = VK_IMAGE_TYPE_2D,
+                                                               .format = format,
+                                                               .extent = {width, height, 1},
+                                                               .mipLevels = 1,
+                                                               .arrayLayers = 1,
+                                                               .samples = VK_SAMPLE_COUNT_1_BIT,
+                                                               .tiling = VK_IMAGE_TILING_OPTIMAL,
+                                                               .usage = usage | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
         VkMemoryRequirements need;
         vkGetImageMemoryRequirements(device_, handle, &need);
         const VkDeviceMemory room = memory_for(need, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
@@ -68,9 +74,10 @@ protected:
         const bool depth = format == VK_FORMAT_D32_SFLOAT;
         const VkImageAspectFlags aspect = depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
 
-        const VkBuffer staging = make<VkBuffer>(device_, vkCreateBuffer, VkBufferCreateInfo{
-            .sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, .size = VkDeviceSize(4) * width * height,
-            .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
+        const VkBuffer staging = make<VkBuffer>(device_, vkCreateBuffer,
+                                                VkBufferCreateInfo{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+                                                                   .size = VkDeviceSize(4) * width * height,
+                                                                   .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT});
         vkGetBufferMemoryRequirements(device_, staging, &need);
         const VkDeviceMemory memory =
             memory_for(need, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
@@ -84,11 +91,14 @@ protected:
             std::memcpy(static_cast<char*>(bytes) + 4 * i, depth ? static_cast<const void*>(&value) : &random, 4);
         }
         submit([&] {
-            const VkImageMemoryBarrier ready{
-                .sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER, .dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT,
-                .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED, .newLayout = VK_IMAGE_LAYOUT_GENERAL,
-                .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED, .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                .image = handle, .subresourceRange = {aspect, 0, 1, 0, 1}};
+            const VkImageMemoryBarrier ready{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
+                                             .dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT,
+                                             .oldLayout = VK_IMAGE_LAYOUT_UNDEFINED,
+                                             .newLayout = VK_IMAGE_LAYOUT_GENERAL,
+                                             .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                             .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                             .image = handle,
+                                             .subresourceRange = {aspect, 0, 1, 0, 1}};
             vkCmdPipelineBarrier(commands_, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
                                  nullptr, 0, nullptr, 1, &ready);
             const VkBufferImageCopy whole{.imageSubresource = {aspect, 0, 0, 1}, .imageExtent = {width, height, 1}};
@@ -96,18 +106,26 @@ protected:
         });
         vkDestroyBuffer(device_, staging, nullptr);
         vkFreeMemory(device_, memory, nullptr);
-        return make<VkImageView>(device_, vkCreateImageView, VkImageViewCreateInfo{
-            .sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO, .image = handle, .viewType = VK_IMAGE_VIEW_TYPE_2D,
-            .format = format, .subresourceRange = {aspect, 0, 1, 0, 1}});
+        return make<VkImageView>(device_, vkCreateImageView,
+                                 VkImageViewCreateInfo{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                                       .image = handle,
+                                                       .viewType = VK_IMAGE_VIEW_TYPE_2D,
+                                                       .format = format,
+                                                       .subresourceRange = {aspect, 0, 1, 0, 1}});
     }
 
     [[nodiscard]] VkSampler sampler(bool compares) const {
         const VkFilter filter = compares ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
         const VkSamplerAddressMode edge = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-        return make<VkSampler>(device_, vkCreateSampler, VkSamplerCreateInfo{
-            .sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO, .magFilter = filter, .minFilter = filter,
-            .addressModeU = edge, .addressModeV = edge, .addressModeW = edge, .compareEnable = compares,
-            .compareOp = VK_COMPARE_OP_LESS_OR_EQUAL});
+        return make<VkSampler>(device_, vkCreateSampler,
+                               VkSamplerCreateInfo{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO,
+                                                   .magFilter = filter,
+                                                   .minFilter = filter,
+                                                   .addressModeU = edge,
+                                                   .addressModeV = edge,
+                                                   .addressModeW = edge,
+                                                   .compareEnable = compares,
+                                                   .compareOp = VK_COMPARE_OP_LESS_OR_EQUAL});
     }
 
     VkPhysicalDevice physical_{};

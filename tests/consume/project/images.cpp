@@ -14,7 +14,8 @@ const glm::ivec2 map_size(64, 64), size(80, 48);
 
 /// Share of the plane below the square that lies in its shadow.
 template <class Encoding, class Filter>
-float shadow(const umbrage::image<float>& depth, const umbrage::image<glm::vec3>& receivers, Encoding encoding, Filter filter) {
+float shadow(const umbrage::image<float>& depth, const umbrage::image<glm::vec3>& receivers, Encoding encoding,
+             Filter filter) {
     umbrage::image<typename Encoding::texel> map(depth.size());
     umbrage::image<float> decoded(depth.size()), lit(receivers.size());
     umbrage::encode(depth.view(), map.view(), encoding);

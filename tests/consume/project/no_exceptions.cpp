@@ -55,6 +55,7 @@ int main() {
                     handled.said + "\n" == "handled: " + alone.said && WIFEXITED(handled.status) &&
                     WEXITSTATUS(handled.status) == 3 && returned.said.empty() && WIFSIGNALED(returned.status) &&
                     umbrage::set_error_handler(handler) == nullptr && umbrage::set_error_handler(nullptr) == handler;
-    std::printf("without a handler: %swith one: %s\n%s\n", alone.said.c_str(), handled.said.c_str(), ok ? "ok" : "wrong");
+    std::printf("without a handler: %swith one: %s\n%s\n", alone.said.c_str(), handled.said.c_str(),
+                ok ? "ok" : "wrong");
     return ok ? 0 : 1;
 }

@@ -15,14 +15,10 @@ inline const std::string reversed = "#define UMBRAGE_REVERSED\n";
 inline const std::string outside_lit = "#define UMBRAGE_OUTSIDE_LIT\n";
 
 /// The coordinate that receivers() fills.
-[[nodiscard]] inline vec2 at(const sample& s) {
-    return vec2(s.x[0]);
-}
+[[nodiscard]] inline vec2 at(const sample& s) { return vec2(s.x[0]); }
 
 /// The texel that whole_texels() fills.
-[[nodiscard]] inline ivec2 texel_of(const sample& s) {
-    return ivec2(at(s));
-}
+[[nodiscard]] inline ivec2 texel_of(const sample& s) { return ivec2(at(s)); }
 
 /// A filter called with map, size, receivers() and what else it takes, e.g. ", 0.5".
 [[nodiscard]] inline entry filter(const snippet& s, const std::string& arguments,

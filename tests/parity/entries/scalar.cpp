@@ -10,15 +10,18 @@ void add_scalar(std::vector<entry>& all) {
     using namespace umbrage;
 
     for (const float far : {1.0f, 0.0f})
-        all.push_back({.primitive = &glsl::saturate, .variant = far == 1.0f ? "" : "reversed",
-                       .classes = spread({{-1.0f, 2.0f}, {-1.0f, 2.0f}, {0.0f, 1.0f}, {0.0f, 1.0f}}, depth_values()),
-                       .twin = [far](const sample& s) {
-                           const vec4 v = s.x[0];
-                           return vec4(saturate(v.x, far), saturate(v.y, far), saturate(v.z, far), saturate(v.w, far));
-                       },
-                       .call = "vec4(umbrage_saturate(x0.x), umbrage_saturate(x0.y), umbrage_saturate(x0.z), umbrage_saturate(x0.w))",
-                       .preamble = far == 1.0f ? "" : reversed});
-
+        all.push_back(
+            {.primitive = &glsl::saturate,
+             .variant = far == 1.0f ? "" : "reversed",
+             .classes = spread({{-1.0f, 2.0f}, {-1.0f, 2.0f}, {0.0f, 1.0f}, {0.0f, 1.0f}}, depth_values()),
+             .twin =
+                 [far](const sample& s) {
+                     const vec4 v = s.x[0];
+                     return vec4(saturate(v.x, far), saturate(v.y, far), saturate(v.z, far), saturate(v.w, far));
+                 },
+             .call =
+                 "vec4(umbrage_saturate(x0.x), umbrage_saturate(x0.y), umbrage_saturate(x0.z), umbrage_saturate(x0.w))",
+             .preamble = far == 1.0f ? "" : reversed});
 }
 
 }  // namespace parity

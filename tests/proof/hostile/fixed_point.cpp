@@ -41,7 +41,8 @@ struct row {
 
     bool operator==(const row& other) const {  // the counts; worst is for people
         const auto counts = [](const row& r) {
-            return std::tuple(r.bits, r.rounds, r.distinct, r.first_merge, r.falls, r.wrong_codes, r.reach, r.wrong_receivers);
+            return std::tuple(r.bits, r.rounds, r.distinct, r.first_merge, r.falls, r.wrong_codes, r.reach,
+                              r.wrong_receivers);
         };
         return counts(*this) == counts(other);
     }
@@ -88,11 +89,11 @@ row measure(int m, bool rounds) {
 
 TEST_CASE("decode_ps14: in s3.12 up to 12 bits stay distinct, 11 are the most that leave half a code to spare") {
     const row expected[] = {
-        {9, false, 512, -1, 0, 0, 0, 0},        {9, true, 512, -1, 0, 0, 0, 0},
-        {10, false, 1024, -1, 0, 0, 0, 0},      {10, true, 1024, -1, 0, 0, 0, 0},
-        {11, false, 2048, -1, 0, 0, 0, 0},      {11, true, 2048, -1, 0, 0, 0, 0},
-        {12, false, 4096, -1, 0, 0, 0, 28},     {12, true, 4096, -1, 0, 0, 0, 0},
-        {13, false, 4113, 1, 0, 4094, 2, 2031}, {13, true, 4113, 2, 0, 4094, 2, 3951},
+        {9, false, 512, -1, 0, 0, 0, 0},         {9, true, 512, -1, 0, 0, 0, 0},
+        {10, false, 1024, -1, 0, 0, 0, 0},       {10, true, 1024, -1, 0, 0, 0, 0},
+        {11, false, 2048, -1, 0, 0, 0, 0},       {11, true, 2048, -1, 0, 0, 0, 0},
+        {12, false, 4096, -1, 0, 0, 0, 28},      {12, true, 4096, -1, 0, 0, 0, 0},
+        {13, false, 4113, 1, 0, 4094, 2, 2031},  {13, true, 4113, 2, 0, 4094, 2, 3951},
         {14, false, 4113, 1, 0, 24572, 4, 9199}, {14, true, 4113, 1, 0, 24538, 4, 12079},
     };
     std::printf("s3.12                          first         worst  wrong tests,  reach,  wrong tests,\n");
@@ -100,7 +101,8 @@ TEST_CASE("decode_ps14: in s3.12 up to 12 bits stay distinct, 11 are the most th
     for (const row& known : expected) {
         const row r = measure(known.bits - 8, known.rounds);
         std::printf("%4d  %-7s %6d of %-6d %5d %6d %6.2f %14d %6d %13d\n", r.bits, r.rounds ? "rounds" : "drops",
-                    r.distinct, 1 << r.bits, r.first_merge, r.falls, r.worst, r.wrong_codes, r.reach, r.wrong_receivers);
+                    r.distinct, 1 << r.bits, r.first_merge, r.falls, r.worst, r.wrong_codes, r.reach,
+                    r.wrong_receivers);
         CHECK(r == known);
         CHECK((r.worst < 0.5) == (r.bits <= 11));
     }

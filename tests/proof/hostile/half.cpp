@@ -19,7 +19,8 @@ struct path {
     mediump::vec2 (*encode)(half);
     half (*decode)(mediump::vec2, half);
     glm::u8vec2 (*exact)(float);
-    // codes that come back wrong at the lower edge, centre, upper edge, the channels written, stored and sampled in half
+    // codes that come back wrong at the lower edge, centre, upper edge, the channels written, stored and sampled in
+    // half
     std::array<int, 3> wrong_codes;
     int wrong_depths;  // of the half values in [0, 1]: channels unlike those of exact arithmetic
 };

@@ -17,7 +17,7 @@ struct half {
     static float rounded(double x) {
         if (!std::isfinite(x) || x == 0.0) return static_cast<float>(x);
         int exponent = 0;
-        std::frexp(x, &exponent);                                  // |x| in [2^(exponent - 1), 2^exponent)
+        std::frexp(x, &exponent);  // |x| in [2^(exponent - 1), 2^exponent)
         const double step = std::ldexp(1.0, (exponent < -13 ? -13 : exponent) - 11);
         const double r = std::nearbyint(x / step) * step;
         if (std::abs(r) > 65504.0) return static_cast<float>(std::copysign(std::numeric_limits<double>::infinity(), x));

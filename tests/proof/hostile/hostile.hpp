@@ -102,8 +102,11 @@ struct source {
         }
     }
     // A stored depth or a receiver: few values, so that they often meet exactly or one ulp apart.
-    float level() { return one_in(8) ? depth() : classed(near(std::bit_cast<std::uint32_t>(float(1 + below(4)) * 0.25f))); }
-    // A texel coordinate: inside or beside an 8 x 8 map, on multiples of 1/256 and an ulp off, at the end of texel space.
+    float level() {
+        return one_in(8) ? depth() : classed(near(std::bit_cast<std::uint32_t>(float(1 + below(4)) * 0.25f)));
+    }
+    // A texel coordinate: inside or beside an 8 x 8 map, on multiples of 1/256 and an ulp off, at the end of texel
+    // space.
     float coord() {
         switch (below(8)) {
             case 0: return any();
@@ -120,8 +123,8 @@ struct source {
         const float x = coord();
         return {x, coord()};
     }
-    // What a texture gives for a byte: k / 255, one ulp off (as k times the rounded 1 / 255 is for 126 bytes) or up to 4096.
-    // Values that no byte gives are not tried: rounding decides where between two bytes they fall.
+    // What a texture gives for a byte: k / 255, one ulp off (as k times the rounded 1 / 255 is for 126 bytes) or up to
+    // 4096. Values that no byte gives are not tried: rounding decides where between two bytes they fall.
     float read(std::uint32_t k) {
         const std::uint32_t bits = unorm_bits(k);
         if (k == 0) return 0.0f;
@@ -183,12 +186,16 @@ void for_each_setting(Use use) {
         const char* name;
         int rounding;
         bool flushes;
-    } modes[] = {{"nearest", FE_TONEAREST, false}, {"upward", FE_UPWARD, false},     {"downward", FE_DOWNWARD, false},
-                 {"to-zero", FE_TOWARDZERO, false}, {"flushing", FE_TONEAREST, true}};
+    } modes[] = {{"nearest", FE_TONEAREST, false},
+                 {"upward", FE_UPWARD, false},
+                 {"downward", FE_DOWNWARD, false},
+                 {"to-zero", FE_TOWARDZERO, false},
+                 {"flushing", FE_TONEAREST, true}};
     for (const auto& mode : modes) {
         std::fesetround(mode.rounding);
         set_flushing(mode.flushes);
-        for (const kind what : {kind::ordinary, kind::not_a_number, kind::denormal}) use(setting{what, false, mode.name});
+        for (const kind what : {kind::ordinary, kind::not_a_number, kind::denormal})
+            use(setting{what, false, mode.name});
     }
     std::fesetround(FE_TONEAREST);
     set_flushing(false);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The functions over whole images, as tier_a.cpp has the primitives. What comes out is compared with the primitive called
-// one by one, here, and its digest with that of the other builds, by table.cpp.
+// The functions over whole images, as tier_a.cpp has the primitives. What comes out is compared with the primitive
+// called one by one, here, and its digest with that of the other builds, by table.cpp.
 //
 // Left out: receivers from a camera's depth image are tier C, and blur and tables of floats tier B, of whose sums
 // compilers may fuse or reorder the terms; values whose sums need no rounding stand for those. A box's share and the
@@ -35,20 +35,22 @@ struct suite : raster_suite {
     void codec(const std::string& name, Encoding encoding) const {
         using texel = typename Encoding::texel;
         const auto depths = images<float>(sizes, [](source& s, std::size_t) { return s.depth(); });
-        run<texel>("encode_" + name, [&](int s, glm::ivec2 t) { return encoding.encode(depths[std::size_t(s)][t]); },
-                   [&](int s, image_view<texel> out, pieces parallel) {
-                       const laid_out<float> in(depths[std::size_t(s)], parallel.count % 3);
-                       encode(in.view(), out, encoding, parallel);
-                   });
+        run<texel>(
+            "encode_" + name, [&](int s, glm::ivec2 t) { return encoding.encode(depths[std::size_t(s)][t]); },
+            [&](int s, image_view<texel> out, pieces parallel) {
+                const laid_out<float> in(depths[std::size_t(s)], parallel.count % 3);
+                encode(in.view(), out, encoding, parallel);
+            });
         const auto texels = images<texel>(sizes, [](source& s, std::size_t) {
             if constexpr (std::is_same_v<texel, float>) return s.any();
             else return s.bytes<texel::length()>();
         });
-        run<float>("decode_" + name, [&](int s, glm::ivec2 t) { return encoding.decode(texels[std::size_t(s)][t]); },
-                   [&](int s, image_view<float> out, pieces parallel) {
-                       const laid_out<texel> in(texels[std::size_t(s)], parallel.count % 3);
-                       decode(in.view(), out, encoding, parallel);
-                   });
+        run<float>(
+            "decode_" + name, [&](int s, glm::ivec2 t) { return encoding.decode(texels[std::size_t(s)][t]); },
+            [&](int s, image_view<float> out, pieces parallel) {
+                const laid_out<texel> in(texels[std::size_t(s)], parallel.count % 3);
+                decode(in.view(), out, encoding, parallel);
+            });
     }
 
     /// Receivers all over the map and around it, on edges, on weights' steps, and wherever coord() goes.
@@ -82,31 +84,32 @@ struct suite : raster_suite {
         constexpr bool hierarchical = std::is_same_v<Filter, filters::hierarchical_box>;
         const auto map_of = maps(encoding);
         const auto receivers_of = receivers(adds);
-        run<float>("visibility_" + name,
-                   [&](int s, glm::ivec2 t) {
-                       const auto& map = map_of[std::size_t(s)];
-                       const glm::vec3 r = receivers_of[std::size_t(s)][t];
-                       const auto fetch = [&](glm::ivec2 at) { return encoding.decode(fetch_clamped(map.view(), at)); };
-                       return filter(fetch, glm::vec2(r.x, r.y), r.z);
-                   },
-                   [&](int s, image_view<float> out, pieces parallel) {
-                       const laid_out map(map_of[std::size_t(s)], (parallel.count + 1) % 3);
-                       const auto& from = receivers_of[std::size_t(s)];
-                       if constexpr (std::is_same_v<Filter, filters::pcf_2x2> && std::is_same_v<Encoding, depth32f>)
-                           if (parallel.count == 3) {  // as a structure of arrays
-                               const laid_out<float> x(from.size(), 0), y(from.size(), 1), depth(from.size(), 2);
-                               for (int row = 0; row < out.size.y; ++row)
-                                   for (int column = 0; column < out.size.x; ++column) {
-                                       const glm::ivec2 t(column, row);
-                                       x.view()[t] = from[t].x, y.view()[t] = from[t].y, depth.view()[t] = from[t].z;
-                                   }
-                               const receiver_planes planes{x.view(), y.view(), depth.view()};
-                               return visibility(map.view(), encoding, planes, filter, out, parallel);
-                           }
-                       const laid_out<glm::vec3> in(from, parallel.count % 3);
-                       visibility(map.view(), encoding, in.view(), filter, out, parallel);
-                   },
-                   box || hierarchical);
+        run<float>(
+            "visibility_" + name,
+            [&](int s, glm::ivec2 t) {
+                const auto& map = map_of[std::size_t(s)];
+                const glm::vec3 r = receivers_of[std::size_t(s)][t];
+                const auto fetch = [&](glm::ivec2 at) { return encoding.decode(fetch_clamped(map.view(), at)); };
+                return filter(fetch, glm::vec2(r.x, r.y), r.z);
+            },
+            [&](int s, image_view<float> out, pieces parallel) {
+                const laid_out map(map_of[std::size_t(s)], (parallel.count + 1) % 3);
+                const auto& from = receivers_of[std::size_t(s)];
+                if constexpr (std::is_same_v<Filter, filters::pcf_2x2> && std::is_same_v<Encoding, depth32f>)
+                    if (parallel.count == 3) {  // as a structure of arrays
+                        const laid_out<float> x(from.size(), 0), y(from.size(), 1), depth(from.size(), 2);
+                        for (int row = 0; row < out.size.y; ++row)
+                            for (int column = 0; column < out.size.x; ++column) {
+                                const glm::ivec2 t(column, row);
+                                x.view()[t] = from[t].x, y.view()[t] = from[t].y, depth.view()[t] = from[t].z;
+                            }
+                        const receiver_planes planes{x.view(), y.view(), depth.view()};
+                        return visibility(map.view(), encoding, planes, filter, out, parallel);
+                    }
+                const laid_out<glm::vec3> in(from, parallel.count % 3);
+                visibility(map.view(), encoding, in.view(), filter, out, parallel);
+            },
+            box || hierarchical);
     }
 
     void pyramid() const {
@@ -132,18 +135,19 @@ struct suite : raster_suite {
             return static_cast<std::uint32_t>(best < 0 ? (-best - 1) | 0x80000000 : best);
         };
         for (const bool least : {true, false})
-            run<std::uint32_t>(least ? "pyramid_least" : "pyramid_greatest",
-                               [&](int s, glm::ivec2 t) { return extreme(s, t >> levels << levels, least); },
-                               [&](int s, image_view<std::uint32_t> out, pieces parallel) {
-                                   const laid_out<float> in(maps[std::size_t(s)], parallel.count % 3);
-                                   const auto top = make_min_max_pyramid(in.view(), levels, parallel).back();
-                                   const image<float>& bounds = least ? top.least : top.greatest;
-                                   for (int y = 0; y < out.size.y; ++y)
-                                       for (int x = 0; x < out.size.x; ++x) {
-                                           const float v = bounds[{x >> levels, y >> levels}];
-                                           out[{x, y}] = is_nan(v) ? 0xFFFFFFFFu : std::bit_cast<std::uint32_t>(v);
-                                       }
-                               });
+            run<std::uint32_t>(
+                least ? "pyramid_least" : "pyramid_greatest",
+                [&](int s, glm::ivec2 t) { return extreme(s, t >> levels << levels, least); },
+                [&](int s, image_view<std::uint32_t> out, pieces parallel) {
+                    const laid_out<float> in(maps[std::size_t(s)], parallel.count % 3);
+                    const auto top = make_min_max_pyramid(in.view(), levels, parallel).back();
+                    const image<float>& bounds = least ? top.least : top.greatest;
+                    for (int y = 0; y < out.size.y; ++y)
+                        for (int x = 0; x < out.size.x; ++x) {
+                            const float v = bounds[{x >> levels, y >> levels}];
+                            out[{x, y}] = is_nan(v) ? 0xFFFFFFFFu : std::bit_cast<std::uint32_t>(v);
+                        }
+                });
     }
 
     template <class From, class Sum>
@@ -162,12 +166,13 @@ struct suite : raster_suite {
                 }
             }
         }
-        run<Sum>("summed_area_" + name, [&](int s, glm::ivec2 t) { return tables[std::size_t(s)][t]; },
-                 [&](int s, image_view<Sum> out, pieces parallel) {
-                     const laid_out<From> in(values[std::size_t(s)], parallel.count % 3);
-                     if (parallel.count == 1) summed_area(in.view(), out);
-                     else summed_area(in.view(), out, parallel);
-                 });
+        run<Sum>(
+            "summed_area_" + name, [&](int s, glm::ivec2 t) { return tables[std::size_t(s)][t]; },
+            [&](int s, image_view<Sum> out, pieces parallel) {
+                const laid_out<From> in(values[std::size_t(s)], parallel.count % 3);
+                if (parallel.count == 1) summed_area(in.view(), out);
+                else summed_area(in.view(), out, parallel);
+            });
     }
 
     /// @param kernel  weights of few digits
@@ -180,20 +185,21 @@ struct suite : raster_suite {
             return std::bit_cast<T>(v);
         });
         const int radius = int(kernel.weights.size()) - 1;
-        run<T>("blur_" + name,
-               [&](int s, glm::ivec2 t) {
-                   const auto& from = values[std::size_t(s)];
-                   const auto weight = [&](int i) { return kernel.weights[std::size_t(i < 0 ? -i : i)]; };
-                   T sum(0.0f);
-                   for (int j = -radius; j <= radius; ++j)
-                       for (int i = -radius; i <= radius; ++i)
-                           sum += fetch_clamped(from.view(), t + glm::ivec2(i, j)) * (weight(i) * weight(j));
-                   return sum;
-               },
-               [&](int s, image_view<T> out, pieces parallel) {
-                   const laid_out<T> in(values[std::size_t(s)], parallel.count % 3);
-                   blur(in.view(), out, kernel, parallel);
-               });
+        run<T>(
+            "blur_" + name,
+            [&](int s, glm::ivec2 t) {
+                const auto& from = values[std::size_t(s)];
+                const auto weight = [&](int i) { return kernel.weights[std::size_t(i < 0 ? -i : i)]; };
+                T sum(0.0f);
+                for (int j = -radius; j <= radius; ++j)
+                    for (int i = -radius; i <= radius; ++i)
+                        sum += fetch_clamped(from.view(), t + glm::ivec2(i, j)) * (weight(i) * weight(j));
+                return sum;
+            },
+            [&](int s, image_view<T> out, pieces parallel) {
+                const laid_out<T> in(values[std::size_t(s)], parallel.count % 3);
+                blur(in.view(), out, kernel, parallel);
+            });
     }
 
     void all() const;

@@ -24,7 +24,8 @@ using detail::best_isa;
 using detail::isa;
 
 inline constexpr glm::ivec2 sizes[] = {{1, 1}, {63, 3}, {64, 2}, {65, 5}, {130, 4}, {3, 131}};
-inline constexpr glm::ivec2 map_sizes[] = {{1, 1}, {2, 2}, {8, 8}, {40, 24}, {17, 33}, {9, 1}};  // one for each of the above
+inline constexpr glm::ivec2 map_sizes[] = {{1, 1},   {2, 2},   {8, 8},
+                                           {40, 24}, {17, 33}, {9, 1}};  // one for each of the above
 
 inline bool all_equal = true;
 
@@ -54,9 +55,7 @@ public:
         view_ = layout == 2 ? image_view<T>(texels_.data() + row_ * std::size_t(size.y - 1), size, -stride)
                             : image_view<T>(texels_.data(), size, stride);
     }
-    laid_out(const image<T>& from, int layout) : laid_out(from.size(), layout) {
-        copy(from, view_);
-    }
+    laid_out(const image<T>& from, int layout) : laid_out(from.size(), layout) { copy(from, view_); }
 
     [[nodiscard]] image_view<T> view() const { return view_; }
     [[nodiscard]] bool gaps_are_untouched() const {

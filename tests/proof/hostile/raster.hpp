@@ -40,28 +40,29 @@ struct raster_suite : image_suite {
             const auto depth = std::bit_cast<std::uint64_t>(v.depth);
             return glm::uvec4(std::uint32_t(v.x), std::uint32_t(v.y), std::uint32_t(depth), std::uint32_t(depth >> 32));
         };
-        run<glm::uvec4>("snap",
-                        [&](int s, glm::ivec2 t) {
-                            const detail::projection project = project_for(s);
-                            const glm::dvec4 h = project.homogeneous(positions[std::size_t(s)][t]);
-                            const unsigned planes = project.outside(h);
-                            return words(planes ? detail::outside_vertex(planes) : project.snap(h));
-                        },
-                        [&](int s, image_view<glm::uvec4> out, pieces) {
-                            const auto all = positions[std::size_t(s)].texels();
-                            for (std::size_t first = 0; first < all.size(); first += detail::block) {
-                                glm::vec3 some[detail::block]{};
-                                detail::snapped_vertex vertices[detail::block];
-                                const std::size_t count = std::min(all.size() - first, std::size_t(detail::block));
-                                std::copy_n(all.begin() + std::ptrdiff_t(first), count, some);
-                                project_for(s).snap(some, vertices);
-                                for (std::size_t i = 0; i < count; ++i) {
-                                    const int texel = int(first + i);
-                                    out[{texel % out.size.x, texel / out.size.x}] = words(vertices[i]);
-                                }
-                            }
-                        },
-                        true);
+        run<glm::uvec4>(
+            "snap",
+            [&](int s, glm::ivec2 t) {
+                const detail::projection project = project_for(s);
+                const glm::dvec4 h = project.homogeneous(positions[std::size_t(s)][t]);
+                const unsigned planes = project.outside(h);
+                return words(planes ? detail::outside_vertex(planes) : project.snap(h));
+            },
+            [&](int s, image_view<glm::uvec4> out, pieces) {
+                const auto all = positions[std::size_t(s)].texels();
+                for (std::size_t first = 0; first < all.size(); first += detail::block) {
+                    glm::vec3 some[detail::block]{};
+                    detail::snapped_vertex vertices[detail::block];
+                    const std::size_t count = std::min(all.size() - first, std::size_t(detail::block));
+                    std::copy_n(all.begin() + std::ptrdiff_t(first), count, some);
+                    project_for(s).snap(some, vertices);
+                    for (std::size_t i = 0; i < count; ++i) {
+                        const int texel = int(first + i);
+                        out[{texel % out.size.x, texel / out.size.x}] = words(vertices[i]);
+                    }
+                }
+            },
+            true);
     }
 
     /// Triangles whose corners are on the grid of vertices, over the image and its surroundings.
@@ -105,17 +106,18 @@ struct raster_suite : image_suite {
             }
             return true;
         };
-        run<std::uint32_t>("rasterize_coverage",
-                           [&](int s, glm::ivec2 t) {
-                               std::uint32_t ids = 0;
-                               for (unsigned id = 0; id < triangles.size(); ++id)
-                                   if (inside(sizes[s], t, id)) ids += 1u + id * id;
-                               return ids;
-                           },
-                           [&](int s, image_view<std::uint32_t> out, pieces) {
-                               const auto ids = covered(sizes[s]);
-                               copy(ids, out);
-                           });
+        run<std::uint32_t>(
+            "rasterize_coverage",
+            [&](int s, glm::ivec2 t) {
+                std::uint32_t ids = 0;
+                for (unsigned id = 0; id < triangles.size(); ++id)
+                    if (inside(sizes[s], t, id)) ids += 1u + id * id;
+                return ids;
+            },
+            [&](int s, image_view<std::uint32_t> out, pieces) {
+                const auto ids = covered(sizes[s]);
+                copy(ids, out);
+            });
     }
 
     /// Triangles in perspective, none of them clipped, into an image that already holds any bits.
@@ -146,12 +148,13 @@ struct raster_suite : image_suite {
             rasterize(depth.size(), {positions, triangles}, matrix, {}, [&](glm::ivec2 t, float z, unsigned) {
                 if (less_equal{}(z, depth[t])) depth[t] = z;
             });
-        run<float>("rasterize_depth", [&](int s, glm::ivec2 t) { return expected[std::size_t(s)][t]; },
-                   [&](int s, image_view<float> out, pieces parallel) {
-                       copy(before[std::size_t(s)], out);
-                       rasterize_depth(out, {positions, triangles}, matrix, {}, cull_mode::none, parallel);
-                   },
-                   true);
+        run<float>(
+            "rasterize_depth", [&](int s, glm::ivec2 t) { return expected[std::size_t(s)][t]; },
+            [&](int s, image_view<float> out, pieces parallel) {
+                copy(before[std::size_t(s)], out);
+                rasterize_depth(out, {positions, triangles}, matrix, {}, cull_mode::none, parallel);
+            },
+            true);
     }
 };
 

@@ -48,7 +48,8 @@ bool agrees(const digests& reference, const key& k, const line& found) {
     const line& expected = reference.at({function, inputs, mode.starts_with("itself") ? mode : "nearest"});
     if (found.exact == expected.exact) return true;
     if (mode.ends_with("downward") && found.unsigned_zeros == expected.unsigned_zeros) return true;
-    return mode == "flushing" && inputs == "denormal" && found.exact == reference.at({function, "flushed", "nearest"}).exact;
+    return mode == "flushing" && inputs == "denormal" &&
+           found.exact == reference.at({function, "flushed", "nearest"}).exact;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Every tier A primitive over adversarial and random inputs, in every rounding mode: one digest a line. Compiled once for
-// each compiler and set of flags; table.cpp compares what the builds print.
+// Every tier A primitive over adversarial and random inputs, in every rounding mode: one digest a line. Compiled once
+// for each compiler and set of flags; table.cpp compares what the builds print.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -63,12 +63,16 @@ struct suite : setting {
             std::string s(pattern);
             return s.replace(s.find('$'), 1, std::to_string(Bits));
         };
-        run(name("encode_rg$").c_str(), inputs, [](source& s) { return s.depth(); }, encode_rg<Bits, float>);
-        run(name("encode_rg$_table").c_str(), inputs, [](source& s) { return s.depth(); }, [&](float d) {
-            return encode_rg_table<Bits>([&](int x) { return table[std::size_t(x)]; }, d);
-        });
-        run(name("decode_rg$").c_str(), inputs,
-            [](source& s) { return std::pair{s.reads<2>(), s.edge()}; },
+        run(
+            name("encode_rg$").c_str(), inputs, [](source& s) { return s.depth(); }, encode_rg<Bits, float>);
+        run(
+            name("encode_rg$_table").c_str(), inputs, [](source& s) { return s.depth(); },
+            [&](float d) { return encode_rg_table<Bits>([&](int x) { return table[std::size_t(x)]; }, d); });
+        run(
+            name("decode_rg$").c_str(), inputs,
+            [](source& s) {
+                return std::pair{s.reads<2>(), s.edge()};
+            },
             [](const auto& in) { return decode_rg<Bits>(in.first, in.second); });
     }
 
@@ -87,17 +91,23 @@ void suite::all() const {
     run("is_nan", inputs, any, [](float v) { return is_nan(v); });
     run("is_finite", inputs, any, [](float v) { return is_finite(v); });
     run("saturate", inputs, depth, saturate<float>);
-    run("to_unorm", inputs, [](source& s) { return float(s.below(256)); }, [](float k) { return to_unorm(k); });
-    run("from_unorm", inputs, [](source& s) { return s.read(); }, [](float c) { return from_unorm(c); });
+    run(
+        "to_unorm", inputs, [](source& s) { return float(s.below(256)); }, [](float k) { return to_unorm(k); });
+    run(
+        "from_unorm", inputs, [](source& s) { return s.read(); }, [](float c) { return from_unorm(c); });
 
     rg<9>(), rg<10>(), rg<11>(), rg<12>(), rg<13>(), rg<14>(), rg<15>(), rg<16>();
 
     run("encode_rgb24", inputs, depth, encode_rgb24<float>);
-    run("decode_rgb24", inputs,
-        [](source& s) { return std::pair{s.reads<3>(), float(s.below(2))}; },
+    run(
+        "decode_rgb24", inputs,
+        [](source& s) {
+            return std::pair{s.reads<3>(), float(s.below(2))};
+        },
         [](const auto& in) { return decode_rgb24(in.first, in.second); });
     run("encode_float_bits", inputs, any, encode_float_bits);
-    run("decode_float_bits", inputs, [](source& s) { return s.reads<4>(); },
+    run(
+        "decode_float_bits", inputs, [](source& s) { return s.reads<4>(); },
         [](glm::vec4 c) { return decode_float_bits(c); });
     run("encode_threejs_legacy_repaired", inputs, depth, encode_threejs_legacy_repaired<float>);
 
@@ -107,10 +117,12 @@ void suite::all() const {
     const auto fetch = clamped(map);
     const auto texel = [](source& s) { return s.texel(); };
     run("fetch_clamped", inputs, texel, [&](glm::ivec2 t) { return fetch_clamped(std::as_const(map).view(), t); });
-    run("fetch_bordered", inputs, texel, [&](glm::ivec2 t) { return fetch_bordered(std::as_const(map).view(), t, 1.0f); });
+    run("fetch_bordered", inputs, texel,
+        [&](glm::ivec2 t) { return fetch_bordered(std::as_const(map).view(), t, 1.0f); });
     run("fetch_depth", inputs, texel, [&](glm::ivec2 t) { return fetch_depth(fetch, t); });
 
-    run("inside_texel_space", inputs, [](source& s) { return s.coords(); },
+    run(
+        "inside_texel_space", inputs, [](source& s) { return s.coords(); },
         [](glm::vec2 c) { return inside_texel_space(c); });
     run("compare", inputs, pair, [](glm::vec2 v) { return compare(v.x, v.y); });
     run("compare_greater_equal", inputs, pair, [](glm::vec2 v) { return compare(v.x, v.y, greater_equal{}); });
@@ -130,7 +142,8 @@ void suite::all() const {
 
     // Written, stored, read back: the byte must come through a store that rounds or truncates.
     for (const auto store : {unorm_store::rounds, unorm_store::truncates})
-        run(store == unorm_store::rounds ? "stored_by_rounding" : "stored_by_truncating", inputs,
+        run(
+            store == unorm_store::rounds ? "stored_by_rounding" : "stored_by_truncating", inputs,
             [](source& s) { return s.bytes<2>(); },
             [store](glm::u8vec2 k) { return store_unorm8(to_unorm(glm::vec2(k)), store); });
 }
@@ -148,11 +161,11 @@ bool nan_promises_hold() {
             is_nan(nan) && !is_finite(nan) && saturate(nan) == 1.0f && encode_rg<11>(nan) == encode_rg<11>(1.0f) &&
             encode_rgb24(nan) == encode_rgb24(1.0f) && !less_equal{}(nan, 1.0f) && !less_equal{}(0.0f, nan) &&
             !greater_equal{}(nan, 0.0f) && !greater_equal{}(1.0f, nan) && !inside_texel_space(astray) &&
-            hard(nowhere, astray, nan) == 1.0f && hard(lit, middle, nan) == 0.0f && hard(nowhere, middle, 0.0f) == 0.0f &&
-            pcf_2x2(nowhere, astray, nan) == 1.0f && pcf_2x2(lit, middle, nan) == 0.0f &&
-            pcf_2x2(nowhere, middle, 0.0f) == 0.0f && box_count(nowhere, astray, nan, 1) == 9.0f &&
-            box_count(lit, middle, nan, 1) == 0.0f && box_count(nowhere, middle, 0.0f, 1) == 0.0f &&
-            four_tap(lit, astray, middle, middle, middle, nan) == 0.25f;
+            hard(nowhere, astray, nan) == 1.0f && hard(lit, middle, nan) == 0.0f &&
+            hard(nowhere, middle, 0.0f) == 0.0f && pcf_2x2(nowhere, astray, nan) == 1.0f &&
+            pcf_2x2(lit, middle, nan) == 0.0f && pcf_2x2(nowhere, middle, 0.0f) == 0.0f &&
+            box_count(nowhere, astray, nan, 1) == 9.0f && box_count(lit, middle, nan, 1) == 0.0f &&
+            box_count(nowhere, middle, 0.0f, 1) == 0.0f && four_tap(lit, astray, middle, middle, middle, nan) == 0.25f;
         if (!hold) return false;
     }
     return true;

@@ -15,8 +15,8 @@ const exhibit all[] = {
     {"1.0 decodes to 0: base 255", "Aras Pranckevicius' formula of 2009 as used by Cesium, Babylon.js, bgfx",
      "The same, for the packer that is most copied.", "e_i = fract(255^i v), each less e_(i+1) / 255",
      "depth 1, back more than 2^-20 off", "depth",
-     "`encode_base255_repaired` writes digits instead of fractions, for the same reader", [] { return at_one(base255); },
-     [] { return at_one(base255_repaired); }},
+     "`encode_base255_repaired` writes digits instead of fractions, for the same reader",
+     [] { return at_one(base255); }, [] { return at_one(base255_repaired); }},
     {"Nothing above 255/256", "three.js r73 to r166, lygia",
      "The top channel would need 256/255 and is clamped: the far plane comes back nearer than depths in front of it.",
      "fract packing scaled by 256/255, read with 255/256", "depth 1, back more than 2^-20 off", "depth",
@@ -24,8 +24,8 @@ const exhibit all[] = {
      [] { return at_one(legacy_repaired); }},
     {"Depths in the wrong order", "old bgfx, Godot and Mapbox GL packers",
      "The channels are no multiples of 1/255, the store rounds them, and a farther depth comes back nearer.",
-     "e_i = fract(256^i v), each less e_(i+1) / 256", "2^24 pairs of neighbours k / 2^24, back in the wrong order", "depth",
-     "`encode_rgb24` writes whole channels: monotone", [] { return inversions(base_256); },
+     "e_i = fract(256^i v), each less e_(i+1) / 256", "2^24 pairs of neighbours k / 2^24, back in the wrong order",
+     "depth", "`encode_rgb24` writes whole channels: monotone", [] { return inversions(base_256); },
      [] { return inversions(three_bytes); }},
     {"32 bits that hold nine", "old bgfx, Godot and Mapbox GL packers",
      "Fractions scaled for base 256 meet channels in steps of 1/255.", "e_i = fract(256^i v), each less e_(i+1) / 256",
@@ -33,10 +33,13 @@ const exhibit all[] = {
      [] { return errors(base_256, 0x1p-23); }, [] { return errors(three_bytes, 0x1p-23); }},
     {"A store that truncates", "Cesium, Babylon.js, bgfx; mrdoob/three.js#28692 on rounding not being mandated",
      "Base 255 counts on the render target rounding to nearest; one that truncates loses a step of the top channel.",
-     "e_i = fract(255^i v), each less e_(i+1) / 255, into a truncating target", "depths k / 2^20, back more than 2^-22 off",
-     "depth", "`to_unorm` aims a quarter of a step above the channel, so that rounding and truncating agree",
+     "e_i = fract(255^i v), each less e_(i+1) / 255, into a truncating target",
+     "depths k / 2^20, back more than 2^-22 off", "depth",
+     "`to_unorm` aims a quarter of a step above the channel, so that rounding and truncating agree",
      [] { return errors([](float d) { return decode_base255(stored(write_base255(d), truncates)); }, 0x1p-22); },
-     [] { return errors([](float d) { return decode_base255(stored(encode_base255_repaired(d), truncates)); }, 0x1p-22); }},
+     [] {
+         return errors([](float d) { return decode_base255(stored(encode_base255_repaired(d), truncates)); }, 0x1p-22);
+     }},
     {"Two moments, truncated", "bgfx's VSM sample and three.js' pack2Half",
      "The same for 16 bits in two channels: half of them are gone.", "(v - g / 255, g), g = fract(255 v)",
      "depths k / 2^20, back more than 2^-16 off", "depth", "`encode_rg<16>` and `to_unorm`",
@@ -50,7 +53,8 @@ const exhibit all[] = {
              0x1p-16);
      },
      [] {
-         return errors([](float d) { return decode_rg<16>(stored(encode_rg<16>(d), truncates), upper_edge<float>); }, 0x1p-16);
+         return errors([](float d) { return decode_rg<16>(stored(encode_rg<16>(d), truncates), upper_edge<float>); },
+                       0x1p-16);
      }},
     {"Bytes read by truncation", "PlayCanvas float-as-uint; dolphin-emu/dolphin#280 met it on an Intel HD 4000",
      "A driver whose k / 255 is an ulp low turns nearly every byte into the one below.", "uint(c * 255.0)",
@@ -65,8 +69,8 @@ const exhibit all[] = {
      [] { return small_depths(base255_repaired); }},
     {"mediump overflow", "mrdoob/three.js#9092 on an iPad Air 2, mapbox #10979",
      "65536 and 16581375 exceed 65504, the greatest half: the factors are infinite and the channels NaN.",
-     "fract(v * vec4(1, 255, 65025, 16581375)) in mediump", "every half in [0, 1], back NaN or more than 2^-11 off", "depth",
-     "snippets put highp on every value; `encode_rg11` holds in mediump too: its own GLSL text was run here",
+     "fract(v * vec4(1, 255, 65025, 16581375)) in mediump", "every half in [0, 1], back NaN or more than 2^-11 off",
+     "depth", "snippets put highp on every value; `encode_rg11` holds in mediump too: its own GLSL text was run here",
      [] { return half_depths(base255_in_half); }, [] { return half_depths(rg11_in_half); }},
     {"The two wrong bytes", "three.js' first RG variant, mrdoob/three.js#28692, put right in #28789",
      "Sixteen bits made from the two least significant channels of four.", "(R, G) of a texel whose top channel is A",
@@ -81,13 +85,16 @@ const exhibit all[] = {
              0x1p-15);
      },
      [] { return errors(two_bytes<16>, 0x1p-15); }},
-    {"Most significant first, or last", "three.js r167 turned the order round; readers written for r166 and before kept theirs",
+    {"Most significant first, or last",
+     "three.js r167 turned the order round; readers written for r166 and before kept theirs",
      "A map written R first and read A first is noise.", "written by the format of r167, read by that of r166",
-     "depths k / 2^20, back more than 2^-20 off", "depth", "formats have names of their own: `write_threejs_rgba` with `decode_threejs_rgba`",
+     "depths k / 2^20, back more than 2^-20 off", "depth",
+     "formats have names of their own: `write_threejs_rgba` with `decode_threejs_rgba`",
      [] { return errors([](float d) { return decode_threejs_legacy(stored(write_threejs_rgba(d))); }, 0x1p-20); },
      [] { return errors([](float d) { return decode_threejs_rgba(stored(write_threejs_rgba(d))); }, 0x1p-20); }},
     {"A look-up table with linear filter", "look-up encodings in the manner of the Radeon 8500 sample",
-     "Where the low byte falls from 255 to 0 the high one rises by 32; both are interpolated, rounded to bytes, and half a step of "
+     "Where the low byte falls from 255 to 0 the high one rises by 32; both are interpolated, rounded to bytes, and "
+     "half a step of "
      "the high one is 4 codes.",
      "texture2D(table, depth) with GL_LINEAR", "depths k / 2^18, back more than a code off", "codes",
      "`encode_rg_table` fetches one whole texel", [] { return through_table(fetch_linear); },
@@ -118,16 +125,20 @@ const exhibit all[] = {
      "v (2^24 - 1) + 1/2 is not representable: with contraction, on by default in GCC, the code is another.",
      "floor(v * 16777215.0 + 0.5)", "depths from 2^-8 to 1, the code with fma unlike that without", "codes",
      "`to_code<24>` scales by 2^24: nothing to round",
-     [] { return fused_or_not([](float v, bool fused) { return std::floor(product_plus(v, 16777215.0f, 0.5f, fused)); }); },
+     [] {
+         return fused_or_not([](float v, bool fused) { return std::floor(product_plus(v, 16777215.0f, 0.5f, fused)); });
+     },
      [] { return fused_or_not([](float v, bool fused) { return to_code<24>(product_plus(v, 1.0f, 0.0f, fused)); }); }},
     {"Sampled through sRGB", "packed maps in textures that the engine takes for colour",
      "The sampler bends every channel before the decoder sees it.", "decode(sRGB to linear(c))",
-     "2048 codes, back more than a code off", "codes", "documented: linear formats; bytes reach `from_unorm` as they are",
-     [] { return sampled(decode_srgb); }, [] { return sampled([](float c) { return c; }); }},
+     "2048 codes, back more than a code off", "codes",
+     "documented: linear formats; bytes reach `from_unorm` as they are", [] { return sampled(decode_srgb); },
+     [] { return sampled([](float c) { return c; }); }},
     {"Alpha dropped", "three.js' layout before r167, mrdoob/three.js#28692",
-     "The most significant byte sits in alpha; a target without alpha reads 1 there.", "A most significant, opaque target",
-     "depths k / 2^20, back more than 2^-22 off", "depth", "`encode_rgb24` and `encode_rg` leave alpha alone",
-     [] { return errors(legacy_through<opaque>, 0x1p-22); }, [] { return errors(three_bytes_through<opaque>, 0x1p-22); }},
+     "The most significant byte sits in alpha; a target without alpha reads 1 there.",
+     "A most significant, opaque target", "depths k / 2^20, back more than 2^-22 off", "depth",
+     "`encode_rgb24` and `encode_rg` leave alpha alone", [] { return errors(legacy_through<opaque>, 0x1p-22); },
+     [] { return errors(three_bytes_through<opaque>, 0x1p-22); }},
     {"Alpha premultiplied", "three.js' layout before r167, mrdoob/three.js#28692",
      "A canvas or blend that multiplies colour by alpha scales the low bytes by the high one.",
      "A most significant, premultiplied target", "depths k / 2^20, back more than 2^-22 off", "depth",
@@ -141,9 +152,8 @@ const exhibit all[] = {
     {"Written as z/w, read as distance", "cocos/cocos-engine#8397, packed against linear depth",
      "The map holds perspective depth, the reader compares linear depth: half the map's range is the first 0.2 units.",
      "store z/w; compare z / z_far", "10000 points, the two depths unlike", "depth",
-     "kinds of depth are named: `linear_depth` on both sides", [] {
-         return writer_and_reader([](float z) { return depth_from_view_z(z, 0.1f, 100.0f); });
-     },
+     "kinds of depth are named: `linear_depth` on both sides",
+     [] { return writer_and_reader([](float z) { return depth_from_view_z(z, 0.1f, 100.0f); }); },
      [] { return writer_and_reader([](float z) { return linear_depth(z, 0.01f); }); }},
 };
 

@@ -51,7 +51,9 @@ score visibilities(Filter filter) {
 }
 float compare_filtered_depth(vec2 coord) {
     const vec2 i = glm::floor(coord - 0.5f), f = coord - 0.5f - i;
-    return compare(receiver, bilinear(i.x, i.y, f.x, f.y, [](float x, float y) { return stored_depth({int(x), int(y)}); }));
+    return compare(receiver, bilinear(i.x, i.y, f.x, f.y, [](float x, float y) {
+                       return stored_depth({int(x), int(y)});
+                   }));
 }
 float without_half_texel(vec2 coord) {
     const vec2 i = glm::floor(coord), f = coord - i;
@@ -68,7 +70,8 @@ score an_ulp_less(Coordinate coordinate, bool normalised) {
             const float at = coordinate((float(i) + 0.5f) / float(size), float(size));
             const auto texel = [&](float c) {
                 float taken = 0.0f;
-                (void)hard([&](ivec2 t) { return taken = float(t.x); }, vec2(normalised ? c * float(size) : c, 0.5f), receiver);
+                (void)hard([&](ivec2 t) { return taken = float(t.x); }, vec2(normalised ? c * float(size) : c, 0.5f),
+                           receiver);
                 return taken;
             };
             s.add(texel(at) - texel(std::nextafter(at, 0.0f)), 0.0);
@@ -113,7 +116,8 @@ score reversed_surface(Test test) {
 }
 
 const exhibit all[] = {
-    {"Depths filtered, then compared", "samplers with linear filter on a depth map; Reeves, Salesin and Cook warn of it in 1987",
+    {"Depths filtered, then compared",
+     "samplers with linear filter on a depth map; Reeves, Salesin and Cook warn of it in 1987",
      "The mean of an occluder and a background is a depth where nothing is: edges move and stay hard.",
      "receiver <= bilinear(depths)", "2^18 receivers, visibility more than 1/256 off", "visibility",
      "`pcf_2x2` compares four depths and mixes the answers", [] { return visibilities(compare_filtered_depth); },
@@ -125,14 +129,17 @@ const exhibit all[] = {
      [] { return visibilities(without_half_texel); }, [] { return visibilities(ours); }},
     {"Sampling at texel corners", "lygia's bilinear shadow filter",
      "floor(uv N + 1/2) / N is a corner between texels: the last bit decides which one a nearest filter takes.",
-     "texture2D(map, floor(uv * N + 0.5) / N)", "texel centres of maps of 1 to 512 texels, an ulp less fetches another texel",
-     "texels", "coordinates in texels, one `floor`, whole texel numbers",
+     "texture2D(map, floor(uv * N + 0.5) / N)",
+     "texel centres of maps of 1 to 512 texels, an ulp less fetches another texel", "texels",
+     "coordinates in texels, one `floor`, whole texel numbers",
      [] { return an_ulp_less([](float uv, float size) { return std::floor(uv * size + 0.5f) / size; }, true); },
      [] { return an_ulp_less([](float uv, float size) { return uv * size; }, false); }},
-    {"Taps and weights from two roundings", "manual 2x2 filters that sample at uv and weigh by fract(uv N - 1/2); mrdoob/three.js#33534",
+    {"Taps and weights from two roundings",
+     "manual 2x2 filters that sample at uv and weigh by fract(uv N - 1/2); mrdoob/three.js#33534",
      "The sampler has stepped to the next texel and the weight has not: a whole texel flips.",
-     "taps at floor((uv - .5/N) N), weights fract(uv N - .5)", "coordinates within 8 ulp of texel centres, visibility more than 1/16 off",
-     "visibility", "`pcf_2x2` takes texel and weight from the same integer",
+     "taps at floor((uv - .5/N) N), weights fract(uv N - .5)",
+     "coordinates within 8 ulp of texel centres, visibility more than 1/16 off", "visibility",
+     "`pcf_2x2` takes texel and weight from the same integer",
      [] {
          return beside_centres([](float uv, float size) {
              const float i = std::floor((uv - 0.5f / size) * size), x = uv * size - 0.5f, f = x - std::floor(x);
@@ -142,15 +149,18 @@ const exhibit all[] = {
      [] { return beside_centres([](float uv, float size) { return ours(vec2(uv * size, 0.5f)); }); }},
     {"Reversed Z, comparison kept", "mrdoob/three.js#29770 and seven threads after it, Babylon.js#17315",
      "Near is 1 now: what was behind the occluder is lit and what was in front is not.", "receiver <= stored",
-     "2^18 pairs of reversed depths, the wrong answer", "visibility", "`greater_equal` is an argument of every filter, `UMBRAGE_LIT` of every snippet",
+     "2^18 pairs of reversed depths, the wrong answer", "visibility",
+     "`greater_equal` is an argument of every filter, `UMBRAGE_LIT` of every snippet",
      [] { return reversed_pairs([](float d, float s) { return compare(d, s); }); },
      [] { return reversed_pairs([](float d, float s) { return compare(d, s, greater_equal{}); }); }},
     {"Reversed Z, bias kept", "the same threads",
-     "A bias that pulled the receiver to the light pushes it away: every surface shadows itself.", "receiver - bias >= stored",
-     "surfaces against themselves, 3 steps of 16 bits off, bias 4 steps: in shadow", "visibility",
-     "`reverse_depth` first, and every sign is as it was",
+     "A bias that pulled the receiver to the light pushes it away: every surface shadows itself.",
+     "receiver - bias >= stored", "surfaces against themselves, 3 steps of 16 bits off, bias 4 steps: in shadow",
+     "visibility", "`reverse_depth` first, and every sign is as it was",
      [] { return reversed_surface([](float d, float s) { return compare(d - bias, s, greater_equal{}); }); },
-     [] { return reversed_surface([](float d, float s) { return compare(reverse_depth(d) - bias, reverse_depth(s)); }); }},
+     [] {
+         return reversed_surface([](float d, float s) { return compare(reverse_depth(d) - bias, reverse_depth(s)); });
+     }},
 };
 
 }  // namespace

@@ -41,22 +41,25 @@ std::string share(const score& s) { return std::to_string(s.wrong) + " of " + st
 std::string page() {
     std::string out =
         "# A museum of bugs\n\n"
-        "Public bugs in packing depth, in filtering it and in getting there. Each old formula was written anew from its\n"
-        "description and run beside umbrage on the same inputs; `tests/proof/museum` is that program, its test demands that\n"
+        "Public bugs in packing depth, in filtering it and in getting there. Each old formula was written anew from "
+        "its\n"
+        "description and run beside umbrage on the same inputs; `tests/proof/museum` is that program, its test demands "
+        "that\n"
         "the old formula fails and ours does not, and this page is what it prints: after a change of it run\n"
         "`build/dev/tests/proof/museum/museum --page MUSEUM.md`.\n\n"
         "| # | exhibit | wrong, then | worst, then | wrong, umbrage | worst, umbrage | unit |\n"
         "|--:|---|--:|--:|--:|--:|---|\n";
     int n = 0;
     for (const hung& e : exhibits())
-        out += "| " + std::to_string(++n) + " | " + e.what->title + " | " + share(e.old_way) + " | " + number(e.old_way.worst) +
-               " | " + std::to_string(e.our_way.wrong) + " | " + number(e.our_way.worst) + " | " + e.what->unit + " |\n";
+        out += "| " + std::to_string(++n) + " | " + e.what->title + " | " + share(e.old_way) + " | " +
+               number(e.old_way.worst) + " | " + std::to_string(e.our_way.wrong) + " | " + number(e.our_way.worst) +
+               " | " + e.what->unit + " |\n";
     n = 0;
     for (const hung& e : exhibits()) {
         out += "\n## " + std::to_string(++n) + ". " + e.what->title + "\n\n" + e.what->trouble + "\n\n";
-        out += std::string("- Seen: ") + e.what->seen + "\n- Formula: `" + e.what->formula + "`\n- Tried: " + e.what->counted +
-               ": " + share(e.old_way) + ", worst " + number(e.old_way.worst) + "\n- Here: " + e.what->ours + "; worst " +
-               number(e.our_way.worst) + "\n";
+        out += std::string("- Seen: ") + e.what->seen + "\n- Formula: `" + e.what->formula +
+               "`\n- Tried: " + e.what->counted + ": " + share(e.old_way) + ", worst " + number(e.old_way.worst) +
+               "\n- Here: " + e.what->ours + "; worst " + number(e.our_way.worst) + "\n";
     }
     return out;
 }

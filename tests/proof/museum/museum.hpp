@@ -45,6 +45,7 @@ glm::vec<L, float> stored(glm::vec<L, float> written, umbrage::unorm_store store
     return umbrage::load_unorm8(umbrage::store_unorm8(written, store));
 }
 template <int L>
-glm::vec<L, float> stored(glm::vec<L, std::uint8_t> channels, umbrage::unorm_store store = umbrage::unorm_store::rounds) {
+glm::vec<L, float> stored(glm::vec<L, std::uint8_t> channels,
+                          umbrage::unorm_store store = umbrage::unorm_store::rounds) {
     return stored(umbrage::to_unorm(glm::vec<L, float>(channels)), store);
 }

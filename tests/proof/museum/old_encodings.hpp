@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the exhibits of encodings try: public formulas, written anew from their descriptions, and the inputs on which they
-// and ours are scored.
+// What the exhibits of encodings try: public formulas, written anew from their descriptions, and the inputs on which
+// they and ours are scored.
 #pragma once
 
 #include <array>
@@ -118,7 +118,8 @@ score half_depths(RoundTrip f) {
 }
 inline half base255_in_half(half v) {
     const auto fract = [](half x) { return x - floor(x); };
-    const half step = 1.0 / 255.0, x = fract(v), y = fract(v * 255.0), z = fract(v * 65025.0), w = fract(v * 16581375.0);
+    const half step = 1.0 / 255.0, x = fract(v), y = fract(v * 255.0), z = fract(v * 65025.0),
+               w = fract(v * 16581375.0);
     return (x - y * step) + (y - z * step) * step + (z - w * step) * half(1.0 / 65025.0) + w * half(1.0 / 16581375.0);
 }
 inline half rg11_in_half(half v) {
@@ -138,7 +139,9 @@ score through_table(Fetch fetch) {
 }
 inline vec2 fetch_linear(float d) {
     const float x = d * 2048.0f - 0.5f, i = std::floor(x), f = x - i;
-    const auto texel = [](float at) { return load_unorm8(table[std::size_t(at < 0.0f ? 0.0f : (at > 2047.0f ? 2047.0f : at))]); };
+    const auto texel = [](float at) {
+        return load_unorm8(table[std::size_t(at < 0.0f ? 0.0f : (at > 2047.0f ? 2047.0f : at))]);
+    };
     return texel(i) * (1.0f - f) + texel(i + 1.0f) * f;
 }
 inline glm::u8vec2 fetch_nearest(float d) {

@@ -25,8 +25,12 @@ const vec3 position(2.0f, 9.0f, 4.0f);
 const vec3 direction(-2.0f, -9.0f, -4.0f);
 
 light_space<float> spot(clip_space clip) {
-    return make_spot_light<float>({.position = position, .direction = direction, .outer_angle_radians = 0.5f, .z_near = 1.0f,
-                                   .z_far = 20.0f, .clip = clip});
+    return make_spot_light<float>({.position = position,
+                                   .direction = direction,
+                                   .outer_angle_radians = 0.5f,
+                                   .z_near = 1.0f,
+                                   .z_far = 20.0f,
+                                   .clip = clip});
 }
 
 // Points of a grid around the light's target; `side` 1 in front of the light, -1 mirrored behind it.
@@ -121,10 +125,12 @@ template <class Project>
 score behind(Project project) {
     const mat4 m = texture_matrix(spot(vulkan_clip_space), map_size);
     score s;
-    points([&](vec3 p) {
-        const vec3 c = project(shadow_coordinate(m, p));
-        s.add(double(hard([](glm::ivec2) { return 1.0f; }, vec2(c.x, c.y), c.z)) - 1.0, 0.0);
-    }, -1.0f);
+    points(
+        [&](vec3 p) {
+            const vec3 c = project(shadow_coordinate(m, p));
+            s.add(double(hard([](glm::ivec2) { return 1.0f; }, vec2(c.x, c.y), c.z)) - 1.0, 0.0);
+        },
+        -1.0f);
     return s;
 }
 
@@ -135,7 +141,8 @@ const exhibit all[] = {
      "GLM's columns throughout; `shadow_coordinate` is the one place that multiplies",
      [] { return landings(vulkan_clip_space, transposed); }, [] { return landings(vulkan_clip_space, ours); }},
     {"z of [-1, 1] used as [0, 1]", "programs mixing GLM_FORCE_DEPTH_ZERO_TO_ONE with OpenGL's default clip space",
-     "Receivers are on another scale than occluders, and the nearer part of the range, below 0, is stored as 0.", "xy / 2 + 1 / 2, z as it is",
+     "Receivers are on another scale than occluders, and the nearer part of the range, below 0, is stored as 0.",
+     "xy / 2 + 1 / 2, z as it is",
      "13824 points under an OpenGL projection, more than 1/100 texel (or 1/100 of 1/1024 depth) off", "1/1024 depth",
      "`clip_space` is an argument and a member; `texture_matrix` reads it",
      [] { return landings(opengl_clip_space, z_as_it_is); }, [] { return landings(opengl_clip_space, ours); }},
@@ -146,12 +153,13 @@ const exhibit all[] = {
      [] { return landings(vulkan_clip_space, ours); }},
     {"Upside down", "maps of Direct3D, Metal and WebGPU read with OpenGL's texture matrix",
      "The first row is at the top; the shadow is mirrored.", "y / 2 + 1 / 2",
-     "13824 points under a Direct3D projection, more than 1/100 texel off", "texels", "`texture_origin` is part of `clip_space`",
-     [] { return landings(direct3d_clip_space, z_as_it_is); }, [] { return landings(direct3d_clip_space, ours); }},
+     "13824 points under a Direct3D projection, more than 1/100 texel off", "texels",
+     "`texture_origin` is part of `clip_space`", [] { return landings(direct3d_clip_space, z_as_it_is); },
+     [] { return landings(direct3d_clip_space, ours); }},
     {"The offset and the division", "four-tap filters that move projective coordinates",
      "An offset added before the division by w is divided too: taps close in as the light moves away.",
-     "(x + offset.x, y + offset.y, z, w), then divide", "13824 points, 4 taps each, more than 1/100 texel off", "texels",
-     "`tap_coordinate` and `tap_matrices` scale the offset by w",
+     "(x + offset.x, y + offset.y, z, w), then divide", "13824 points, 4 taps each, more than 1/100 texel off",
+     "texels", "`tap_coordinate` and `tap_matrices` scale the offset by w",
      [] { return taps([](vec4 c, vec2 o) { return project_coordinate(vec4(c.x + o.x, c.y + o.y, c.z, c.w)); }); },
      [] { return taps([](vec4 c, vec2 o) { return project_coordinate(tap_coordinate(c, o)); }); }},
     {"A light straight down", "look-at with a fixed up vector; filament's cube faces at +y and -y",
@@ -159,12 +167,15 @@ const exhibit all[] = {
      "18 directions on and near the axes, view more than 1e-5 from a rotation", "matrix elements",
      "`look_along` takes another axis when the hint is parallel, or nearly",
      [] { return directions([](vec3 d) { return glm::lookAtRH(position, position + d, vec3(0.0f, 1.0f, 0.0f)); }); },
-     [] { return directions([](vec3 d) { return look_along(position, d, vec3(0.0f, 1.0f, 0.0f), handedness::right); }); }},
+     [] {
+         return directions([](vec3 d) { return look_along(position, d, vec3(0.0f, 1.0f, 0.0f), handedness::right); });
+     }},
     {"Behind the light", "projective texturing without a test of w",
      "Points behind a spot light divide by a negative w, land on the map upside down and beyond its far plane.",
      "(x, y, z) / w", "13824 points behind the light, an empty map, in shadow", "visibility",
      "`project_coordinate` sends w <= 0 out of texel space, which every filter takes as lit",
-     [] { return behind([](vec4 c) { return vec3(c.x / c.w, c.y / c.w, c.z / c.w); }); }, [] { return behind(project_coordinate<float>); }},
+     [] { return behind([](vec4 c) { return vec3(c.x / c.w, c.y / c.w, c.z / c.w); }); },
+     [] { return behind(project_coordinate<float>); }},
 };
 
 }  // namespace

@@ -121,7 +121,8 @@ bool reads_bits(count n) {
 /// x / 2040 within a rounding, and the code can be had back.
 bool decodes_ps14(count n) {
     for (auto store : proof::stores) {
-        const float u = umbrage::decode_ps14(proof::stored(proof::of_code(umbrage::rg<11>{}, static_cast<std::uint32_t>(n)), store));
+        const float u = umbrage::decode_ps14(
+            proof::stored(proof::of_code(umbrage::rg<11>{}, static_cast<std::uint32_t>(n)), store));
         if (std::abs(double(u) - double(n) / 2040) > 6.4e-8 || std::floor(u * 2040.0f + 0.5f) != float(n)) return false;
     }
     return true;
@@ -143,20 +144,20 @@ void add_foreign(std::vector<line>& table) {
         for (const float_class& c : float_classes) {
             const bool truncates = store == proof::unorm_store::truncates;
             const std::string_view kind = c.name;
-            table.push_back({*Format::writer, std::string(kind) + (truncates ? ", store truncates" : ", store rounds"),
-                             c.first, c.last,
-                             [store](count first, count last) {
-                                 return proof::look_at<Format>(store, nth_float, first, last);
-                             },
-                             kind == "in (0, 1)" ? proof::faults_of<Format>.disorder_of_floats[truncates]
-                                                 : kind == "1" && proof::faults_of<Format>.one < 1.0f});
+            table.push_back(
+                {*Format::writer, std::string(kind) + (truncates ? ", store truncates" : ", store rounds"), c.first,
+                 c.last,
+                 [store](count first, count last) { return proof::look_at<Format>(store, nth_float, first, last); },
+                 kind == "in (0, 1)" ? proof::faults_of<Format>.disorder_of_floats[truncates]
+                                     : kind == "1" && proof::faults_of<Format>.one < 1.0f});
         }
 }
 
 std::vector<line> make_table() {
     namespace glsl = umbrage::glsl;
     std::vector<line> table;
-    for (const float_class& c : float_classes) table.push_back({glsl::saturate, c.name, c.first, c.last, each(saturates)});
+    for (const float_class& c : float_classes)
+        table.push_back({glsl::saturate, c.name, c.first, c.last, each(saturates)});
     table.push_back({glsl::to_unorm, "channels", 0, 256, each(channel_survives)});
     table.push_back({glsl::from_unorm, "channels, each off by up to 4096 ulp", 0, 256 * 8193, each(channel_is_read)});
     table.push_back({glsl::from_unorm, "0 .. 1", plus_zero, plus_zero + 0x3F800001, each(reads_nearest)});
@@ -215,10 +216,10 @@ int main(int argc, char** argv) {
     count failures = 0, inputs = 0;
     for (const line& l : table) {
         const char tier = static_cast<char>('A' + static_cast<int>(l.primitive.exactness));
-        tsv << l.primitive.name << '\t' << tier << "\tC++\t" << l.kind << '\t' << l.last - l.first << '\t' << l.failures()
-            << '\n';
-        std::cout << std::left << std::setw(30) << l.primitive.name << tier << "  " << std::setw(38) << l.kind << std::right
-                  << std::setw(12) << l.last - l.first << std::setw(10) << l.failures();
+        tsv << l.primitive.name << '\t' << tier << "\tC++\t" << l.kind << '\t' << l.last - l.first << '\t'
+            << l.failures() << '\n';
+        std::cout << std::left << std::setw(30) << l.primitive.name << tier << "  " << std::setw(38) << l.kind
+                  << std::right << std::setw(12) << l.last - l.first << std::setw(10) << l.failures();
         if (l.result.error > 0) std::cout << "   worst 2^" << std::log2(l.result.error);
         if (l.result.disorder > 0) std::cout << "   out of order " << l.result.disorder;
         std::cout << '\n';

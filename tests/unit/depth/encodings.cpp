@@ -50,7 +50,8 @@ TEST_CASE("encodings: each knows itself, under a name of its own") {
 TEST_CASE("encodings: with_encoding finds each by its name, and says when there is none") {
     for_each_encoding([&]<class Encoding>(const Encoding&) {
         bool same = false;
-        CHECK(with_encoding(Encoding::name, [&]<class Found>(const Found&) { same = std::is_same_v<Found, Encoding>; }));
+        CHECK(
+            with_encoding(Encoding::name, [&]<class Found>(const Found&) { same = std::is_same_v<Found, Encoding>; }));
         CHECK(same);
     });
     CHECK_FALSE(with_encoding("rg8", [](const auto&) { FAIL("there is none of that name"); }));

@@ -21,8 +21,9 @@ std::uint32_t bits(float v) { return std::bit_cast<std::uint32_t>(v); }
 }  // namespace
 
 TEST_CASE("encode_float_bits: every kind of value comes back to the bit, NaN payloads included") {
-    for (std::uint32_t b : {0u, 1u, 0x007FFFFFu, 0x00800000u, 0x3F800000u, 0x7F7FFFFFu, 0x7F800000u, 0x7F800001u, 0x7FC12345u,
-                            0x80000000u, 0x80000001u, 0xBF800000u, 0xFF800000u, 0xFFC54321u, 0xFFFFFFFFu, 0x01020304u}) {
+    for (std::uint32_t b :
+         {0u, 1u, 0x007FFFFFu, 0x00800000u, 0x3F800000u, 0x7F7FFFFFu, 0x7F800000u, 0x7F800001u, 0x7FC12345u,
+          0x80000000u, 0x80000001u, 0xBF800000u, 0xFF800000u, 0xFFC54321u, 0xFFFFFFFFu, 0x01020304u}) {
         const u8vec4 texel = encode_float_bits(std::bit_cast<float>(b));
         CHECK(texel == u8vec4(b, b >> 8, b >> 16, b >> 24));
         CHECK(bits(decode_float_bits(texel)) == b);

@@ -30,9 +30,8 @@ static_assert(decode_rg<16>(u8vec2(2, 1), centre<float>) == 258.5f / 65536.0f);
 
 template <class Test>
 void for_every_family_member(Test test) {
-    [&]<int... M>(std::integer_sequence<int, M...>) {
-        (test.template operator()<M + 9>(), ...);
-    }(std::make_integer_sequence<int, 8>());
+    [&]<int... M>(std::integer_sequence<int, M...>) { (test.template operator()<M + 9>(), ...); }
+    (std::make_integer_sequence<int, 8>());
 }
 
 }  // namespace
@@ -49,7 +48,8 @@ TEST_CASE("encode_rg: out of range and NaN, for every number of bits") {
             CHECK(encode_rg<Bits>(v) == last);
             CHECK(encode_rg<Bits>(double(v)) == last);
         }
-        for (float v : {-0.0f, -1.0f, -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::denorm_min()})
+        for (float v :
+             {-0.0f, -1.0f, -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::denorm_min()})
             CHECK(encode_rg<Bits>(v) == u8vec2(0));
     });
 }

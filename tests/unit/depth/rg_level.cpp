@@ -25,7 +25,8 @@ int wrong(float edge, int ulps) {
         for (int i = 0; i < 2; ++i)
             for (int n = std::abs(ulps); n > 0; --n) c[i] = std::nextafter(c[i], ulps < 0 ? -1.0f : 2.0f);
         const float at = decode_rg<Bits>(texel, edge), step = 1.0f / float(rg<Bits>::codes);
-        for (const float depth : {at, std::nextafter(at, 2.0f), std::nextafter(at, -1.0f), at + step, at - step, at + step / 2})
+        for (const float depth :
+             {at, std::nextafter(at, 2.0f), std::nextafter(at, -1.0f), at + step, at - step, at + step / 2})
             count += (receiver_rg<Bits>(depth, edge) <= level_rg<Bits>(c)) != (depth <= at || depth > 1.0f);
     }
     return count;
@@ -37,7 +38,8 @@ TEST_CASE("receiver_rg, level_rg: the test of decode_rg, for every code, at, bes
     [&]<int... M>(std::integer_sequence<int, M...>) {
         for (const float edge : {lower_edge<float>, centre<float>, upper_edge<float>})
             for (const int ulps : {0, -1, 1, 32}) CHECK((wrong<9 + M>(edge, ulps) + ...) == 0);
-    }(std::make_integer_sequence<int, 8>());
+    }
+    (std::make_integer_sequence<int, 8>());
 }
 
 TEST_CASE("receiver_rg: depths that no map holds") {
@@ -45,7 +47,7 @@ TEST_CASE("receiver_rg: depths that no map holds") {
     CHECK(receiver_rg<11>(0.0f, 1.0f) <= 0.0f);  // nothing shadows the near plane
     CHECK(receiver_rg<11>(-5.0f, 0.0f) <= 0.0f);
     CHECK(receiver_rg<11>(-infinity, 0.0f) <= 0.0f);
-    CHECK(receiver_rg<11>(1.0f, 1.0f) <= top);   // a cleared map shadows nothing up to 1
+    CHECK(receiver_rg<11>(1.0f, 1.0f) <= top);                         // a cleared map shadows nothing up to 1
     CHECK(receiver_rg<11>(std::nextafter(1.0f, 2.0f), 1.0f) <= 0.0f);  // beyond the far plane nothing does
     CHECK(receiver_rg<11>(infinity, 1.0f) <= 0.0f);
     CHECK_FALSE(receiver_rg<11>(std::nanf(""), 1.0f) <= top);

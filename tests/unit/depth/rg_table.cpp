@@ -48,7 +48,8 @@ void table_member() {
 }  // namespace
 
 TEST_CASE("make_rg_table: every number of bits holds what the encoder gives") {
-    [&]<int... M>(std::integer_sequence<int, M...>) { (table_member<M + 9>(), ...); }(std::make_integer_sequence<int, 8>());
+    [&]<int... M>(std::integer_sequence<int, M...>) { (table_member<M + 9>(), ...); }
+    (std::make_integer_sequence<int, 8>());
 }
 
 TEST_CASE("encode_rg_table: never fetches outside the table") {

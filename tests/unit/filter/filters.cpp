@@ -77,6 +77,7 @@ TEST_CASE("filters: beyond the far plane all is lit, NaN is in shadow, and coord
             for (const float beyond : {1.125f, std::nextafter(1.0f, 2.0f), inf})
                 CHECK(filter(nearest, coord, forward ? beyond : 1.0f - beyond) == 1.0f);
             if (Filter::name != "pcf_2x2_dx_sdk") CHECK(filter(nearest, coord, nan32) == 0.0f);
-            for (const float outside : {40000.0f, -inf, nan32}) CHECK(filter(nearest, glm::vec2(1.0f, outside), 0.5f) == 1.0f);
+            for (const float outside : {40000.0f, -inf, nan32})
+                CHECK(filter(nearest, glm::vec2(1.0f, outside), 0.5f) == 1.0f);
         });
 }

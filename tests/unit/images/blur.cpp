@@ -49,32 +49,38 @@ template <class T>
 void check() {
     constexpr int channels = static_cast<int>(sizeof(T) / sizeof(float));
     std::mt19937 engine(11);
-    for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(2, 9), glm::ivec2(31, 1), glm::ivec2(64, 5), glm::ivec2(67, 23)}) {
+    for (const glm::ivec2 size :
+         {glm::ivec2(1, 1), glm::ivec2(2, 9), glm::ivec2(31, 1), glm::ivec2(64, 5), glm::ivec2(67, 23)}) {
         image<T> from(size);
         for (T& texel : from.texels()) {
             float values[channels];
             for (float& v : values) v = static_cast<float>(engine() >> 8) * 0x1p-24f;
             std::memcpy(&texel, values, sizeof texel);
         }
-        for (const blur_kernel& kernel : {umbrage::make_binomial_kernel<1>(), umbrage::make_binomial_kernel<3>(),
-                                          umbrage::make_gaussian_kernel(5, 0.8f), umbrage::make_gaussian_kernel(7, 1.5f),
-                                          umbrage::make_binomial_kernel<9>(), umbrage::make_gaussian_kernel(21, 4.0f)}) {
+        for (const blur_kernel& kernel :
+             {umbrage::make_binomial_kernel<1>(), umbrage::make_binomial_kernel<3>(),
+              umbrage::make_gaussian_kernel(5, 0.8f), umbrage::make_gaussian_kernel(7, 1.5f),
+              umbrage::make_binomial_kernel<9>(), umbrage::make_gaussian_kernel(21, 4.0f)}) {
             CAPTURE(channels);
             CAPTURE(size.x);
             CAPTURE(kernel.weights.size());
             const image<T> wanted = plain(plain(from, kernel, {0, 1}), kernel, {1, 0});
             const umbrage::detail::isa best = umbrage::detail::isa_in_use;
-            for (umbrage::detail::isa set : {umbrage::detail::isa::base, umbrage::detail::isa::avx2, umbrage::detail::isa::avx512}) {
+            for (umbrage::detail::isa set :
+                 {umbrage::detail::isa::base, umbrage::detail::isa::avx2, umbrage::detail::isa::avx512}) {
                 if (umbrage::detail::best_isa() < set) continue;
                 umbrage::detail::isa_in_use = set;
                 for (int pieces : {1, 3, size.y}) {
-                    std::vector<T> memory(static_cast<std::size_t>((size.x + 3) * size.y), T(7));  // rows with a gap behind
+                    std::vector<T> memory(static_cast<std::size_t>((size.x + 3) * size.y),
+                                          T(7));  // rows with a gap behind
                     const image_view<T> to(memory.data(), size, (size.x + 3) * static_cast<std::ptrdiff_t>(sizeof(T)));
                     umbrage::blur(from.view(), to, kernel, last_piece_first{pieces});
                     int wrong = 0;
                     for (int y = 0; y < size.y; ++y) {
-                        wrong += std::memcmp(to.row(y), wanted.view().row(y), static_cast<std::size_t>(size.x) * sizeof(T)) != 0;
-                        for (int x = size.x; x < size.x + 3; ++x) wrong += memory[static_cast<std::size_t>(y * (size.x + 3) + x)] != T(7);
+                        wrong += std::memcmp(to.row(y), wanted.view().row(y),
+                                             static_cast<std::size_t>(size.x) * sizeof(T)) != 0;
+                        for (int x = size.x; x < size.x + 3; ++x)
+                            wrong += memory[static_cast<std::size_t>(y * (size.x + 3) + x)] != T(7);
                     }
                     CHECK(wrong == 0);
                 }
@@ -124,7 +130,8 @@ TEST_CASE("make_gaussian_kernel: the bell's shape, a sum of 1") {
         for (std::size_t i = 1; i < w.size(); ++i) sum += 2.0 * double(w[i]);
         CHECK(sum == doctest::Approx(1.0).epsilon(1e-6));
         for (std::size_t i = 1; i < w.size(); ++i)
-            CHECK(double(w[i] / w[0]) == doctest::Approx(std::pow(std::numbers::e, -double(i * i) / 8.0)).epsilon(1e-6));
+            CHECK(double(w[i] / w[0]) ==
+                  doctest::Approx(std::pow(std::numbers::e, -double(i * i) / 8.0)).epsilon(1e-6));
     }
     const auto flat = umbrage::make_gaussian_kernel(5, std::numeric_limits<float>::infinity()).weights;
     CHECK(flat == std::vector<float>(3, 0.2f));

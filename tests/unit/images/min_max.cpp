@@ -26,14 +26,16 @@ struct last_row_first {
 TEST_CASE("make_min_max_pyramid: bounds of every square, any size of map") {
     constexpr float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
     std::mt19937 engine(3);
-    for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(2, 7), glm::ivec2(127, 5), glm::ivec2(128, 4), glm::ivec2(301, 66)}) {
+    for (const glm::ivec2 size :
+         {glm::ivec2(1, 1), glm::ivec2(2, 7), glm::ivec2(127, 5), glm::ivec2(128, 4), glm::ivec2(301, 66)}) {
         umbrage::image<float> map(size);
         for (float& d : map.texels()) {
             const float odd[] = {nan, -nan, infinity, -infinity, -1.5f};
             d = engine() % 9 == 0 ? odd[engine() % 5] : static_cast<float>(engine() % 4096) / 4096.0f + 0.25f;
         }
         const umbrage::detail::isa best = umbrage::detail::isa_in_use;
-        for (umbrage::detail::isa set : {umbrage::detail::isa::base, umbrage::detail::isa::avx2, umbrage::detail::isa::avx512}) {
+        for (umbrage::detail::isa set :
+             {umbrage::detail::isa::base, umbrage::detail::isa::avx2, umbrage::detail::isa::avx512}) {
             if (umbrage::detail::best_isa() < set) continue;
             umbrage::detail::isa_in_use = set;
             const auto pyramid = umbrage::make_min_max_pyramid(std::as_const(map).view(), 4, last_row_first{});

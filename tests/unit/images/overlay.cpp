@@ -42,8 +42,7 @@ TEST_CASE("overlay: scaled to the nearest texel and cut off at the picture's bor
     image<glm::u8vec3> picture({5, 3}, backdrop);
     overlay(picture, map, {.size = {4, 6}, .map_origin = texture_origin::top}, identity);
     for (int y = 0; y < 3; ++y)
-        for (int x = 0; x < 5; ++x)
-            CHECK(picture[{x, y}] == (x < 4 ? glm::u8vec3(x < 2 ? 51 : 102) : backdrop));
+        for (int x = 0; x < 5; ++x) CHECK(picture[{x, y}] == (x < 4 ? glm::u8vec3(x < 2 ? 51 : 102) : backdrop));
 
     image<glm::u8vec3> tiny({1, 1}, backdrop);
     overlay(tiny, map, {.size = {1 << 30, 1 << 30}, .map_origin = texture_origin::top}, identity);

@@ -20,10 +20,10 @@ TEST_CASE("receiver_at: a camera's texel and depth lead to what the map's matrix
     const glm::ivec2 size(96, 64);
     image<float> depth(size);
     for (const clip_space clip : {opengl_clip_space, direct3d_clip_space}) {
-        const glm::mat4 ours = clip.range == depth_range::minus_one_to_one
-                                   ? projection
-                                   : glm::perspectiveRH_ZO(1.0f, 1.5f, 1.0f, 20.0f);
-        const depth_receivers seen{depth.view(), receiver_matrix(glm::inverse(ours * view), to_map, size, clip), 0.125f};
+        const glm::mat4 ours =
+            clip.range == depth_range::minus_one_to_one ? projection : glm::perspectiveRH_ZO(1.0f, 1.5f, 1.0f, 20.0f);
+        const depth_receivers seen{depth.view(), receiver_matrix(glm::inverse(ours * view), to_map, size, clip),
+                                   0.125f};
         for (const glm::ivec2 texel : {glm::ivec2(0), glm::ivec2(95, 63), glm::ivec2(40, 11)}) {
             const glm::vec2 ndc = (glm::vec2(texel) + 0.5f) / glm::vec2(size) * 2.0f - 1.0f;
             const float up = clip.origin == texture_origin::bottom ? 1.0f : -1.0f, z = 0.9f;

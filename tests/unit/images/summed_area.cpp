@@ -43,7 +43,8 @@ struct gapped {
 template <class Use>
 void for_each_isa(Use&& use) {
     const umbrage::detail::isa best = umbrage::detail::isa_in_use;
-    for (umbrage::detail::isa set : {umbrage::detail::isa::base, umbrage::detail::isa::avx2, umbrage::detail::isa::avx512}) {
+    for (umbrage::detail::isa set :
+         {umbrage::detail::isa::base, umbrage::detail::isa::avx2, umbrage::detail::isa::avx512}) {
         if (umbrage::detail::best_isa() < set) continue;
         CAPTURE(static_cast<int>(set));
         umbrage::detail::isa_in_use = set;
@@ -66,8 +67,8 @@ void for_each_table(image_view<From> values, Use&& use) {
     });
 }
 
-constexpr glm::ivec2 sizes[] = {{1, 1}, {3, 2}, {4, 4}, {1, 37}, {37, 1}, {63, 20}, {64, 3}, {65, 30}, {133, 41},
-                                {2, 64}, {7, 65}, {66, 200}};
+constexpr glm::ivec2 sizes[] = {{1, 1},  {3, 2},   {4, 4},    {1, 37}, {37, 1}, {63, 20},
+                                {64, 3}, {65, 30}, {133, 41}, {2, 64}, {7, 65}, {66, 200}};
 
 template <class T>
 void check_integers(std::uint32_t greatest) {
@@ -76,7 +77,8 @@ void check_integers(std::uint32_t greatest) {
         CAPTURE(size.x);
         gapped<T> values(size);
         for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) values.view()[{x, y}] = static_cast<T>(engine() % (std::uint64_t(greatest) + 1));
+            for (int x = 0; x < size.x; ++x)
+                values.view()[{x, y}] = static_cast<T>(engine() % (std::uint64_t(greatest) + 1));
         for_each_table<T, std::uint32_t>(values.view(), [&](image_view<std::uint32_t> sums) {
             int wrong = 0;
             std::vector<std::uint32_t> columns(static_cast<std::size_t>(size.x));
@@ -123,7 +125,8 @@ TEST_CASE("summed_area: floats, the order that is documented") {
         gapped<float> values(size);
         image<float> wanted(size);
         for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x) values.view()[{x, y}] = static_cast<float>(engine() >> 8) * 0x1p-24f - 0.25f;
+            for (int x = 0; x < size.x; ++x)
+                values.view()[{x, y}] = static_cast<float>(engine() >> 8) * 0x1p-24f - 0.25f;
         std::vector<float> band(static_cast<std::size_t>(size.x)), under = band;
         for (int y = 0; y < size.y; ++y) {
             if (y % 64 == 0)

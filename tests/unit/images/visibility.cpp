@@ -24,8 +24,21 @@ image<glm::vec3> receivers_for(glm::ivec2 map_size, glm::ivec2 size, std::mt1993
     const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     std::uniform_real_distribution<float> anywhere(-0.2f, 1.2f), depth(0, 1);
     std::uniform_int_distribution<int> one_in(0, 9), texel(-9, map_size.x + 9), eighth(0, 8);
-    const std::array special{nan, -nan, infinity, -infinity, 32768.0f, -32768.0f, std::nextafter(32768.0f, 0.0f),
-                             std::nextafter(-32768.0f, 0.0f), 65536.0f, 1e30f, -1e-30f, -0.0f, 0.0f, 40000.0f, -1e9f};
+    const std::array special{nan,
+                             -nan,
+                             infinity,
+                             -infinity,
+                             32768.0f,
+                             -32768.0f,
+                             std::nextafter(32768.0f, 0.0f),
+                             std::nextafter(-32768.0f, 0.0f),
+                             65536.0f,
+                             1e30f,
+                             -1e-30f,
+                             -0.0f,
+                             0.0f,
+                             40000.0f,
+                             -1e9f};
     std::uniform_int_distribution<std::size_t> pick(0, special.size() - 1);
     image<glm::vec3> out(size);
     for (glm::vec3& r : out.texels()) {
@@ -74,24 +87,33 @@ int differing(Encoding encoding, glm::ivec2 map_size, glm::ivec2 size, Filter fi
 
 template <class Encoding>
 int differing_for_all_filters(Encoding encoding, glm::ivec2 map_size, glm::ivec2 size, unsigned seed) {
-    int differ = differing(encoding, map_size, size, filters::hard{},
-                           [](auto& f, glm::vec2 c, float z) { return hard(f, c, z); }, seed);
-    differ += differing(encoding, map_size, size, filters::four_tap{}, [](auto& f, glm::vec2 c, float z) {
-        const glm::vec2 h(0.5f, 0.5f), g(0.5f, -0.5f);
-        return four_tap(f, c - h, c + g, c - g, c + h, z);
-    }, seed + 1);
+    int differ = differing(
+        encoding, map_size, size, filters::hard{}, [](auto& f, glm::vec2 c, float z) { return hard(f, c, z); }, seed);
+    differ += differing(
+        encoding, map_size, size, filters::four_tap{},
+        [](auto& f, glm::vec2 c, float z) {
+            const glm::vec2 h(0.5f, 0.5f), g(0.5f, -0.5f);
+            return four_tap(f, c - h, c + g, c - g, c + h, z);
+        },
+        seed + 1);
     const std::array offsets{glm::vec2(1.25f, 0), glm::vec2(-3, 2), glm::vec2(0, -0.125f), glm::vec2(0)};
-    differ += differing(encoding, map_size, size, filters::four_tap{offsets}, [&](auto& f, glm::vec2 c, float z) {
-        return four_tap(f, c + offsets[0], c + offsets[1], c + offsets[2], c + offsets[3], z);
-    }, seed + 2);
-    differ += differing(encoding, map_size, size, filters::pcf_2x2{},
-                        [](auto& f, glm::vec2 c, float z) { return pcf_2x2(f, c, z); }, seed + 3);
+    differ += differing(
+        encoding, map_size, size, filters::four_tap{offsets},
+        [&](auto& f, glm::vec2 c, float z) {
+            return four_tap(f, c + offsets[0], c + offsets[1], c + offsets[2], c + offsets[3], z);
+        },
+        seed + 2);
+    differ += differing(
+        encoding, map_size, size, filters::pcf_2x2{}, [](auto& f, glm::vec2 c, float z) { return pcf_2x2(f, c, z); },
+        seed + 3);
     for (float epsilon : {0.0f, 0.125f})
-        differ += differing(encoding, map_size, size, filters::pcf_2x2_dx_sdk{epsilon},
-                            [&](auto& f, glm::vec2 c, float z) { return pcf_2x2_dx_sdk(f, c, z, epsilon); }, seed + 4);
+        differ += differing(
+            encoding, map_size, size, filters::pcf_2x2_dx_sdk{epsilon},
+            [&](auto& f, glm::vec2 c, float z) { return pcf_2x2_dx_sdk(f, c, z, epsilon); }, seed + 4);
     for (int radius : {-1, 0, 1, 2, 3, 5, 8, 100})
-        differ += differing(encoding, map_size, size, filters::box{radius},
-                            [&](auto& f, glm::vec2 c, float z) { return box(f, c, z, radius); }, seed + 5);
+        differ += differing(
+            encoding, map_size, size, filters::box{radius},
+            [&](auto& f, glm::vec2 c, float z) { return box(f, c, z, radius); }, seed + 5);
     return differ;
 }
 

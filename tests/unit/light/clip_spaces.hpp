@@ -46,9 +46,7 @@ template <class Call>
 std::string complaint(Call call) {
     try {
         call();
-    } catch (const std::invalid_argument& e) {
-        return e.what();
-    }
+    } catch (const std::invalid_argument& e) { return e.what(); }
     return {};
 }
 
@@ -70,7 +68,8 @@ double difference(const glm::mat<4, 4, T>& a, const glm::mat<4, 4, T>& b) {
     double gap = 0, greatest = 0;
     for (int c = 0; c < 4; ++c)
         for (int r = 0; r < 4; ++r) {
-            if (!(umbrage::is_finite(a[c][r]) && umbrage::is_finite(b[c][r]))) return std::numeric_limits<double>::infinity();
+            if (!(umbrage::is_finite(a[c][r]) && umbrage::is_finite(b[c][r])))
+                return std::numeric_limits<double>::infinity();
             gap = std::max(gap, std::abs(double(a[c][r]) - double(b[c][r])));
             greatest = std::max(greatest, std::abs(double(a[c][r])));
         }

@@ -20,9 +20,7 @@ using namespace umbrage;
 
 namespace {
 
-double ulp(double v) {
-    return std::ldexp(1.0, std::ilogb(v) - 23);
-}
+double ulp(double v) { return std::ldexp(1.0, std::ilogb(v) - 23); }
 
 /// Spot and directional lights around the origin by turns, random but for the convention.
 light_space<float> random_light(std::mt19937& random, int i, clip_space clip = {}) {

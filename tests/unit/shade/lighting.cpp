@@ -21,11 +21,11 @@ TEST_CASE_TEMPLATE("spot_cone: by hand", T, float, double) {
     CHECK(spot_cone(down, vec(0, -4, -3) * T(1000), T(0.79)) == 1);
     CHECK(spot_cone(down, vec(0, -4, 3) * T(0.001), T(0.81)) == 0);
     CHECK(spot_cone(down, vec(0, -1, 0), T(0.999)) == 1);
-    CHECK(spot_cone(down, vec(0, 1, 0), T(0.5)) == 0);     // behind: its square would pass
+    CHECK(spot_cone(down, vec(0, 1, 0), T(0.5)) == 0);  // behind: its square would pass
     CHECK(spot_cone(down, vec(3, 4, 0), T(0.1)) == 0);
-    CHECK(spot_cone(down, vec(1, 0, 0), T(0)) == 0);       // 90 degrees: the edge is outside
+    CHECK(spot_cone(down, vec(1, 0, 0), T(0)) == 0);  // 90 degrees: the edge is outside
     CHECK(spot_cone(down, vec(1, T(-0.01), 0), T(0)) == 1);
-    CHECK(spot_cone(down, vec(0, 0, 0), T(0)) == 0);       // the apex
+    CHECK(spot_cone(down, vec(0, 0, 0), T(0)) == 0);  // the apex
     CHECK(spot_cone(down, vec(0, 0, 0), T(0.5)) == 0);
 }
 
@@ -76,9 +76,9 @@ TEST_CASE_TEMPLATE("spot_cone: NaN and overflow are outside", T, float, double) 
 TEST_CASE_TEMPLATE("diffuse_ambient: by hand", T, float, double) {
     using vec = glm::vec<3, T>;
     const vec albedo(1, 0.5, 0.25);
-    CHECK(diffuse_ambient(albedo, T(0.25), T(1), T(1)) == albedo);              // faced and lit: all of it
-    CHECK(diffuse_ambient(albedo, T(0.25), T(1), T(0)) == albedo * T(0.25));    // shadow: ambient alone
-    CHECK(diffuse_ambient(albedo, T(0.25), T(-1), T(1)) == albedo * T(0.25));   // turned away
+    CHECK(diffuse_ambient(albedo, T(0.25), T(1), T(1)) == albedo);             // faced and lit: all of it
+    CHECK(diffuse_ambient(albedo, T(0.25), T(1), T(0)) == albedo * T(0.25));   // shadow: ambient alone
+    CHECK(diffuse_ambient(albedo, T(0.25), T(-1), T(1)) == albedo * T(0.25));  // turned away
     CHECK(diffuse_ambient(albedo, T(0.25), T(0.5), T(0.5)) == albedo * T(0.4375));
     CHECK(diffuse_ambient(albedo, T(0), T(-0.0), T(1)) == vec(0));
     CHECK(diffuse_ambient(albedo, T(1), T(0.3), T(0.7)) == albedo);

@@ -78,12 +78,9 @@ std::vector<std::string> branches(const std::string& code) {
         std::istringstream lines(code);
         std::string& text = texts.emplace_back();
         for (std::string line; std::getline(lines, line);) {
-            if (line.starts_with("#if"))
-                taken.push_back(first);
-            else if (line.starts_with("#el"))
-                taken.back() = !first;
-            else if (line.starts_with("#endif"))
-                taken.pop_back();
+            if (line.starts_with("#if")) taken.push_back(first);
+            else if (line.starts_with("#el")) taken.back() = !first;
+            else if (line.starts_with("#endif")) taken.pop_back();
             else if (!line.starts_with("#") && std::find(taken.begin(), taken.end(), false) == taken.end())
                 text += line + '\n';
         }
@@ -163,10 +160,8 @@ TEST_CASE("source: a dialect that a snippet does not support") {
         const bool old =
             v == version::v100 || v == version::v110 || v == version::v120 || v == version::v130 || v == version::v150;
         CHECK(supports(modern, v) == !old);
-        if (old)
-            CHECK_THROWS_AS((void)source(v, {leaf, modern}), std::invalid_argument);
-        else
-            CHECK_NOTHROW((void)source(v, {leaf, modern}));
+        if (old) CHECK_THROWS_AS((void)source(v, {leaf, modern}), std::invalid_argument);
+        else CHECK_NOTHROW((void)source(v, {leaf, modern}));
     }
 }
 

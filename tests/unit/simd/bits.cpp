@@ -20,8 +20,12 @@ using namespace umbrage::detail;
 namespace {
 
 std::vector<float> hostile_floats() {
-    std::vector<float> values{0.0f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(),
-                              std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::max(), 32767.998f};
+    std::vector<float> values{0.0f,
+                              std::numeric_limits<float>::infinity(),
+                              std::numeric_limits<float>::quiet_NaN(),
+                              std::numeric_limits<float>::denorm_min(),
+                              std::numeric_limits<float>::max(),
+                              32767.998f};
     for (float v = 0x1p-30f; v < 0x1p40f; v *= 2.0f)
         for (float w : {std::nextafter(v, 0.0f), v, std::nextafter(v, 0x1p60f), v * 1.25f}) values.push_back(w);
     for (std::size_t i = 0, count = values.size(); i < count; ++i) values.push_back(-values[i]);

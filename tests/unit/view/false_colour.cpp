@@ -11,15 +11,15 @@ using namespace umbrage;
 
 TEST_CASE_TEMPLATE("false_colour: the colours on the way, by hand", T, float, double) {
     using vec = glm::vec<3, T>;
-    CHECK(false_colour(T(0)) == vec(0, 0, 0.5));        // dark blue
-    CHECK(false_colour(T(0.125)) == vec(0, 0, 1));      // blue
+    CHECK(false_colour(T(0)) == vec(0, 0, 0.5));    // dark blue
+    CHECK(false_colour(T(0.125)) == vec(0, 0, 1));  // blue
     CHECK(false_colour(T(0.25)) == vec(0, 0.5, 1));
-    CHECK(false_colour(T(0.375)) == vec(0, 1, 1));      // cyan
-    CHECK(false_colour(T(0.5)) == vec(0.5, 1, 0.5));    // green
-    CHECK(false_colour(T(0.625)) == vec(1, 1, 0));      // yellow
+    CHECK(false_colour(T(0.375)) == vec(0, 1, 1));    // cyan
+    CHECK(false_colour(T(0.5)) == vec(0.5, 1, 0.5));  // green
+    CHECK(false_colour(T(0.625)) == vec(1, 1, 0));    // yellow
     CHECK(false_colour(T(0.75)) == vec(1, 0.5, 0));
-    CHECK(false_colour(T(0.875)) == vec(1, 0, 0));      // red
-    CHECK(false_colour(T(1)) == vec(0.5, 0, 0));        // dark red
+    CHECK(false_colour(T(0.875)) == vec(1, 0, 0));  // red
+    CHECK(false_colour(T(1)) == vec(0.5, 0, 0));    // dark red
 }
 
 TEST_CASE_TEMPLATE("false_colour: clamped, NaN as the far end", T, float, double) {

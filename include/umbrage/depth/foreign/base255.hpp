@@ -4,9 +4,10 @@
 //
 //     float stored = umbrage::decode_base255(umbrage::load_unorm8(texel));
 //
-// Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error is
-// up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left is
-// the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighbouring floats decode 1 ulp out of it.
+// Below 1.0 the worst error is 2^-23. Faults of the format: 1.0 decodes to 0, and where the store truncates the error
+// is up to 2^-7.98 and nearby depths change places. The repaired writer has neither, for the same reader; what is left
+// is the reader's rounding: depths k / 2^24 keep their order, two pairs of other neighbouring floats decode 1 ulp out
+// of it.
 //
 #pragma once
 
@@ -21,7 +22,7 @@
 
 namespace umbrage {
 
-/// @param depth   clamped to [0, 1], NaN counts as far: 1, or 0 where depth is reversed; 1 decodes to 0, the format's fault
+/// @param depth   clamped to [0, 1], NaN counts as far: 1, or 0 where depth is reversed; 1 decodes to 0, a fault
 /// @return        UNORM values
 /// @formula       e_i = fract(255^i depth), each less 1/255 of the next
 /// @exactness     B
@@ -63,8 +64,11 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet write_base255{
-    .name = "write_base255", .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
-    .exactness = tier::b, .needs = list<&saturate>, .source = R"GLSL(
+    .name = "write_base255",
+    .summary = "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
 //   round: umbrage_encode_base255_repaired has neither fault
 UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
@@ -75,21 +79,29 @@ UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
         vec4(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
     return c;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet decode_base255{
-    .name = "decode_base255", .summary = "base-255 RGBA to depth", .exactness = tier::b, .source = R"GLSL(
+    .name = "decode_base255",
+    .summary = "base-255 RGBA to depth",
+    .exactness = tier::b,
+    .source = R"GLSL(
 // umbrage_decode_base255: base-255 RGBA, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
         c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
     return depth;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet encode_base255_repaired{
-    .name = "encode_base255_repaired", .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
-    .exactness = tier::b, .needs = list<&saturate>, .source = R"GLSL(
+    .name = "encode_base255_repaired",
+    .summary = "depth for readers of base-255 RGBA, 1.0 and truncation repaired",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
 //   whole numbers 0..255 (umbrage_to_unorm writes them)
 UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
@@ -99,7 +111,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (z - floor(z)) * 255.0;
     return vec4(floor(x), floor(y), floor(z), floor(w));
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 
@@ -107,7 +120,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
 struct base255 {
     using texel = glm::u8vec4;
     static constexpr std::string_view name = "base255";
-    static constexpr std::string_view summary = "Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0.";
+    static constexpr std::string_view summary =
+        "Base 255, as in Cesium, Babylon.js and bgfx, its fault included: 1 reads back as 0.";
     static constexpr const glsl::snippet* writer = &glsl::write_base255;
     static constexpr const glsl::snippet* reader = &glsl::decode_base255;
     static constexpr written writes = written::values;
@@ -123,7 +137,9 @@ struct base255 {
         const double either = store == unorm_store::rounds ? 0x1p-23 : 0x1.021p-8;
         return {.below = either, .above = either};
     }
-    [[nodiscard]] texel cleared() const { return direction == depth_direction::forward ? texel(255, 0, 0, 0) : texel(0); }
+    [[nodiscard]] texel cleared() const {
+        return direction == depth_direction::forward ? texel(255, 0, 0, 0) : texel(0);
+    }
 };
 
 /// The same, written without the faults.
@@ -140,7 +156,9 @@ struct base255_repaired {
 
     [[nodiscard]] texel encode(float depth) const { return encode_base255_repaired(depth, cleared_depth(direction)); }
     [[nodiscard]] float decode(texel t) const { return decode_base255(load_unorm8(t)); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {.below = 0x1p-23, .above = 0x1p-23}; }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
+        return {.below = 0x1p-23, .above = 0x1p-23};
+    }
     [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
 };
 

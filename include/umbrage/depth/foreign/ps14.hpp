@@ -36,7 +36,9 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet decode_ps14{
-    .name = "decode_ps14", .summary = "r / 8 + g as the Radeon 8500 computed it", .exactness = tier::b,
+    .name = "decode_ps14",
+    .summary = "r / 8 + g as the Radeon 8500 computed it",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
 //   1.0 is not the far plane on this scale
@@ -46,16 +48,21 @@ inline constexpr snippet decode_ps14{
 UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
     return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet receiver_ps14{
-    .name = "receiver_ps14", .summary = "receiver on the scale of decode_ps14", .exactness = tier::b,
+    .name = "receiver_ps14",
+    .summary = "receiver on the scale of decode_ps14",
+    .exactness = tier::b,
     .source = R"GLSL(
-// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel lights
+// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel
+//   lights
 UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
     return depth > 1.0 ? -1.0 : depth * 1.00392163;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr auto ps14_snippets = list<&decode_ps14, &receiver_ps14>;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The depth formats of three.js, r167 and later, to read and write its maps: RGBA, RGB and RG. Writers give UNORM values
-// as three.js does; what the 8-bit store makes of the channel that holds a fraction is part of the format.
+// The depth formats of three.js, r167 and later, to read and write its maps: RGBA, RGB and RG. Writers give UNORM
+// values as three.js does; what the 8-bit store makes of the channel that holds a fraction is part of the format.
 //
 //     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::write_threejs_rgba(depth));
 //     float stored = umbrage::decode_threejs_rgba(umbrage::load_unorm8(texel));
@@ -88,8 +88,11 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet write_threejs_rgba{
-    .name = "write_threejs_rgba", .summary = "depth to three.js RGBA, r167 and later", .exactness = tier::b,
-    .needs = list<&saturate>, .source = R"GLSL(
+    .name = "write_threejs_rgba",
+    .summary = "depth to three.js RGBA, r167 and later",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
@@ -102,10 +105,13 @@ UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP vec4 c = vec4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
     return v < 1.0 ? c : vec4(1.0, 1.0, 1.0, 1.0);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet decode_threejs_rgba{
-    .name = "decode_threejs_rgba", .summary = "three.js RGBA, r167 and later, to depth", .exactness = tier::b,
+    .name = "decode_threejs_rgba",
+    .summary = "three.js RGBA, r167 and later, to depth",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
@@ -113,11 +119,15 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
                                                 c.z * (255.0 / 16777216.0) + c.w * (1.0 / 16777216.0);
     return depth;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet write_threejs_rgb{
-    .name = "write_threejs_rgb", .summary = "depth to three.js RGB, r167 and later", .exactness = tier::b,
-    .needs = list<&saturate>, .source = R"GLSL(
+    .name = "write_threejs_rgb",
+    .summary = "depth to three.js RGB, r167 and later",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
@@ -127,10 +137,13 @@ UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP vec3 c = vec3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
     return v < 1.0 ? c : vec3(1.0, 1.0, 1.0);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet decode_threejs_rgb{
-    .name = "decode_threejs_rgb", .summary = "three.js RGB, r167 and later, to depth", .exactness = tier::b,
+    .name = "decode_threejs_rgb",
+    .summary = "three.js RGB, r167 and later, to depth",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
@@ -138,11 +151,15 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
         c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
     return depth;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet write_threejs_rg{
-    .name = "write_threejs_rg", .summary = "depth to three.js RG, r167 and later", .exactness = tier::b,
-    .needs = list<&saturate>, .source = R"GLSL(
+    .name = "write_threejs_rg",
+    .summary = "depth to three.js RG, r167 and later",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
 UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float v = umbrage_saturate(depth);
@@ -150,17 +167,21 @@ UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float whole = floor(x);
     return v < 1.0 ? vec2(whole * 0.00392156886, x - whole) : vec2(1.0, 1.0);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet decode_threejs_rg{
-    .name = "decode_threejs_rg", .summary = "three.js RG, r167 and later, to depth", .exactness = tier::b,
+    .name = "decode_threejs_rg",
+    .summary = "three.js RG, r167 and later, to depth",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
     return depth;
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 

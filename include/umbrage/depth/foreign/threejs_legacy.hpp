@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The RGBA depth format of three.js r73 to r166, to read and write its maps, and a writer without its fault. What the 8-bit
-// store makes of the channel that holds a fraction is part of the format.
+// The RGBA depth format of three.js r73 to r166, to read and write its maps, and a writer without its fault. What the
+// 8-bit store makes of the channel that holds a fraction is part of the format.
 //
 //     glm::u8vec4 texel = umbrage::store_unorm8(umbrage::write_threejs_legacy(depth));
 //     float stored = umbrage::decode_threejs_legacy(umbrage::load_unorm8(texel));
@@ -34,14 +34,15 @@ template <real T>
     const T x = v * T(16777216) - std::floor(v * T(16777216));
     const T y = v * T(65536) - std::floor(v * T(65536));
     const T z = v * T(256) - std::floor(v * T(256));
-    return {x * T(256.0 / 255.0), (y - x * T(1.0 / 256.0)) * T(256.0 / 255.0), (z - y * T(1.0 / 256.0)) * T(256.0 / 255.0),
-            (v - z * T(1.0 / 256.0)) * T(256.0 / 255.0)};
+    return {x * T(256.0 / 255.0), (y - x * T(1.0 / 256.0)) * T(256.0 / 255.0),
+            (z - y * T(1.0 / 256.0)) * T(256.0 / 255.0), (v - z * T(1.0 / 256.0)) * T(256.0 / 255.0)};
 }
 
 /// @formula      255/256 (A + B/2^8 + G/2^16 + R/2^24)   @exactness B
 template <real T>
 [[nodiscard]] constexpr T decode_threejs_legacy(glm::vec<4, T> c) {
-    return c.x * T(255.0 / 4294967296.0) + c.y * T(255.0 / 16777216.0) + c.z * T(255.0 / 65536.0) + c.w * T(255.0 / 256.0);
+    return c.x * T(255.0 / 4294967296.0) + c.y * T(255.0 / 16777216.0) + c.z * T(255.0 / 65536.0) +
+           c.w * T(255.0 / 256.0);
 }
 
 /// A writer without the fault, for decode_threejs_legacy on the other side: 24 bits, and 1 decodes to 1.
@@ -59,8 +60,11 @@ template <real T>
 namespace glsl {
 
 inline constexpr snippet write_threejs_legacy{
-    .name = "write_threejs_legacy", .summary = "depth to three.js RGBA, r73 to r166", .exactness = tier::b,
-    .needs = list<&saturate>, .source = R"GLSL(
+    .name = "write_threejs_legacy",
+    .summary = "depth to three.js RGBA, r73 to r166",
+    .exactness = tier::b,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
 //   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
 UMBRAGE_HIGHP vec4 umbrage_write_threejs_legacy(UMBRAGE_HIGHP float depth) {
@@ -71,10 +75,13 @@ UMBRAGE_HIGHP vec4 umbrage_write_threejs_legacy(UMBRAGE_HIGHP float depth) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = vec4(x, y - x * (1.0 / 256.0), z - y * (1.0 / 256.0), v - z * (1.0 / 256.0));
     return c * 1.00392163;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet decode_threejs_legacy{
-    .name = "decode_threejs_legacy", .summary = "three.js RGBA, r73 to r166, to depth", .exactness = tier::b,
+    .name = "decode_threejs_legacy",
+    .summary = "three.js RGBA, r73 to r166, to depth",
+    .exactness = tier::b,
     .source = R"GLSL(
 // umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
 UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
@@ -82,11 +89,15 @@ UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
                                                 c.z * (255.0 / 65536.0) + c.w * (255.0 / 256.0);
     return depth;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet encode_threejs_legacy_repaired{
-    .name = "encode_threejs_legacy_repaired", .summary = "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
-    .exactness = tier::a, .needs = list<&saturate>, .source = R"GLSL(
+    .name = "encode_threejs_legacy_repaired",
+    .summary = "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired",
+    .exactness = tier::a,
+    .needs = list<&saturate>,
+    .source = R"GLSL(
 // umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
 //   whole numbers 0..255 (umbrage_to_unorm writes them)
 UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float depth) {
@@ -97,7 +108,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
     UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
     return v < 1.0 ? vec4(0.0, rest - middle * 256.0, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 
@@ -107,7 +119,8 @@ UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float de
 struct threejs_legacy {
     using texel = glm::u8vec4;
     static constexpr std::string_view name = "threejs_legacy";
-    static constexpr std::string_view summary = "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
+    static constexpr std::string_view summary =
+        "RGBA of three.js r73 to r166, its fault included: 1 reads back as 255/256.";
     static constexpr const glsl::snippet* writer = &glsl::write_threejs_legacy;
     static constexpr const glsl::snippet* reader = &glsl::decode_threejs_legacy;
     static constexpr written writes = written::values;
@@ -119,7 +132,9 @@ struct threejs_legacy {
     [[nodiscard]] auto write(float depth) const { return write_threejs_legacy(depth, cleared_depth(direction)); }
     [[nodiscard]] texel encode(float depth) const { return store_unorm8(write(depth)); }
     [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {.below = 0x1p-32, .above = 0x1p-32}; }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
+        return {.below = 0x1p-32, .above = 0x1p-32};
+    }
     [[nodiscard]] texel cleared() const { return direction == depth_direction::forward ? texel(255) : texel(0); }
 };
 
@@ -135,9 +150,13 @@ struct threejs_legacy_repaired {
 
     depth_direction direction = depth_direction::forward;
 
-    [[nodiscard]] texel encode(float depth) const { return encode_threejs_legacy_repaired(depth, cleared_depth(direction)); }
+    [[nodiscard]] texel encode(float depth) const {
+        return encode_threejs_legacy_repaired(depth, cleared_depth(direction));
+    }
     [[nodiscard]] float decode(texel t) const { return decode_threejs_legacy(load_unorm8(t)); }
-    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const { return {.below = 0x1p-24, .above = 0x1p-24}; }
+    [[nodiscard]] constexpr decoding_error error(unorm_store = {}) const {
+        return {.below = 0x1p-24, .above = 0x1p-24};
+    }
     [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
 };
 

@@ -40,8 +40,9 @@ template <real T, class Fetch, class Compare = less_equal>
 
 namespace detail {
 template <real T>  // quotients of the compiler's: a run-time division would follow the rounding mode and -ffast-math
-inline constexpr std::array<T, max_box_radius + 1> box_scales{
-    T(1), T(1) / T(9), T(1) / T(25), T(1) / T(49), T(1) / T(81), T(1) / T(121), T(1) / T(169), T(1) / T(225), T(1) / T(289)};
+inline constexpr std::array<T, max_box_radius + 1> box_scales{T(1),          T(1) / T(9),   T(1) / T(25),
+                                                              T(1) / T(49),  T(1) / T(81),  T(1) / T(121),
+                                                              T(1) / T(169), T(1) / T(225), T(1) / T(289)};
 }  // namespace detail
 
 /// 1 / (2r+1)^2, rounded to nearest.
@@ -66,8 +67,11 @@ template <real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 
 inline constexpr snippet box_count{
-    .name = "box_count", .summary = "lit texels in a box of radius 0..8", .exactness = tier::a,
-    .needs = list<&compare, &is_compared, &fetch_depth>, .source = R"GLSL(
+    .name = "box_count",
+    .summary = "lit texels in a box of radius 0..8",
+    .exactness = tier::a,
+    .needs = list<&compare, &is_compared, &fetch_depth>,
+    .source = R"GLSL(
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
@@ -87,10 +91,14 @@ UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
     }
     return compared ? count : float(width * width);
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet box_scale{
-    .name = "box_scale", .summary = "1 / (2r+1)^2", .exactness = tier::a, .source = R"GLSL(
+    .name = "box_scale",
+    .summary = "1 / (2r+1)^2",
+    .exactness = tier::a,
+    .source = R"GLSL(
 // umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
 UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
     UMBRAGE_HIGHP float scale = 0.00346020772;  // not returned as a literal: that would have the host's precision
@@ -104,18 +112,23 @@ UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
     if (radius < 1) scale = 1.0;
     return scale;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet box{
-    .name = "box", .summary = "lit share of a box of radius 0..8", .exactness = tier::b,
-    .needs = list<&box_count, &box_scale>, .source = R"GLSL(
+    .name = "box",
+    .summary = "lit share of a box of radius 0..8",
+    .exactness = tier::b,
+    .needs = list<&box_count, &box_scale>,
+    .source = R"GLSL(
 // umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
 UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                 UMBRAGE_HIGHP float receiver, int radius) {
     UMBRAGE_HIGHP float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
     return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 

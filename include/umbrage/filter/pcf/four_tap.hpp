@@ -32,8 +32,11 @@ template <real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 
 inline constexpr snippet four_tap{
-    .name = "four_tap", .summary = "mean of four taps with coordinates of their own", .exactness = tier::a,
-    .needs = list<&hard>, .source = R"GLSL(
+    .name = "four_tap",
+    .summary = "mean of four taps with coordinates of their own",
+    .exactness = tier::a,
+    .needs = list<&hard>,
+    .source = R"GLSL(
 // umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels;   receiver  depth, biased
 UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 a,
@@ -42,7 +45,8 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     return (umbrage_hard(map, size, a, receiver) + umbrage_hard(map, size, b, receiver) +
             umbrage_hard(map, size, c, receiver) + umbrage_hard(map, size, d, receiver)) * 0.25;
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 
@@ -59,7 +63,8 @@ struct four_tap {
     [[nodiscard]] constexpr float reach() const {
         float farthest = 0.0f;
         for (glm::vec2 offset : offsets)
-            for (float along : {offset.x, -offset.x, offset.y, -offset.y}) farthest = along > farthest ? along : farthest;
+            for (float along : {offset.x, -offset.x, offset.y, -offset.y})
+                farthest = along > farthest ? along : farthest;
         return farthest + 0.5f;
     }
     template <class Fetch>

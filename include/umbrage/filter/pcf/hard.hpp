@@ -29,8 +29,11 @@ template <real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 
 inline constexpr snippet hard{
-    .name = "hard", .summary = "nearest texel, one test", .exactness = tier::a,
-    .needs = list<&compare, &is_compared, &fetch_depth>, .source = R"GLSL(
+    .name = "hard",
+    .summary = "nearest texel, one test",
+    .exactness = tier::a,
+    .needs = list<&compare, &is_compared, &fetch_depth>,
+    .source = R"GLSL(
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
@@ -41,7 +44,8 @@ UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel));
     return compared ? lit : 1.0;
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 

@@ -27,7 +27,7 @@ template <real T, class Fetch, class Compare = less_equal>
     if (!is_compared(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);  // position between texel centres, in 1/256 texel
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
-    const glm::vec<2, T> hi = x - texel * T(256);                  // weight of the farther texel, 0..255
+    const glm::vec<2, T> hi = x - texel * T(256);  // weight of the farther texel, 0..255
     const glm::vec<2, T> lo = T(256) - hi;
     const auto lit = [&](int i, int j) {
         return compare(receiver, T(fetch(glm::ivec2(texel) + glm::ivec2(i, j))), is_lit);
@@ -37,7 +37,8 @@ template <real T, class Fetch, class Compare = less_equal>
 }
 
 /// The DirectX SDK's form: weights in full floats, linear interpolation, the epsilon inside. The sample relies on
-/// Direct3D 9 putting pixel centres at whole numbers; here coord is as everywhere else, and the half texel is taken off.
+/// Direct3D 9 putting pixel centres at whole numbers; here coord is as everywhere else, and the half texel is taken
+/// off.
 ///
 /// @param fetch      ivec2 texel -> stored depth; called four times
 /// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
@@ -65,8 +66,11 @@ template <real T, class Fetch>
 namespace glsl {
 
 inline constexpr snippet pcf_2x2{
-    .name = "pcf_2x2", .summary = "bilinear 2x2, weights in steps of 1/256", .exactness = tier::a,
-    .needs = list<&compare, &is_compared, &fetch_depth>, .source = R"GLSL(
+    .name = "pcf_2x2",
+    .summary = "bilinear 2x2, weights in steps of 1/256",
+    .exactness = tier::a,
+    .needs = list<&compare, &is_compared, &fetch_depth>,
+    .source = R"GLSL(
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
@@ -84,11 +88,15 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
     UMBRAGE_HIGHP float visibility = (lo.y * (lo.x * a + hi.x * b) + hi.y * (lo.x * c + hi.x * d)) * (1.0 / 65536.0);
     return compared ? visibility : 1.0;
 }
-)GLSL"};
+)GLSL",
+};
 
 inline constexpr snippet pcf_2x2_dx_sdk{
-    .name = "pcf_2x2_dx_sdk", .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats", .exactness = tier::b,
-    .needs = list<&compare_dx_sdk, &is_compared, &fetch_depth>, .source = R"GLSL(
+    .name = "pcf_2x2_dx_sdk",
+    .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats",
+    .exactness = tier::b,
+    .needs = list<&compare_dx_sdk, &is_compared, &fetch_depth>,
+    .source = R"GLSL(
 // umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, not biased;   epsilon  in depth, added to the stored side
@@ -107,7 +115,8 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 s
     UMBRAGE_PRECISE UMBRAGE_HIGHP float visibility = low + weight.y * (high - low);
     return compared ? visibility : 1.0;
 }
-)GLSL"};
+)GLSL",
+};
 
 }  // namespace glsl
 

@@ -2,7 +2,8 @@
 //
 // The box filter over maps of floats: whole rows of the box are loaded at once, never one texel after the other.
 //
-//     std::int32_t lit = umbrage::detail::box_rows<umbrage::depth_direction::forward, 8, 0>(map.stride, 5).count(row, 0, receiver);
+//     const box_rows<depth_direction::forward, 8, 0> rows(map.stride, 5);
+//     std::int32_t lit = rows.count(row, 0, receiver);
 //
 #pragma once
 
@@ -22,14 +23,17 @@
 namespace umbrage::detail {
 
 /// Lit texels of boxes that lie inside a map at least as wide as a register.
-/// @tparam Lanes   of a register;   Whole  registers that a row of the box fills;   Width  of the box, 0 if not known here
+/// @tparam Lanes   of a register
+/// @tparam Whole   registers that a row of the box fills
+/// @tparam Width   of the box, 0 if not known here
 template <depth_direction Direction, int Lanes, int Whole, int Width = 0>
 struct box_rows {
     using ints = lanes_of<std::int32_t, Lanes>;
     static constexpr int reach = (Whole + 1) * Lanes;  ///< texels that are loaded of a row
     std::ptrdiff_t stride;
     int width;
-    std::int32_t window[3 * std::size_t(Lanes)]{};  ///< lanes that the rest of a row has in a register, slid to where they are
+    std::int32_t
+        window[3 * std::size_t(Lanes)]{};  ///< lanes that the rest of a row has in a register, slid to where they are
 
     UMBRAGE_INLINE box_rows(std::ptrdiff_t bytes, int box_width) : stride(bytes), width(Width ? Width : box_width) {
         for (int i = 0; i < width - Whole * Lanes; ++i) window[Lanes + i] = -1;
@@ -82,8 +86,8 @@ private:
     }
 };
 
-/// The part of a map that a block's boxes lie in. Rows of a map that lie a multiple of 2048 bytes apart share their places
-/// in a first-level cache, which has few for each: high boxes push their own rows out of it. Here they do not.
+/// The part of a map that a block's boxes lie in. Rows of a map that lie a multiple of 2048 bytes apart share their
+/// places in a first-level cache, which has few for each: high boxes push their own rows out of it. Here they do not.
 struct map_tile {
     static constexpr int columns = 100, rows = 96;
     float texels[rows][columns];
@@ -93,7 +97,8 @@ struct map_tile {
     /// @param last   texel of the map, within columns and rows of the first; at least eight columns
     UMBRAGE_INLINE void copy(const image_view<const float>& map, glm::ivec2 first, glm::ivec2 last) {
         const int count = last.x - first.x + 1;
-        const auto eight = [](const float* from, float* to) UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
+        const auto eight = [](const float* from, float* to)
+                               UMBRAGE_INLINE { std::memcpy(to, from, 8 * sizeof(float)); };
         for (int y = first.y; y <= last.y; ++y) {
             const float* from = texel_at(map, first.x, y);
             float* to = texels[y - first.y];
@@ -113,7 +118,8 @@ struct box_blocks {
         alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the box
         alignas(64) std::int32_t inside[block], compared[block];
         alignas(64) float z[block];
-        std::int32_t all_plain;  ///< all bits if all boxes and what is loaded beside them are inside, and no depth is NaN
+        std::int32_t
+            all_plain;  ///< all bits if all boxes and what is loaded beside them are inside, and no depth is NaN
     };
     image_view<const float> map;
     int radius;  ///< 0 .. max_box_radius

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has none
-// is called receiver by receiver.
+// The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
+// none is called receiver by receiver.
 //
-// A form says what it needs of a map, the least side of a map that it can take, and makes its blocks, for a map of floats
-// or of rg and a direction. Blocks work in two steps, some blocks apart, so that texels have come from memory when they
-// are needed: place() says where to look and prefetches it; the second step loads it, compares and weighs.
+// A form says what it needs of a map, the least side of a map that it can take, and makes its blocks, for a map of
+// floats or of rg and a direction. Blocks work in two steps, some blocks apart, so that texels have come from memory
+// when they are needed: place() says where to look and prefetches it; the second step loads it, compares and weighs.
 //
 //     template <>
 //     struct block_form<filters::pcf_2x2> {
@@ -31,6 +31,8 @@ template <class Filter>
 struct block_form;
 
 template <class Filter>
-concept has_block_form = requires { block_form<Filter>::need; };
+concept has_block_form = requires {
+    block_form<Filter>::need;
+};
 
 }  // namespace umbrage::detail

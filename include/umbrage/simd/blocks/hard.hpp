@@ -19,7 +19,8 @@ struct placed_tap {
     template <class Test, class T>
     UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset) {
         const texel_bytes memory(map);
-        const auto last_x = static_cast<float>(last_in_space(map.size.x)), last_y = static_cast<float>(last_in_space(map.size.y));
+        const auto last_x = static_cast<float>(last_in_space(map.size.x)),
+                   last_y = static_cast<float>(last_in_space(map.size.y));
         for (int i = 0; i < block; ++i) {
             const float x = receivers.x(i) + offset.x, y = receivers.y(i) + offset.y;
             compared[i] = Test::compared(x, y, receivers.z(i));

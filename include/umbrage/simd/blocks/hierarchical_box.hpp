@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The box filter for receivers most of which are wholly lit or wholly in shadow: those ask one number for the whole box.
-// visibility() does it for filters::hierarchical_box; bit for bit what filters::box gives.
+// The box filter for receivers most of which are wholly lit or wholly in shadow: those ask one number for the whole
+// box. visibility() does it for filters::hierarchical_box; bit for bit what filters::box gives.
 //
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out);
 //
@@ -19,8 +19,8 @@
 
 namespace umbrage::detail {
 
-/// For every place where a box may start, the bounds of the squares of texels that the box touches. A box of 2r + 1 texels
-/// touches at most `cells` squares of 2^level texels in a row.
+/// For every place where a box may start, the bounds of the squares of texels that the box touches. A box of 2r + 1
+/// texels touches at most `cells` squares of 2^level texels in a row.
 struct box_bounds {
     int level, cells;
     glm::ivec2 last;          ///< of the starts, which begin cells - 1 squares in front of the map
@@ -36,7 +36,8 @@ struct box_bounds {
         parallel(squares.y, [&](int from, int to) {
             const int blocks = (squares.x + block - 1) / block;
             const auto columns = static_cast<std::size_t>(blocks * block) << level;
-            std::vector<std::int32_t> low(columns), high(columns), padded(static_cast<std::size_t>(bounds.size().x + cells));
+            std::vector<std::int32_t> low(columns), high(columns),
+                padded(static_cast<std::size_t>(bounds.size().x + cells));
             on_best_isa([&](auto) UMBRAGE_INLINE {
                 for (int y = from; y < to; ++y) {
                     bounds_of_columns(map, y << level, low, high);
@@ -143,7 +144,8 @@ struct hierarchical_box_blocks {
             const std::int32_t x = floor_int(masked(receivers.x(i), compared)) - radius;
             const std::int32_t y = floor_int(masked(receivers.y(i), compared)) - radius;
             at.r.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
-            at.offsets[i] = memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
+            at.offsets[i] =
+                memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
             at.compared[i] = compared;
         }
         prefetch(memory, at.offsets, 1);

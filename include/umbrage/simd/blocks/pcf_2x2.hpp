@@ -47,8 +47,9 @@ struct pcf_2x2_blocks {
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         const texel_bytes memory(map.map);
         loaded_texels<Map> low(map), high(map);
-        loaded_texels<Map>::load_two(low, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); },
-                                     high, [&](int i) UMBRAGE_INLINE { return memory.below(at.offsets[i]); });
+        loaded_texels<Map>::load_two(
+            low, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }, high,
+            [&](int i) UMBRAGE_INLINE { return memory.below(at.offsets[i]); });
         for (int i = 0; i < block; ++i) {
             const float z = low.receiver(at.z[i]), lo_x = 256.0f - at.hi_x[i], lo_y = 256.0f - at.hi_y[i];
             const auto weigh = [&](const auto& row) UMBRAGE_INLINE {

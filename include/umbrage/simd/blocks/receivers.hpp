@@ -71,7 +71,8 @@ UMBRAGE_INLINE inline void use_block(const Receivers& receivers, int count, cons
     use(copy);
 }
 template <class Isa, class Use>
-UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa, const Use& use) {
+UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from, const block_walk& at, Isa,
+                                         const Use& use) {
     const receiver_texels receivers{from.row(at.y) + at.x};
     if (Isa::value != isa::base || at.count() != block) return use_block(receivers, at.count(), use);
     receiver_block copy;  // GCC takes vec3s apart for SSE only in a loop that does nothing else
@@ -80,7 +81,8 @@ UMBRAGE_INLINE inline void use_receivers(const image_view<const glm::vec3>& from
 }
 template <class Isa, class Use>
 UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const block_walk& at, Isa, const Use& use) {
-    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(), use);
+    use_block(receiver_rows{from.x.row(at.y) + at.x, from.y.row(at.y) + at.x, from.depth.row(at.y) + at.x}, at.count(),
+              use);
 }
 
 /// receiver_at for a block.
@@ -92,7 +94,8 @@ inline void load(const depth_receivers& seen, const block_walk& at, receiver_blo
         const float y = static_cast<float>(at.y) + 0.5f;
         for (int i = 0; i < block; ++i) {
             const float x = static_cast<float>(at.x + i) + 0.5f, depth = r.zs[i];
-            const auto sum = [&](glm::length_t k) UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
+            const auto sum = [&](glm::length_t k)
+                                 UMBRAGE_INLINE { return m[3][k] + m[0][k] * x + m[1][k] * y + m[2][k] * depth; };
             const float w = sum(3);
             const auto bits = detail::bit_cast<std::int32_t>(w);
             const std::int32_t in_front = -(std::int32_t(bits > 0) & std::int32_t(bits <= 0x7F800000));

@@ -72,8 +72,8 @@ struct gathered {
 template <class At>
 gathered(void*, At) -> gathered<At>;
 
-/// Blocks of words, in turns. As many as fill a small register make one store: left alone, compilers want more at once than
-/// they can hold.
+/// Blocks of words, in turns. As many as fill a small register make one store: left alone, compilers want more at once
+/// than they can hold.
 template <class Word, class... At>
 UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
     const auto word = [](const void* from) UMBRAGE_INLINE {
@@ -85,7 +85,8 @@ UMBRAGE_INLINE inline void gather(const gathered<At>&... blocks) {
     constexpr std::size_t some = sizeof(words) / sizeof(Word);
     const auto load = [&]<std::size_t... I>(int i, const auto& from, std::index_sequence<I...>) UMBRAGE_INLINE {
         const words together{word(from.at(i + static_cast<int>(I)))...};
-        std::memcpy(static_cast<std::byte*>(from.to) + static_cast<std::size_t>(i) * sizeof(Word), &together, sizeof together);
+        std::memcpy(static_cast<std::byte*>(from.to) + static_cast<std::size_t>(i) * sizeof(Word), &together,
+                    sizeof together);
     };
     for (int i = 0; i < block; i += static_cast<int>(some)) (load(i, blocks, std::make_index_sequence<some>{}), ...);
 }
@@ -113,7 +114,8 @@ struct loaded_texels<float_texels> {
     UMBRAGE_INLINE float second(int i) const { return depths[2 * i + 1]; }
 };
 
-/// Byte pairs, two of them to a word. Both sides of the comparison stay 2^bits times the depth, which changes no result.
+/// Byte pairs, two of them to a word. Both sides of the comparison stay 2^bits times the depth, which changes no
+/// result.
 template <>
 struct loaded_texels<rg_texels> {
     static constexpr bool little = std::endian::native == std::endian::little;
@@ -190,7 +192,8 @@ template <class T>
 UMBRAGE_INLINE inline void prefetch(const texel_bytes<T>& memory, const std::int32_t* offsets, int rows) {
     for (int row = -1; row <= rows; ++row)
 #pragma GCC unroll 4
-        for (int i = 0; i < block; i += 16) prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
+        for (int i = 0; i < block; i += 16)
+            prefetch_bytes(memory.data, offsets[i] + std::ptrdiff_t(row) * memory.stride, 1);
 }
 
 }  // namespace umbrage::detail

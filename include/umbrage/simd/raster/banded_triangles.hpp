@@ -24,7 +24,9 @@ class banded_triangles {
 public:
     template <class ParallelFor>
     banded_triangles(const projected_mesh& mesh, glm::ivec2 size, ParallelFor&& parallel)
-        : mesh_(mesh), rows_(std::clamp(band_texels / std::max(size.x, 1), 1, band_rows)), bands_((size.y + rows_ - 1) / rows_) {
+        : mesh_(mesh),
+          rows_(std::clamp(band_texels / std::max(size.x, 1), 1, band_rows)),
+          bands_((size.y + rows_ - 1) / rows_) {
         const unsigned triangles = mesh.triangle_count(), pieces = (triangles + piece - 1) / piece;
         lists_.resize(std::size_t(pieces) * std::size_t(bands_));
         parallel(static_cast<int>(pieces), [&](int first, int last) {

@@ -70,8 +70,8 @@ public:
         });
     }
 
-    /// Prefetches what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh. Inlined for the
-    /// reason that prefetch_line() gives.
+    /// Prefetches what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh. Inlined for
+    /// the reason that prefetch_line() gives.
     UMBRAGE_INLINE void expect(std::span<const unsigned> list, std::size_t k) const {
         constexpr std::size_t soon = 16, later = 32;
         if (k + later < list.size()) prefetch_line(&mesh_.triangles[list[k + later]]);
@@ -132,7 +132,8 @@ public:
 private:
     static constexpr unsigned nowhere = 1u << projection::planes;
 
-    [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c) {
+    [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b,
+                                                 const snapped_vertex& c) {
         return planes_outside(a) | planes_outside(b) | planes_outside(c);
     }
 
@@ -155,7 +156,8 @@ private:
         }
         alignas(64) snapped_vertex vertices[block];
         project_.snap(positions, vertices);
-        for (std::size_t i = 0; i < block; ++i) vertices_[first + i] = finite[i] ? vertices[i] : outside_vertex(nowhere);
+        for (std::size_t i = 0; i < block; ++i)
+            vertices_[first + i] = finite[i] ? vertices[i] : outside_vertex(nowhere);
     }
 
     mesh_view mesh_;

@@ -123,7 +123,8 @@ public:
         return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
     }
 
-    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes become `outside_vertex`.
+    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes become
+    /// `outside_vertex`.
     /// @exactness  the bits of one by one
     void snap(const glm::vec3 (&positions)[block], snapped_vertex (&vertices)[block]) const {
         using bits = std::int64_t;
@@ -137,8 +138,7 @@ public:
             alignas(64) float x[block], y[block], z[block];
             alignas(64) double column[block], row[block], depth[block];
             alignas(64) bits outside[block];
-            for (int i = 0; i < block; ++i)
-                x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
+            for (int i = 0; i < block; ++i) x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
             const glm::dmat4 m = matrix_;
             const glm::dvec2 half_size = half_size_;
             for (int i = 0; i < block; ++i) {

@@ -96,8 +96,7 @@ public:
         const int first_x = std::max(left >> 8, bounds.first.x), last_x = std::min(right >> 8, bounds.last.x - 1);
         if (first_x > last_x || first_y > last_y) return;
 
-        const std::int64_t area =
-            std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
+        const std::int64_t area = std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
         if (area == 0 || cull == (area > 0 ? cull_mode::front : cull_mode::back)) return;
 
         // Counter-clockwise, the smallest vertex first, whatever the order in the mesh was.
@@ -247,8 +246,7 @@ private:
             units = 1.0 / unit;
             const double dx = truncate<Set>(slope_x * units) * unit;
             const double dy = truncate<Set>(slope_y * units) * unit;
-            depth_[i] = truncate<Set>(z0 * units) * unit +
-                        dx * (first_[0][i] * subtexels + centre - x_[0][i]) +
+            depth_[i] = truncate<Set>(z0 * units) * unit + dx * (first_[0][i] * subtexels + centre - x_[0][i]) +
                         dy * (first_[1][i] * subtexels + centre - y_[0][i]);
             dx_[i] = dx * subtexels;
             dy_[i] = dy * subtexels;

@@ -8,9 +8,7 @@ namespace {
 
 using namespace umbrage;
 
-vec4 bits_of(const sample& s) {
-    return vec4(encode_float_bits(s.x[0].x));
-}
+vec4 bits_of(const sample& s) { return vec4(encode_float_bits(s.x[0].x)); }
 
 }  // namespace
 

@@ -27,9 +27,7 @@ void add(std::vector<entry>& all) {
 }  // namespace
 
 void add_depth_rg_level(std::vector<entry>& all) {
-    [&]<int... M>(std::integer_sequence<int, M...>) {
-        (add<9 + M>(all), ...);
-    }
+    [&]<int... M>(std::integer_sequence<int, M...>) { (add<9 + M>(all), ...); }
     (std::make_integer_sequence<int, 8>());
 }
 

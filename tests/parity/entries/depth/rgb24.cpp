@@ -8,9 +8,7 @@ namespace {
 
 using namespace umbrage;
 
-vec4 rgb24_of(const sample& s) {
-    return vec4(vec3(encode_rgb24(s.x[0].x)), 255.0f);
-}
+vec4 rgb24_of(const sample& s) { return vec4(vec3(encode_rgb24(s.x[0].x)), 255.0f); }
 
 }  // namespace
 

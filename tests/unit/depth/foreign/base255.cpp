@@ -43,6 +43,7 @@ TEST_CASE("encode_base255_repaired: whole digits in base 255, 1 as (255, 0, 0, 0
 TEST_CASE("encode_base255_repaired: in double the error is one last digit") {
     for (int k = 0; k <= 1 << 24; k += 997) {
         const double d = k / 16777216.0;
-        REQUIRE(std::abs(decode_base255(load_unorm8<double>(encode_base255_repaired(d))) - d) < 1.0001 / (255.0 * 16581375.0));
+        REQUIRE(std::abs(decode_base255(load_unorm8<double>(encode_base255_repaired(d))) - d) <
+                1.0001 / (255.0 * 16581375.0));
     }
 }

@@ -15,7 +15,7 @@ static_assert(decode_ps14(glm::vec2(0, 0)) == 0.0f);
 static_assert(decode_ps14(glm::vec2(1, 0)) == 0.125f);
 static_assert(1.00392163f == float(256.0 / 255.0));  // the literal of the GLSL twin
 static_assert(receiver_ps14(0.0f) == 0.0f && receiver_ps14(1.0f) == float(256.0 / 255.0));
-static_assert(receiver_ps14(1.125f) == -1.0f);  // beyond the far plane: lit
+static_assert(receiver_ps14(1.125f) == -1.0f);                 // beyond the far plane: lit
 static_assert(receiver_ps14(-2.0) == -2.0 * (256.0 / 255.0));  // not clamped
 
 }  // namespace
@@ -43,5 +43,5 @@ TEST_CASE("receiver_ps14: on the scale of decode_ps14 a depth stays within its c
         worst_without = std::max(worst_without, std::abs(double(depth) - stored));
     }
     CHECK(worst_with < 1.0 / 2040 + 1e-7);  // a code and one rounding
-    CHECK(worst_without > 6.9 / 2040);  // the drift against a raw depth
+    CHECK(worst_without > 6.9 / 2040);      // the drift against a raw depth
 }

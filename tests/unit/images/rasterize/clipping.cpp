@@ -43,12 +43,12 @@ TEST_CASE("rasterize_depth: cut at the near plane, with corners behind the camer
     };
     CHECK(samples({-9, -9, -2}, {9, -9, -2}, {0, 18, -2}) == 64 * 64);  // in the near plane: inside
     CHECK(samples({-9, -9, -1.99f}, {9, -9, -1.99f}, {0, 18, -1.99f}) == 0);
-    CHECK(samples({-9, -9, 5}, {9, -9, 5}, {0, 18, 5}) == 0);    // behind
-    CHECK(samples({-9, -9, 0}, {9, -9, 0}, {0, 18, 0}) == 0);    // through the eye: w = 0
+    CHECK(samples({-9, -9, 5}, {9, -9, 5}, {0, 18, 5}) == 0);  // behind
+    CHECK(samples({-9, -9, 0}, {9, -9, 0}, {0, 18, 0}) == 0);  // through the eye: w = 0
     CHECK(samples({0, 0, 0}, {0, 0, 0}, {0, 0, 0}) == 0);
-    CHECK(samples({0, 0, -2}, {-9, -9, 5}, {9, -9, 5}) == 0);    // touches the near plane with a corner
-    CHECK(samples({-1, 0, -2}, {1, 0, -2}, {0, 9, 5}) == 0);     // with an edge
-    CHECK(samples({-2, -2, -2}, {2, -2, -2}, {0, 0, -4}) > 100); // in front of it, on it with an edge
+    CHECK(samples({0, 0, -2}, {-9, -9, 5}, {9, -9, 5}) == 0);     // touches the near plane with a corner
+    CHECK(samples({-1, 0, -2}, {1, 0, -2}, {0, 9, 5}) == 0);      // with an edge
+    CHECK(samples({-2, -2, -2}, {2, -2, -2}, {0, 0, -4}) > 100);  // in front of it, on it with an edge
 
     glm::mat4 no_near(0.0f);  // z = 1/4, w = z: only w bounds it, and a corner has none
     no_near[0][0] = no_near[1][1] = no_near[2][3] = 1.0f, no_near[3][2] = 0.25f;

@@ -66,11 +66,14 @@ TEST_CASE("rasterize_depth: faces left out") {
             CHECK((depth[{1, 8}] == 0.5f) == (cull != cull_mode::front));
             CHECK((depth[{14, 8}] == 0.5f) == (cull != cull_mode::back));
             int called = 0;
-            rasterize({16, 16}, m, glm::mat4(1.0f), clip, [&](glm::ivec2 texel, float, unsigned triangle) {
-                ++called;
-                CHECK((triangle == 1) == (texel.x >= 8));
-                CHECK(cull != (triangle == 1 ? cull_mode::back : cull_mode::front));
-            }, cull);
+            rasterize(
+                {16, 16}, m, glm::mat4(1.0f), clip,
+                [&](glm::ivec2 texel, float, unsigned triangle) {
+                    ++called;
+                    CHECK((triangle == 1) == (texel.x >= 8));
+                    CHECK(cull != (triangle == 1 ? cull_mode::back : cull_mode::front));
+                },
+                cull);
             CHECK(called > 0);
         }
 }

@@ -90,7 +90,7 @@ TEST_CASE("rasterize_depth: nearer or as near wins, nothing beyond the far plane
     CHECK(after(2.0f, 1.0f, forward) == 1.0f);
     CHECK(after(2.0f, 1.5f, forward) == 2.0f);
     CHECK(after(-1.0f, -0.5f, reversed) == -1.0f);
-    CHECK(after(2.0f, -0.5f, forward) == 2.0f);   // before the near plane
+    CHECK(after(2.0f, -0.5f, forward) == 2.0f);  // before the near plane
     CHECK(after(-1.0f, 1.5f, reversed) == -1.0f);
     CHECK(is_nan(after(nan_value, 0.5f, forward)));
     CHECK(std::bit_cast<unsigned>(after(1.0f, -0.0f, forward)) == 0u);

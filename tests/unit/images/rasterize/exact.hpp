@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// An oracle that knows neither edge functions with a bias nor floating point: positions, planes and depths are fractions
-// of integers, and a sample on an edge is decided by moving it an infinitesimal step to the right and a yet smaller one
-// down, which is what the top-left rule means.
+// An oracle that knows neither edge functions with a bias nor floating point: positions, planes and depths are
+// fractions of integers, and a sample on an edge is decided by moving it an infinitesimal step to the right and a yet
+// smaller one down, which is what the top-left rule means.
 #pragma once
 
 #include <array>

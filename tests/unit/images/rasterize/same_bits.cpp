@@ -94,8 +94,7 @@ TEST_CASE("rasterize_depth: every instruction set and every cut into pieces give
                         detail::isa_in_use = std::min(set, best_isa());
                         image<float> depth = before;
                         rasterize_depth(depth, m, perspective(), clip, cull_mode::none, [&](int count, auto&& piece) {
-                            for (int i = pieces - 1; i >= 0; --i)
-                                piece(count * i / pieces, count * (i + 1) / pieces);
+                            for (int i = pieces - 1; i >= 0; --i) piece(count * i / pieces, count * (i + 1) / pieces);
                         });
                         CHECK(same_bits(depth, reference));
                     }

@@ -52,7 +52,7 @@ inline image<int> count_samples(glm::ivec2 size, const mesh_view& m, const glm::
 }
 
 inline image<float> render(glm::ivec2 size, const mesh_view& m, const glm::mat4& matrix = glm::mat4(1.0f),
-                    clip_space clip = {}, cull_mode cull = cull_mode::none) {
+                           clip_space clip = {}, cull_mode cull = cull_mode::none) {
     image<float> depth(size, cleared_depth(clip));
     rasterize_depth(depth, m, matrix, clip, cull);
     return depth;

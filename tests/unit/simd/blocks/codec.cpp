@@ -14,7 +14,8 @@ template <class Encoding>
 void check_codec(Encoding encoding) {
     using texel = typename Encoding::texel;
     values v;
-    for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(63, 3), glm::ivec2(64, 2), glm::ivec2(65, 40), glm::ivec2(389, 31)}) {
+    for (const glm::ivec2 size :
+         {glm::ivec2(1, 1), glm::ivec2(63, 3), glm::ivec2(64, 2), glm::ivec2(65, 40), glm::ivec2(389, 31)}) {
         gapped<float> depth(size), back(size);
         gapped<texel> texels(size);
         for (int y = 0; y < size.y; ++y)

@@ -23,8 +23,7 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
             const float d = v.depth();
             if constexpr (std::is_same_v<typename Encoding::texel, float>)
                 map.view()[{x, y}] = d;  // a map of floats may hold anything
-            else
-                map.view()[{x, y}] = encoding.encode(d);
+            else map.view()[{x, y}] = encoding.encode(d);
         }
     image<glm::vec3> receivers(size);
     image<float> x_plane(size), y_plane(size), depth(size);
@@ -58,7 +57,8 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
                 different += visibility_bits(wanted) != visibility_bits(from_image[t]);
                 different += visibility_bits(wanted) != visibility_bits(from_planes[t]);
                 const glm::vec3 receiver = umbrage::receiver_at(seen, t);
-                different_from_depth += visibility_bits(filter(fetch, glm::vec2(receiver), receiver.z)) != visibility_bits(from_depth[t]);
+                different_from_depth +=
+                    visibility_bits(filter(fetch, glm::vec2(receiver), receiver.z)) != visibility_bits(from_depth[t]);
             }
         CHECK(different == 0);
         CHECK(different_from_depth == 0);  // receiver_at is of tier C: wants -ffp-contract=off
@@ -120,7 +120,8 @@ void for_each_setting(Use&& use) {
 
 template <class Encoding>
 void check_filters(Encoding encoding) {
-    for (const glm::ivec2 map_size : {glm::ivec2(1, 1), glm::ivec2(1, 9), glm::ivec2(2, 2), glm::ivec2(9, 4), glm::ivec2(67, 45)})
+    for (const glm::ivec2 map_size :
+         {glm::ivec2(1, 1), glm::ivec2(1, 9), glm::ivec2(2, 2), glm::ivec2(9, 4), glm::ivec2(67, 45)})
         for_each_setting([&](const auto& filter) { check_filter(encoding, filter, map_size); });
 }
 
@@ -141,7 +142,8 @@ TEST_CASE("visibility: whole blocks inside the map, and rows that collide in the
             check_coherent(umbrage::depth32f{}, umbrage::filters::box{radius}, map_size);
             check_coherent(umbrage::depth32f{}, umbrage::filters::hierarchical_box{radius}, map_size);
             check_coherent(umbrage::rg<16>{}, umbrage::filters::box{radius}, map_size);
-            // From the far corner of the map on: as near to it as eight lanes can be loaded for every row, and one texel on.
+            // From the far corner of the map on: as near to it as eight lanes can be loaded for every row, and one
+            // texel on.
             for (const float beyond : {7.5f, 6.5f}) {
                 const auto corner = glm::vec2(map_size - radius) - glm::vec2(beyond, 0.5f);
                 check_coherent(umbrage::depth32f{}, umbrage::filters::box{radius}, map_size, corner, {-1.03f, -1.7f});
@@ -169,7 +171,8 @@ TEST_CASE("encode, visibility: large images, which bypass the cache, rows on and
     const umbrage::filters::pcf_2x2 filter;
     image<float> wanted(size);
     for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) wanted[{x, y}] = filter(fetch, glm::vec2(receivers[{x, y}]), receivers[{x, y}].z);
+        for (int x = 0; x < size.x; ++x)
+            wanted[{x, y}] = filter(fetch, glm::vec2(receivers[{x, y}]), receivers[{x, y}].z);
     for_each_path([&] {
         umbrage::encode(depth.view(), texels.view(), float_bits, bands{3});
         umbrage::visibility(map, rg, receivers, filter, visibility.view(), bands{3});
@@ -188,7 +191,8 @@ TEST_CASE("encode, visibility: large images, which bypass the cache, rows on and
 TEST_CASE("visibility: maps that reach beyond texel space, up to its last texels") {
     for (const glm::ivec2 map_size : {glm::ivec2(32769, 2), glm::ivec2(2, 32770), glm::ivec2(32768, 2)}) {
         const bool wide = map_size.x > map_size.y;
-        const glm::vec2 along = wide ? glm::vec2(1, 0) : glm::vec2(0, 1), across = wide ? glm::vec2(0, 1) : glm::vec2(1, 0);
+        const glm::vec2 along = wide ? glm::vec2(1, 0) : glm::vec2(0, 1),
+                        across = wide ? glm::vec2(0, 1) : glm::vec2(1, 0);
         for_each_setting([&](const auto& filter) {
             check_coherent(umbrage::depth32f{}, filter, map_size, 32762.0f * along + 0.4f * across, 0.03125f * along);
         });

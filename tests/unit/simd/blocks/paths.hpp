@@ -91,7 +91,9 @@ struct gapped {
     glm::ivec2 size;
     std::vector<T> memory;
     explicit gapped(glm::ivec2 s) : size(s), memory(static_cast<std::size_t>((s.x + 5) * s.y), T(7)) {}
-    umbrage::image_view<T> view() { return {memory.data(), size, (size.x + 5) * static_cast<std::ptrdiff_t>(sizeof(T))}; }
+    umbrage::image_view<T> view() {
+        return {memory.data(), size, (size.x + 5) * static_cast<std::ptrdiff_t>(sizeof(T))};
+    }
     bool gaps_untouched() {
         for (int y = 0; y < size.y; ++y)
             for (int x = size.x; x < size.x + 5; ++x)

@@ -8,9 +8,7 @@ namespace {
 
 using namespace umbrage;
 
-int radius_of(const sample& s) {
-    return static_cast<int>(s.x[0].w);
-}
+int radius_of(const sample& s) { return static_cast<int>(s.x[0].w); }
 
 }  // namespace
 

@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+#
+# Fails when a C++ file has more than 300 lines or 120 columns: what does not fit is two ideas.
+cmake_minimum_required(VERSION 3.21)
+string(REPEAT . 121 too_long)
+
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/include/*.[ch]pp ${ROOT}/tests/*.[ch]pp)
+list(LENGTH files count)
+if(count LESS 100)
+    message(FATAL_ERROR "Only ${count} files in ${ROOT}")
+endif()
+foreach(file IN LISTS files)
+    file(READ ${ROOT}/${file} text)
+    string(REGEX MATCHALL "\n" lines "${text}")
+    list(LENGTH lines lines)
+    if(lines GREATER 300)
+        message(SEND_ERROR "${file} has ${lines} lines, more than 300")
+    endif()
+    file(STRINGS ${ROOT}/${file} long REGEX "${too_long}")
+    foreach(line IN LISTS long)
+        message(SEND_ERROR "${file} has more than 120 columns:\n${line}")
+    endforeach()
+endforeach()
