@@ -20,25 +20,49 @@
 namespace parity {
 
 // The functions in use; EGL finds them for whichever context is current.
-#define PARITY_GL(X)                                                                                                  \
-    X(ACTIVETEXTURE, ActiveTexture)                                                                                   \
-    X(ATTACHSHADER, AttachShader)                                                                                     \
-    X(BINDATTRIBLOCATION, BindAttribLocation)                                                                         \
-    X(BINDBUFFER, BindBuffer) X(BINDFRAMEBUFFER, BindFramebuffer) X(BINDTEXTURE, BindTexture) X(                      \
-        BINDVERTEXARRAY, BindVertexArray) X(BUFFERDATA, BufferData) X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) \
-        X(COMPILESHADER, CompileShader) X(CREATEPROGRAM, CreateProgram) X(CREATESHADER, CreateShader) X(              \
-            DELETEPROGRAM, DeleteProgram) X(DELETESHADER, DeleteShader) X(DISABLE, Disable) X(DRAWARRAYS, DrawArrays) \
-            X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)         \
-                X(GENBUFFERS, GenBuffers) X(GENFRAMEBUFFERS, GenFramebuffers) X(GENTEXTURES, GenTextures)             \
-                    X(GENVERTEXARRAYS, GenVertexArrays) X(GETERROR, GetError) X(GETINTEGERV, GetIntegerv)             \
-                        X(GETPROGRAMINFOLOG, GetProgramInfoLog) X(GETPROGRAMIV, GetProgramiv)                         \
-                            X(GETSHADERINFOLOG, GetShaderInfoLog) X(GETSHADERIV, GetShaderiv) X(GETSTRING, GetString) \
-                                X(GETUNIFORMLOCATION, GetUniformLocation) X(LINKPROGRAM, LinkProgram) X(              \
-                                    PIXELSTOREI, PixelStorei) X(READPIXELS, ReadPixels) X(SHADERSOURCE, ShaderSource) \
-                                    X(TEXIMAGE2D, TexImage2D) X(TEXPARAMETERI, TexParameteri)                         \
-                                        X(TEXSUBIMAGE2D, TexSubImage2D) X(UNIFORM1I, Uniform1i)                       \
-                                            X(UNIFORM2F, Uniform2f) X(USEPROGRAM, UseProgram)                         \
-                                                X(VERTEXATTRIBPOINTER, VertexAttribPointer) X(VIEWPORT, Viewport)
+#define PARITY_GL(X)                                    \
+    X(ACTIVETEXTURE, ActiveTexture)                     \
+    X(ATTACHSHADER, AttachShader)                       \
+    X(BINDATTRIBLOCATION, BindAttribLocation)           \
+    X(BINDBUFFER, BindBuffer)                           \
+    X(BINDFRAMEBUFFER, BindFramebuffer)                 \
+    X(BINDTEXTURE, BindTexture)                         \
+    X(BINDVERTEXARRAY, BindVertexArray)                 \
+    X(BUFFERDATA, BufferData)                           \
+    X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)   \
+    X(COMPILESHADER, CompileShader)                     \
+    X(CREATEPROGRAM, CreateProgram)                     \
+    X(CREATESHADER, CreateShader)                       \
+    X(DELETEPROGRAM, DeleteProgram)                     \
+    X(DELETESHADER, DeleteShader)                       \
+    X(DISABLE, Disable)                                 \
+    X(DRAWARRAYS, DrawArrays)                           \
+    X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
+    X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)       \
+    X(GENBUFFERS, GenBuffers)                           \
+    X(GENFRAMEBUFFERS, GenFramebuffers)                 \
+    X(GENTEXTURES, GenTextures)                         \
+    X(GENVERTEXARRAYS, GenVertexArrays)                 \
+    X(GETERROR, GetError)                               \
+    X(GETINTEGERV, GetIntegerv)                         \
+    X(GETPROGRAMINFOLOG, GetProgramInfoLog)             \
+    X(GETPROGRAMIV, GetProgramiv)                       \
+    X(GETSHADERINFOLOG, GetShaderInfoLog)               \
+    X(GETSHADERIV, GetShaderiv)                         \
+    X(GETSTRING, GetString)                             \
+    X(GETUNIFORMLOCATION, GetUniformLocation)           \
+    X(LINKPROGRAM, LinkProgram)                         \
+    X(PIXELSTOREI, PixelStorei)                         \
+    X(READPIXELS, ReadPixels)                           \
+    X(SHADERSOURCE, ShaderSource)                       \
+    X(TEXIMAGE2D, TexImage2D)                           \
+    X(TEXPARAMETERI, TexParameteri)                     \
+    X(TEXSUBIMAGE2D, TexSubImage2D)                     \
+    X(UNIFORM1I, Uniform1i)                             \
+    X(UNIFORM2F, Uniform2f)                             \
+    X(USEPROGRAM, UseProgram)                           \
+    X(VERTEXATTRIBPOINTER, VertexAttribPointer)         \
+    X(VIEWPORT, Viewport)
 
 struct functions {
 #define PARITY_DECLARE(TYPE, NAME) PFNGL##TYPE##PROC NAME = nullptr;

@@ -20,20 +20,36 @@
 
 namespace packing {
 
-#define PACKING_GL(X)                                                                                                 \
-    X(ACTIVETEXTURE, ActiveTexture)                                                                                   \
-    X(ATTACHSHADER, AttachShader)                                                                                     \
-    X(BINDFRAMEBUFFER, BindFramebuffer)                                                                               \
-    X(BINDTEXTURE, BindTexture) X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) X(COMPILESHADER, CompileShader)     \
-        X(CREATEPROGRAM, CreateProgram) X(CREATESHADER, CreateShader) X(DELETEPROGRAM, DeleteProgram)                 \
-            X(DISABLE, Disable) X(DRAWARRAYS, DrawArrays) X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)               \
-                X(GENFRAMEBUFFERS, GenFramebuffers) X(GENTEXTURES, GenTextures) X(GETERROR, GetError)                 \
-                    X(GETPROGRAMINFOLOG, GetProgramInfoLog) X(GETPROGRAMIV, GetProgramiv)                             \
-                        X(GETSHADERINFOLOG, GetShaderInfoLog) X(GETSHADERIV, GetShaderiv) X(GETSTRING, GetString)     \
-                            X(GETUNIFORMLOCATION, GetUniformLocation) X(LINKPROGRAM, LinkProgram)                     \
-                                X(READPIXELS, ReadPixels) X(SHADERSOURCE, ShaderSource) X(TEXIMAGE2D, TexImage2D)     \
-                                    X(TEXPARAMETERI, TexParameteri) X(UNIFORM1I, Uniform1i) X(USEPROGRAM, UseProgram) \
-                                        X(VIEWPORT, Viewport)
+#define PACKING_GL(X)                                 \
+    X(ACTIVETEXTURE, ActiveTexture)                   \
+    X(ATTACHSHADER, AttachShader)                     \
+    X(BINDFRAMEBUFFER, BindFramebuffer)               \
+    X(BINDTEXTURE, BindTexture)                       \
+    X(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) \
+    X(COMPILESHADER, CompileShader)                   \
+    X(CREATEPROGRAM, CreateProgram)                   \
+    X(CREATESHADER, CreateShader)                     \
+    X(DELETEPROGRAM, DeleteProgram)                   \
+    X(DISABLE, Disable)                               \
+    X(DRAWARRAYS, DrawArrays)                         \
+    X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)     \
+    X(GENFRAMEBUFFERS, GenFramebuffers)               \
+    X(GENTEXTURES, GenTextures)                       \
+    X(GETERROR, GetError)                             \
+    X(GETPROGRAMINFOLOG, GetProgramInfoLog)           \
+    X(GETPROGRAMIV, GetProgramiv)                     \
+    X(GETSHADERINFOLOG, GetShaderInfoLog)             \
+    X(GETSHADERIV, GetShaderiv)                       \
+    X(GETSTRING, GetString)                           \
+    X(GETUNIFORMLOCATION, GetUniformLocation)         \
+    X(LINKPROGRAM, LinkProgram)                       \
+    X(READPIXELS, ReadPixels)                         \
+    X(SHADERSOURCE, ShaderSource)                     \
+    X(TEXIMAGE2D, TexImage2D)                         \
+    X(TEXPARAMETERI, TexParameteri)                   \
+    X(UNIFORM1I, Uniform1i)                           \
+    X(USEPROGRAM, UseProgram)                         \
+    X(VIEWPORT, Viewport)
 
 class mesa {
 public:
