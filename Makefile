@@ -69,7 +69,7 @@ test:
 	cmake --workflow --preset dev
 	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang; \
 	else echo "No clang++-14 here: the pass with it is left out."; fi
-	@build/dev/tests/readme/readme --print build/dev/tests/parity
+	@build/dev/tests/readme/readme --proof build/dev/tests/parity build/dev/tests/readme/proof.md
 
 unit:
 	$(call install,$(test_packages))
@@ -92,7 +92,7 @@ gallery:
 	build/examples/examples/gallery/gallery --viewer build/examples/examples/viewer/viewer --output build/gallery/index.html
 
 # Exhaustive runs: C++ first, then GLSL everywhere. Tables: build/dev/tests/proof/prove/prove.tsv and
-# build/dev/tests/parity/prove/*.tsv.
+# build/dev/tests/parity/prove/proof.md.
 prove:
 	$(call install,$(test_packages))
 	$(browser)
@@ -138,13 +138,12 @@ bench-compare:
 single-header:
 	cmake -P single_include/amalgamate.cmake
 
-# Writes the generated sections of README.md anew.
+# Writes the generated tables of README.md anew.
 readme:
 	$(call install,$(test_packages))
 	cmake --preset dev
-	cmake --build --preset dev
-	ctest --preset dev -R "^parity"
-	build/dev/tests/readme/readme --write README.md build/dev/tests/parity
+	cmake --build --preset dev --target readme
+	build/dev/tests/readme/readme --write README.md include/umbrage
 
 # What including umbrage.hpp and primitives.hpp costs.
 compile-time:
