@@ -76,12 +76,9 @@ int main(int argc, char** argv) try {
     const std::vector<std::string> args(argv + 1, argv + argc);
     const std::string what = args.size() == 3 ? args[0] : "";
     if (what == "--check") return check(args[1], args[2]);
-    if (what == "--write")
-        write(args[1], with_sections(read(args[1]), args[2]));
-    else if (what == "--proof")
-        prove(args[1], args[2]);
-    else
-        throw std::runtime_error("--check README.md INCLUDE, --write README.md INCLUDE, or --proof REPORTS PROOF.md");
+    if (what == "--write") write(args[1], with_sections(read(args[1]), args[2]));
+    else if (what == "--proof") prove(args[1], args[2]);
+    else throw std::runtime_error("--check README.md INCLUDE, --write README.md INCLUDE, or --proof REPORTS PROOF.md");
     return 0;
 } catch (const std::exception& error) {
     std::cerr << "readme: " << error.what() << '\n';

@@ -21,9 +21,7 @@ namespace {
 
 namespace glsl = umbrage::glsl;
 
-std::string code(std::string_view name) {
-    return "`" + std::string(name) + "`";
-}
+std::string code(std::string_view name) { return "`" + std::string(name) + "`"; }
 
 std::string span(std::string_view first, std::string_view last) {
     return first == last ? code(first) : code(first) + " to " + code(last);
@@ -68,9 +66,7 @@ std::vector<std::string> functions_in(const std::string& header) {
 
 }  // namespace
 
-std::string family::label() const {
-    return span(names.front(), names.back());
-}
+std::string family::label() const { return span(names.front(), names.back()); }
 
 std::vector<family> families() {
     std::vector<family> all;
