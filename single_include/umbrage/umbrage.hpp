@@ -1027,7 +1027,8 @@ namespace umbrage {
 /// @param v       any value; infinities, NaN and its payload survive
 /// @return        integer channels 0..255, R least significant
 /// @exactness     A: no arithmetic. Hardware that flushes denormals may deliver them as zero before we see them.
-[[nodiscard]] inline glm::u8vec4 encode_float_bits(float v) {
+template <class = void>  // templates alone may be constexpr where GLM_FORCE_INTRINSICS makes vectors no constants
+[[nodiscard]] constexpr glm::u8vec4 encode_float_bits(float v) {
     const auto bits = detail::bit_cast<std::uint32_t>(v);
     return {static_cast<std::uint8_t>(bits & 0xFF), static_cast<std::uint8_t>(bits >> 8 & 0xFF),
             static_cast<std::uint8_t>(bits >> 16 & 0xFF), static_cast<std::uint8_t>(bits >> 24)};
