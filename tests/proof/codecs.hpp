@@ -60,7 +60,7 @@ template <template <class> class Kind, class... Encodings>
 auto select_encodings(const std::tuple<Encodings...>&)
     -> decltype(std::tuple_cat(std::conditional_t<Kind<Encodings>::value, std::tuple<Encodings>, std::tuple<>>()...));
 template <template <class> class Kind>
-using encodings_that = decltype(select_encodings<Kind>(umbrage::encodings));
+using encodings_that = decltype(select_encodings<Kind>(umbrage::encodings{}));
 
 // Encodings that answer for an edge of a code's interval: our own, of so many bits.
 

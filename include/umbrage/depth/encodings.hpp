@@ -7,7 +7,6 @@
 //
 #pragma once
 
-#include <array>
 #include <tuple>
 
 #include <umbrage/depth/depth32f.hpp>
@@ -21,16 +20,15 @@
 
 namespace umbrage {
 
-/// One value of each.
-inline constexpr std::tuple<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, float_bits,
-                            threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255,
-                            base255_repaired>
-    encodings{};
+/// A tuple of all: encodings{} has a value of each.
+using encodings = std::tuple<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, float_bits,
+                             threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255,
+                             base255_repaired>;
 
 /// Calls use(encoding) for one after the other.
 template <class Use>
 constexpr void for_each_encoding(Use&& use) {
-    std::apply([&](const auto&... encoding) { (use(encoding), ...); }, encodings);
+    std::apply([&](const auto&... encoding) { (use(encoding), ...); }, encodings{});
 }
 
 /// Calls use(encoding) with the one of that name.
@@ -46,14 +44,4 @@ constexpr bool with_encoding(std::string_view name, Use&& use) {
     return found;
 }
 
-namespace glsl {
-
-/// Writer and reader of each; the texels of floats need no reader.
-inline constexpr auto encoding_snippets = std::apply(
-    [](const auto&... encoding) {
-        return std::array<const snippet*, 2 * sizeof...(encoding)>{encoding.writer..., encoding.reader...};
-    },
-    encodings);
-
-}  // namespace glsl
 }  // namespace umbrage

@@ -7,7 +7,6 @@
 //
 #pragma once
 
-#include <array>
 #include <tuple>
 
 #include <umbrage/filter/filter.hpp>
@@ -19,8 +18,8 @@
 
 namespace umbrage::filters {
 
-/// One value of each. (GLM's vectors are no constants where they are registers.)
-inline const std::tuple<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box> all{};
+/// A tuple of all: filters::all{} has a value of each.
+using all = std::tuple<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box>;
 
 }  // namespace umbrage::filters
 
@@ -29,7 +28,7 @@ namespace umbrage {
 /// Calls use(filter) for one after the other.
 template <class Use>
 void for_each_filter(Use&& use) {
-    std::apply([&](const auto&... filter) { (use(filter), ...); }, filters::all);
+    std::apply([&](const auto&... filter) { (use(filter), ...); }, filters::all{});
 }
 
 /// Calls use(filter) with the one of that name.
@@ -45,11 +44,4 @@ bool with_filter(std::string_view name, Use&& use) {
     return found;
 }
 
-namespace glsl {
-
-inline constexpr auto filter_snippets = []<class... Filters>(const std::tuple<Filters...>*) {
-    return std::array<const snippet*, sizeof...(Filters)>{Filters::snippet...};
-}(static_cast<decltype(&filters::all)>(nullptr));
-
-}  // namespace glsl
 }  // namespace umbrage

@@ -55,11 +55,22 @@ constexpr collection collect(const Lists&... lists) {
     return all;
 }
 
-// What the values of a list name.
-inline constexpr auto writers = std::apply([](const auto&... e) { return std::array{e.writer...}; }, encodings);
-inline constexpr auto readers = std::apply([](const auto&... e) { return std::array{e.reader...}; }, encodings);
-inline constexpr auto filters =
-    std::apply([](const auto&... f) { return std::array{f.snippet...}; }, umbrage::filters::all);
+// What the types of a list name.
+template <class... Encodings>
+consteval auto writers_of(const std::tuple<Encodings...>*) {
+    return std::array{Encodings::writer...};
+}
+template <class... Encodings>
+consteval auto readers_of(const std::tuple<Encodings...>*) {
+    return std::array{Encodings::reader...};
+}
+template <class... Filters>
+consteval auto snippets_of(const std::tuple<Filters...>*) {
+    return std::array{Filters::snippet...};
+}
+inline constexpr auto writers = writers_of(static_cast<const encodings*>(nullptr));
+inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr));
+inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::all*>(nullptr));
 
 // The rooms.
 inline constexpr auto light = collect(texture_matrix_snippets);
