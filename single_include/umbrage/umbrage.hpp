@@ -56,7 +56,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -1922,6 +1921,36 @@ struct rgb24 {
 
 }  // namespace umbrage
 
+// ---- umbrage/list.hpp
+// A list of types whose values know their names: what tools, tables and tests walk.
+//
+//     using encodings = umbrage::list_of<depth32f, rg<9>>;
+//     encodings::for_each([](auto encoding) { std::puts(encoding.name.data()); });
+//
+
+namespace umbrage {
+
+/// std::tuple's cheap sister: it is never made, so that a file that does not walk it pays nothing.
+template <class... Values>
+struct list_of {
+    static constexpr std::size_t size = sizeof...(Values);
+
+    /// Calls use(value) with a value of each, one after the other.
+    template <class Use>
+    static constexpr void for_each(Use&& use) {
+        (use(Values{}), ...);
+    }
+
+    /// Calls use(value) with the one of that name.
+    /// @return   false where none is called so
+    template <class Use>
+    static constexpr bool with(std::string_view name, Use&& use) {
+        return ((Values::name == name ? (static_cast<void>(use(Values{})), true) : false) || ...);
+    }
+};
+
+}  // namespace umbrage
+
 // ---- umbrage/depth/encodings.hpp
 // Every encoding of the library, in one list: what tools, tables, proofs and examples walk.
 //
@@ -1931,41 +1960,23 @@ struct rgb24 {
 
 namespace umbrage {
 
-/// One value of each.
-inline constexpr std::tuple<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, float_bits,
-                            threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255,
-                            base255_repaired>
-    encodings{};
+using encodings = list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, float_bits,
+                          threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255,
+                          base255_repaired>;
 
 /// Calls use(encoding) for one after the other.
 template <class Use>
 constexpr void for_each_encoding(Use&& use) {
-    std::apply([&](const auto&... encoding) { (use(encoding), ...); }, encodings);
+    encodings::for_each(use);
 }
 
 /// Calls use(encoding) with the one of that name.
 /// @return   false where none is called so
 template <class Use>
 constexpr bool with_encoding(std::string_view name, Use&& use) {
-    bool found = false;
-    for_each_encoding([&](const auto& encoding) {
-        if (found || encoding.name != name) return;
-        found = true;
-        use(encoding);
-    });
-    return found;
+    return encodings::with(name, use);
 }
 
-namespace glsl {
-
-/// Writer and reader of each; the texels of floats need no reader.
-inline constexpr auto encoding_snippets = std::apply(
-    [](const auto&... encoding) {
-        return std::array<const snippet*, 2 * sizeof...(encoding)>{encoding.writer..., encoding.reader...};
-    },
-    encodings);
-
-}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/depth/foreign/ps14.hpp
@@ -2396,10 +2407,9 @@ inline constexpr snippet receiver_rg{.name = receiver_rg_name<Bits>.view(),
                                      .exactness = tier::b,
                                      .source = receiver_rg_text<Bits>.view()};
 
-inline constexpr auto rg_level_snippets =
-    list<&level_rg<9>, &level_rg<10>, &level_rg<11>, &level_rg<12>, &level_rg<13>, &level_rg<14>, &level_rg<15>,
-         &level_rg<16>, &receiver_rg<9>, &receiver_rg<10>, &receiver_rg<11>, &receiver_rg<12>, &receiver_rg<13>,
-         &receiver_rg<14>, &receiver_rg<15>, &receiver_rg<16>>;
+/// Of the members named: texts are filled in where they are asked for.
+template <int... Bits>
+inline constexpr auto rg_level_snippets = list<&level_rg<Bits>..., &receiver_rg<Bits>...>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -2475,9 +2485,9 @@ inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view
                                          .needs = list<&saturate, &from_unorm, &fetch_clamped>,
                                          .source = encode_rg_table_text<Bits>.view()};
 
-inline constexpr auto rg_table_snippets =
-    list<&encode_rg_table<9>, &encode_rg_table<10>, &encode_rg_table<11>, &encode_rg_table<12>, &encode_rg_table<13>,
-         &encode_rg_table<14>, &encode_rg_table<15>, &encode_rg_table<16>>;
+/// Of the members named: texts are filled in where they are asked for.
+template <int... Bits>
+inline constexpr auto rg_table_snippets = list<&encode_rg_table<Bits>...>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -5194,8 +5204,7 @@ struct block_form<filters::pcf_2x2> {
 
 namespace umbrage::filters {
 
-/// One value of each. (GLM's vectors are no constants where they are registers.)
-inline const std::tuple<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box> all{};
+using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box>;
 
 }  // namespace umbrage::filters
 
@@ -5204,29 +5213,16 @@ namespace umbrage {
 /// Calls use(filter) for one after the other.
 template <class Use>
 void for_each_filter(Use&& use) {
-    std::apply([&](const auto&... filter) { (use(filter), ...); }, filters::all);
+    filters::all::for_each(use);
 }
 
 /// Calls use(filter) with the one of that name.
 /// @return   false where none is called so
 template <class Use>
 bool with_filter(std::string_view name, Use&& use) {
-    bool found = false;
-    for_each_filter([&](const auto& filter) {
-        if (found || filter.name != name) return;
-        found = true;
-        use(filter);
-    });
-    return found;
+    return filters::all::with(name, use);
 }
 
-namespace glsl {
-
-inline constexpr auto filter_snippets = []<class... Filters>(const std::tuple<Filters...>*) {
-    return std::array<const snippet*, sizeof...(Filters)>{Filters::snippet...};
-}(static_cast<decltype(&filters::all)>(nullptr));
-
-}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/images/blur.hpp
@@ -7152,17 +7148,28 @@ constexpr collection collect(const Lists&... lists) {
     return all;
 }
 
-// What the values of a list name.
-inline constexpr auto writers = std::apply([](const auto&... e) { return std::array{e.writer...}; }, encodings);
-inline constexpr auto readers = std::apply([](const auto&... e) { return std::array{e.reader...}; }, encodings);
-inline constexpr auto filters =
-    std::apply([](const auto&... f) { return std::array{f.snippet...}; }, umbrage::filters::all);
+// What the types of a list name.
+template <class... Encodings>
+consteval auto writers_of(const list_of<Encodings...>*) {
+    return std::array{Encodings::writer...};
+}
+template <class... Encodings>
+consteval auto readers_of(const list_of<Encodings...>*) {
+    return std::array{Encodings::reader...};
+}
+template <class... Filters>
+consteval auto snippets_of(const list_of<Filters...>*) {
+    return std::array{Filters::snippet...};
+}
+inline constexpr auto writers = writers_of(static_cast<const encodings*>(nullptr));
+inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr));
+inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::all*>(nullptr));
 
 // The rooms.
 inline constexpr auto light = collect(texture_matrix_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
-inline constexpr auto codes = collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets, readers);
-inline constexpr auto levels = collect(rg_level_snippets, ps14_snippets);
+inline constexpr auto codes = collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
+inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps = collect(image_snippets, texel_space_snippets, compare_snippets, filters);
 inline constexpr auto shade = collect(lighting_snippets);
 inline constexpr auto view = collect(false_colour_snippets);

@@ -57,7 +57,7 @@ template <int L>
 
 /// Of the list of encodings, those that `Kind` holds for.
 template <template <class> class Kind, class... Encodings>
-auto select_encodings(const std::tuple<Encodings...>&)
+auto select_encodings(umbrage::list_of<Encodings...>)
     -> decltype(std::tuple_cat(std::conditional_t<Kind<Encodings>::value, std::tuple<Encodings>, std::tuple<>>()...));
 template <template <class> class Kind>
 using encodings_that = decltype(select_encodings<Kind>(umbrage::encodings{}));

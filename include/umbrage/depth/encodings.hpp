@@ -7,8 +7,6 @@
 //
 #pragma once
 
-#include <tuple>
-
 #include <umbrage/depth/depth32f.hpp>
 #include <umbrage/depth/encoding.hpp>
 #include <umbrage/depth/float_bits.hpp>
@@ -17,31 +15,25 @@
 #include <umbrage/depth/foreign/threejs_legacy.hpp>
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/depth/rgb24.hpp>
+#include <umbrage/list.hpp>
 
 namespace umbrage {
 
-/// A tuple of all: encodings{} has a value of each.
-using encodings = std::tuple<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, float_bits,
-                             threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255,
-                             base255_repaired>;
+using encodings = list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, float_bits,
+                          threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255,
+                          base255_repaired>;
 
 /// Calls use(encoding) for one after the other.
 template <class Use>
 constexpr void for_each_encoding(Use&& use) {
-    std::apply([&](const auto&... encoding) { (use(encoding), ...); }, encodings{});
+    encodings::for_each(use);
 }
 
 /// Calls use(encoding) with the one of that name.
 /// @return   false where none is called so
 template <class Use>
 constexpr bool with_encoding(std::string_view name, Use&& use) {
-    bool found = false;
-    for_each_encoding([&](const auto& encoding) {
-        if (found || encoding.name != name) return;
-        found = true;
-        use(encoding);
-    });
-    return found;
+    return encodings::with(name, use);
 }
 
 }  // namespace umbrage

@@ -82,10 +82,9 @@ inline constexpr snippet receiver_rg{.name = receiver_rg_name<Bits>.view(),
                                      .exactness = tier::b,
                                      .source = receiver_rg_text<Bits>.view()};
 
-inline constexpr auto rg_level_snippets =
-    list<&level_rg<9>, &level_rg<10>, &level_rg<11>, &level_rg<12>, &level_rg<13>, &level_rg<14>, &level_rg<15>,
-         &level_rg<16>, &receiver_rg<9>, &receiver_rg<10>, &receiver_rg<11>, &receiver_rg<12>, &receiver_rg<13>,
-         &receiver_rg<14>, &receiver_rg<15>, &receiver_rg<16>>;
+/// Of the members named: texts are filled in where they are asked for.
+template <int... Bits>
+inline constexpr auto rg_level_snippets = list<&level_rg<Bits>..., &receiver_rg<Bits>...>;
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -76,9 +76,9 @@ inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view
                                          .needs = list<&saturate, &from_unorm, &fetch_clamped>,
                                          .source = encode_rg_table_text<Bits>.view()};
 
-inline constexpr auto rg_table_snippets =
-    list<&encode_rg_table<9>, &encode_rg_table<10>, &encode_rg_table<11>, &encode_rg_table<12>, &encode_rg_table<13>,
-         &encode_rg_table<14>, &encode_rg_table<15>, &encode_rg_table<16>>;
+/// Of the members named: texts are filled in where they are asked for.
+template <int... Bits>
+inline constexpr auto rg_table_snippets = list<&encode_rg_table<Bits>...>;
 
 }  // namespace glsl
 }  // namespace umbrage

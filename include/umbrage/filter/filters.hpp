@@ -7,9 +7,8 @@
 //
 #pragma once
 
-#include <tuple>
-
 #include <umbrage/filter/filter.hpp>
+#include <umbrage/list.hpp>
 #include <umbrage/simd/blocks/box.hpp>
 #include <umbrage/simd/blocks/four_tap.hpp>
 #include <umbrage/simd/blocks/hard.hpp>
@@ -18,8 +17,7 @@
 
 namespace umbrage::filters {
 
-/// A tuple of all: filters::all{} has a value of each.
-using all = std::tuple<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box>;
+using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box>;
 
 }  // namespace umbrage::filters
 
@@ -28,20 +26,14 @@ namespace umbrage {
 /// Calls use(filter) for one after the other.
 template <class Use>
 void for_each_filter(Use&& use) {
-    std::apply([&](const auto&... filter) { (use(filter), ...); }, filters::all{});
+    filters::all::for_each(use);
 }
 
 /// Calls use(filter) with the one of that name.
 /// @return   false where none is called so
 template <class Use>
 bool with_filter(std::string_view name, Use&& use) {
-    bool found = false;
-    for_each_filter([&](const auto& filter) {
-        if (found || filter.name != name) return;
-        found = true;
-        use(filter);
-    });
-    return found;
+    return filters::all::with(name, use);
 }
 
 }  // namespace umbrage

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <tuple>
 
 #include <umbrage/compare.hpp>
 #include <umbrage/depth/encodings.hpp>
@@ -57,15 +56,15 @@ constexpr collection collect(const Lists&... lists) {
 
 // What the types of a list name.
 template <class... Encodings>
-consteval auto writers_of(const std::tuple<Encodings...>*) {
+consteval auto writers_of(const list_of<Encodings...>*) {
     return std::array{Encodings::writer...};
 }
 template <class... Encodings>
-consteval auto readers_of(const std::tuple<Encodings...>*) {
+consteval auto readers_of(const list_of<Encodings...>*) {
     return std::array{Encodings::reader...};
 }
 template <class... Filters>
-consteval auto snippets_of(const std::tuple<Filters...>*) {
+consteval auto snippets_of(const list_of<Filters...>*) {
     return std::array{Filters::snippet...};
 }
 inline constexpr auto writers = writers_of(static_cast<const encodings*>(nullptr));
@@ -75,8 +74,8 @@ inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::
 // The rooms.
 inline constexpr auto light = collect(texture_matrix_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
-inline constexpr auto codes = collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets, readers);
-inline constexpr auto levels = collect(rg_level_snippets, ps14_snippets);
+inline constexpr auto codes = collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
+inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps = collect(image_snippets, texel_space_snippets, compare_snippets, filters);
 inline constexpr auto shade = collect(lighting_snippets);
 inline constexpr auto view = collect(false_colour_snippets);

@@ -43,7 +43,7 @@ TEST_CASE("encodings: each knows itself, under a name of its own") {
         CHECK((Encoding::writes == written::depth) == std::is_same_v<typename Encoding::texel, float>);
         check_snippets(Encoding::writer, Encoding::reader, Encoding::writes, Encoding::name);
     });
-    CHECK(names.size() == std::tuple_size_v<encodings>);
+    CHECK(names.size() == encodings::size);
     CHECK(names.contains("rg11"));
 }
 

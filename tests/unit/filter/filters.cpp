@@ -9,7 +9,6 @@
 #include <random>
 #include <set>
 #include <string_view>
-#include <tuple>
 
 #include <umbrage/filter/filters.hpp>
 
