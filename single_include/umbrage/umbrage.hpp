@@ -1960,9 +1960,9 @@ struct list_of {
 
 namespace umbrage {
 
-using encodings = list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, float_bits,
-                          threejs_rgba, threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255,
-                          base255_repaired>;
+using encodings =
+    list_of<depth32f, rg<9>, rg<10>, rg<11>, rg<12>, rg<13>, rg<14>, rg<15>, rg<16>, rgb24, float_bits, threejs_rgba,
+            threejs_rgb, threejs_rg, threejs_legacy, threejs_legacy_repaired, base255, base255_repaired>;
 
 /// Calls use(encoding) for one after the other.
 template <class Use>
@@ -7168,7 +7168,8 @@ inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::
 // The rooms.
 inline constexpr auto light = collect(texture_matrix_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
-inline constexpr auto codes = collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
+inline constexpr auto codes =
+    collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps = collect(image_snippets, texel_space_snippets, compare_snippets, filters);
 inline constexpr auto shade = collect(lighting_snippets);

@@ -74,7 +74,8 @@ inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::
 // The rooms.
 inline constexpr auto light = collect(texture_matrix_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
-inline constexpr auto codes = collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
+inline constexpr auto codes =
+    collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps = collect(image_snippets, texel_space_snippets, compare_snippets, filters);
 inline constexpr auto shade = collect(lighting_snippets);
