@@ -29,6 +29,8 @@ struct half {
     friend half operator*(half a, half b) { return half(double(a.v) * double(b.v)); }
     friend bool operator<(half a, half b) { return a.v < b.v; }
     friend bool operator>(half a, half b) { return a.v > b.v; }
+    friend bool operator<=(half a, half b) { return a.v <= b.v; }
+    friend bool operator>=(half a, half b) { return a.v >= b.v; }
 };
 
 inline half floor(half x) { return half(std::floor(double(x.v))); }
