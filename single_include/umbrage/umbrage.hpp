@@ -5997,6 +5997,69 @@ private:
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
+// ---- umbrage/images/barycentrics.hpp
+// Where on a triangle a texel looks, for what interpolates after a camera pass.
+//
+//     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, triangle);
+//
+// The same for many texels of a triangle, with what they share computed once:
+//
+//     const umbrage::triangle_weights weights(size, mesh, world_to_clip, clip, triangle);
+//     for (int x = first; x < last; ++x) use(weights({x, y}));
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+
+/// Perspective-correct weights of a triangle's vertices at the centres of texels.
+class triangle_weights {
+public:
+    /// @param triangle  index into mesh.triangles; its vertices may be behind the camera
+    triangle_weights(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+                     unsigned triangle)
+        : top_(clip.origin == texture_origin::top ? size.y : 0),
+          down_(clip.origin == texture_origin::top ? -1.0 : 1.0) {
+        assert(triangle < mesh.triangles.size());
+        const detail::projection project(world_to_clip, clip, size);
+        for (glm::length_t i = 0; i < 3; ++i)
+            vertices_[static_cast<std::size_t>(i)] = project.homogeneous(mesh.positions[mesh.triangles[triangle][i]]);
+        const bool finite = std::ranges::all_of(
+            vertices_, [](const glm::dvec4& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.w); });
+        if (!finite) vertices_.fill(glm::dvec4(0));
+    }
+
+    /// @return      weights that are not negative and sum to 1: a texel that snapping moved out of the triangle gets
+    ///              the weights of the nearest edge; (1, 0, 0) for a triangle seen edge-on or not finite
+    /// @formula     b_i ~ (x_j - X w_j)(y_k - Y w_k) - (y_j - Y w_j)(x_k - X w_k), homogeneous texels; no division by w
+    /// @cite        Olano, Greer: Triangle Scan Conversion using 2D Homogeneous Coordinates, Graphics Hardware 1997
+    [[nodiscard]] UMBRAGE_INLINE glm::vec3 operator()(glm::ivec2 texel) const {
+        const double x = texel.x + 0.5, y = top_ + down_ * (texel.y + 0.5);
+        const glm::dvec4 &p = vertices_[0], &q = vertices_[1], &r = vertices_[2];
+        const double px = p.x - x * p.w, qx = q.x - x * q.w, rx = r.x - x * r.w;  // the centre to each vertex, times w
+        const double py = p.y - y * p.w, qy = q.y - y * q.w, ry = r.y - y * r.w;
+        const double a = qx * ry - qy * rx, b = rx * py - ry * px, c = px * qy - py * qx, sum = a + b + c;
+        const double side = sum < 0.0 ? -1.0 : 1.0;
+        const auto inside = [&](double weight) UMBRAGE_INLINE { return side * weight > 0.0 ? side * weight : 0.0; };
+        const double total = inside(a) + inside(b) + inside(c);
+        const double over = total > 0.0 ? total : 1.0, first = total > 0.0 ? inside(a) : 1.0;
+        return {static_cast<float>(first / over), static_cast<float>(inside(b) / over),
+                static_cast<float>(inside(c) / over)};
+    }
+
+private:
+    double top_, down_;
+    std::array<glm::dvec4, 3> vertices_;
+};
+
+/// triangle_weights for a single texel.
+[[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
+                                            clip_space clip, glm::ivec2 texel, unsigned triangle) {
+    return triangle_weights(size, mesh, world_to_clip, clip, triangle)(texel);
+}
+
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
+
 // ---- umbrage/simd/raster/clip.hpp
 // The part of a triangle that can be drawn: in front of the near plane, within the guard band.
 //
@@ -6691,36 +6754,6 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
             });
         }
     });
-}
-
-/// Perspective-correct weights of a triangle's vertices at the centre of a texel.
-///
-/// @param triangle  index into mesh.triangles; its vertices may be behind the camera
-/// @return      weights that are not negative and sum to 1: a texel that snapping moved out of the triangle gets the
-///              weights of the nearest edge; (1, 0, 0) for a triangle seen edge-on or not finite
-/// @formula     b_i ~ (x_j - X w_j)(y_k - Y w_k) - (y_j - Y w_j)(x_k - X w_k), homogeneous texels; no division by w
-/// @cite        Olano, Greer: Triangle Scan Conversion using 2D Homogeneous Coordinates, Graphics Hardware 1997
-[[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
-                                            clip_space clip, glm::ivec2 texel, unsigned triangle) {
-    assert(triangle < mesh.triangles.size());
-    const detail::projection project(world_to_clip, clip, size);
-    const double centre_x = texel.x + 0.5;
-    const double centre_y = clip.origin == texture_origin::top ? size.y - texel.y - 0.5 : texel.y + 0.5;
-    std::array<glm::dvec2, 3> from;  // the centre to each vertex, times w
-    for (glm::length_t i = 0; i < 3; ++i) {
-        const auto h = project.homogeneous(mesh.positions[mesh.triangles[triangle][i]]);
-        from[std::size_t(i)] = {h.x - centre_x * h.w, h.y - centre_y * h.w};
-    }
-    const auto cross = [](glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; };
-    std::array<double, 3> weights{cross(from[1], from[2]), cross(from[2], from[0]), cross(from[0], from[1])};
-    const double signed_sum = weights[0] + weights[1] + weights[2];
-    double sum = 0.0;
-    for (auto& w : weights) {
-        if (signed_sum < 0.0) w = -w;
-        sum += w = w > 0.0 ? w : 0.0;
-    }
-    if (!is_finite(signed_sum) || sum == 0.0) return {1.0f, 0.0f, 0.0f};
-    return {weights[0] / sum, weights[1] / sum, weights[2] / sum};
 }
 
 }  // namespace umbrage

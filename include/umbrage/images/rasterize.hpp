@@ -21,8 +21,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cassert>
 #include <cstddef>
 
 #include <glm/mat4x4.hpp>
@@ -31,6 +29,7 @@
 
 #include <umbrage/clip_space.hpp>
 #include <umbrage/image.hpp>
+#include <umbrage/images/barycentrics.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/scalar.hpp>
@@ -101,36 +100,6 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
             });
         }
     });
-}
-
-/// Perspective-correct weights of a triangle's vertices at the centre of a texel.
-///
-/// @param triangle  index into mesh.triangles; its vertices may be behind the camera
-/// @return      weights that are not negative and sum to 1: a texel that snapping moved out of the triangle gets the
-///              weights of the nearest edge; (1, 0, 0) for a triangle seen edge-on or not finite
-/// @formula     b_i ~ (x_j - X w_j)(y_k - Y w_k) - (y_j - Y w_j)(x_k - X w_k), homogeneous texels; no division by w
-/// @cite        Olano, Greer: Triangle Scan Conversion using 2D Homogeneous Coordinates, Graphics Hardware 1997
-[[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
-                                            clip_space clip, glm::ivec2 texel, unsigned triangle) {
-    assert(triangle < mesh.triangles.size());
-    const detail::projection project(world_to_clip, clip, size);
-    const double centre_x = texel.x + 0.5;
-    const double centre_y = clip.origin == texture_origin::top ? size.y - texel.y - 0.5 : texel.y + 0.5;
-    std::array<glm::dvec2, 3> from;  // the centre to each vertex, times w
-    for (glm::length_t i = 0; i < 3; ++i) {
-        const auto h = project.homogeneous(mesh.positions[mesh.triangles[triangle][i]]);
-        from[std::size_t(i)] = {h.x - centre_x * h.w, h.y - centre_y * h.w};
-    }
-    const auto cross = [](glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; };
-    std::array<double, 3> weights{cross(from[1], from[2]), cross(from[2], from[0]), cross(from[0], from[1])};
-    const double signed_sum = weights[0] + weights[1] + weights[2];
-    double sum = 0.0;
-    for (auto& w : weights) {
-        if (signed_sum < 0.0) w = -w;
-        sum += w = w > 0.0 ? w : 0.0;
-    }
-    if (!is_finite(signed_sum) || sum == 0.0) return {1.0f, 0.0f, 0.0f};
-    return {weights[0] / sum, weights[1] / sum, weights[2] / sum};
 }
 
 }  // namespace umbrage

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+//
+// Where on a triangle a texel looks, for what interpolates after a camera pass.
+//
+//     glm::vec3 weights = umbrage::barycentrics(size, mesh, world_to_clip, clip, texel, triangle);
+//
+// The same for many texels of a triangle, with what they share computed once:
+//
+//     const umbrage::triangle_weights weights(size, mesh, world_to_clip, clip, triangle);
+//     for (int x = first; x < last; ++x) use(weights({x, y}));
+//
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/clip_space.hpp>
+#include <umbrage/config.hpp>
+#include <umbrage/images/mesh.hpp>
+#include <umbrage/scalar.hpp>
+#include <umbrage/simd/raster/projection.hpp>
+#include <umbrage/simd/strict_math.hpp>
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+
+/// Perspective-correct weights of a triangle's vertices at the centres of texels.
+class triangle_weights {
+public:
+    /// @param triangle  index into mesh.triangles; its vertices may be behind the camera
+    triangle_weights(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+                     unsigned triangle)
+        : top_(clip.origin == texture_origin::top ? size.y : 0),
+          down_(clip.origin == texture_origin::top ? -1.0 : 1.0) {
+        assert(triangle < mesh.triangles.size());
+        const detail::projection project(world_to_clip, clip, size);
+        for (glm::length_t i = 0; i < 3; ++i)
+            vertices_[static_cast<std::size_t>(i)] = project.homogeneous(mesh.positions[mesh.triangles[triangle][i]]);
+        const bool finite = std::ranges::all_of(
+            vertices_, [](const glm::dvec4& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.w); });
+        if (!finite) vertices_.fill(glm::dvec4(0));
+    }
+
+    /// @return      weights that are not negative and sum to 1: a texel that snapping moved out of the triangle gets
+    ///              the weights of the nearest edge; (1, 0, 0) for a triangle seen edge-on or not finite
+    /// @formula     b_i ~ (x_j - X w_j)(y_k - Y w_k) - (y_j - Y w_j)(x_k - X w_k), homogeneous texels; no division by w
+    /// @cite        Olano, Greer: Triangle Scan Conversion using 2D Homogeneous Coordinates, Graphics Hardware 1997
+    [[nodiscard]] UMBRAGE_INLINE glm::vec3 operator()(glm::ivec2 texel) const {
+        const double x = texel.x + 0.5, y = top_ + down_ * (texel.y + 0.5);
+        const glm::dvec4 &p = vertices_[0], &q = vertices_[1], &r = vertices_[2];
+        const double px = p.x - x * p.w, qx = q.x - x * q.w, rx = r.x - x * r.w;  // the centre to each vertex, times w
+        const double py = p.y - y * p.w, qy = q.y - y * q.w, ry = r.y - y * r.w;
+        const double a = qx * ry - qy * rx, b = rx * py - ry * px, c = px * qy - py * qx, sum = a + b + c;
+        const double side = sum < 0.0 ? -1.0 : 1.0;
+        const auto inside = [&](double weight) UMBRAGE_INLINE { return side * weight > 0.0 ? side * weight : 0.0; };
+        const double total = inside(a) + inside(b) + inside(c);
+        const double over = total > 0.0 ? total : 1.0, first = total > 0.0 ? inside(a) : 1.0;
+        return {static_cast<float>(first / over), static_cast<float>(inside(b) / over),
+                static_cast<float>(inside(c) / over)};
+    }
+
+private:
+    double top_, down_;
+    std::array<glm::dvec4, 3> vertices_;
+};
+
+/// triangle_weights for a single texel.
+[[nodiscard]] inline glm::vec3 barycentrics(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip,
+                                            clip_space clip, glm::ivec2 texel, unsigned triangle) {
+    return triangle_weights(size, mesh, world_to_clip, clip, triangle)(texel);
+}
+
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
