@@ -13,7 +13,7 @@
 # Each installs the Debian packages that it lacks first. The work itself is CMake's: see CMakePresets.json.
 
 build_packages := cmake g++ libglm-dev ninja-build pkg-config
-demo_packages := $(build_packages) libassimp-dev libboost-dev libcli11-dev libstb-dev
+demo_packages := $(build_packages) libassimp-dev libboost-dev libcli11-dev libdeflate-dev libstb-dev
 gallery_packages := $(demo_packages) libegl-dev libepoxy-dev libgl1-mesa-dri libglfw3-dev # the latter for OpenGL
 node_packages := $(if $(shell command -v npm),,nodejs npm) # npm from wherever it is
 test_packages := $(demo_packages) clang-14 libc++-13-dev libc++abi-13-dev doctest-dev glslang-tools libegl-dev libgl-dev libgl1-mesa-dri libgles-dev \

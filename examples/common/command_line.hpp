@@ -38,6 +38,14 @@ inline CLI::Validator within(double low, double high) {
             range};
 }
 
+/// The file of a mesh: an option, or an argument, that may be left out but not left empty.
+template <class Path>
+CLI::Option* add_mesh(CLI::App& app, const std::string& name, Path& file) {
+    return app.add_option(name, file, "OBJ, glTF or PLY file; without one, the built-in scene")
+        ->check(CLI::Validator(
+            [](std::string& value) { return value.empty() ? std::string("is empty") : std::string(); }, ""));
+}
+
 /// Parses; prints the help and returns false when it was asked for.
 /// @throws usage_error  in one line
 inline bool parse(CLI::App& app, int argc, const char* const* argv) {

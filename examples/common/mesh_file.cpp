@@ -47,10 +47,10 @@ mesh load_mesh(const std::filesystem::path& path) {
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 50.0f);
-    const aiScene* file = importer.ReadFile(
-        path.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals |
-                           aiProcess_JoinIdenticalVertices | aiProcess_PreTransformVertices |
-                           aiProcess_ValidateDataStructure);
+    const aiScene* file =
+        importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals |
+                                             aiProcess_JoinIdenticalVertices | aiProcess_PreTransformVertices |
+                                             aiProcess_ValidateDataStructure);
     if (!file) throw fail(importer.GetErrorString());
 
     mesh out;

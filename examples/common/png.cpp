@@ -2,9 +2,31 @@
 #include "png.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdlib>
+#include <memory>
 #include <stdexcept>
 
+#include <libdeflate.h>
+
+namespace {
+
+/// zlib stream for stb, which frees it.
+unsigned char* compress(const unsigned char* bytes, int count, int* compressed, int /*quality*/) {
+    constexpr int level = 6;
+    const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
+        libdeflate_alloc_compressor(level), libdeflate_free_compressor);
+    if (!compressor) return nullptr;
+    const auto size = static_cast<std::size_t>(count);
+    const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), size);
+    auto* const out = static_cast<unsigned char*>(std::malloc(bound));
+    if (out) *compressed = static_cast<int>(libdeflate_zlib_compress(compressor.get(), bytes, size, out, bound));
+    return out;
+}
+
+}  // namespace
+
+#define STBIW_ZLIB_COMPRESS compress
+#define STBIW_CRC32(bytes, count) libdeflate_crc32(0, bytes, static_cast<std::size_t>(count))
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #include <stb/stb_image_write.h>
@@ -14,6 +36,7 @@ namespace {
 
 template <class T>
 void write(const std::filesystem::path& path, umbrage::image_view<const T> pixels) {
+    stbi_write_force_png_filter = 2;  // "up": to try all five on each row takes longer than to compress it
     const int channels = static_cast<int>(sizeof(T));
     if (pixels.empty() || !stbi_write_png(path.string().c_str(), pixels.size.x, pixels.size.y, channels, pixels.data,
                                           static_cast<int>(pixels.stride)))
@@ -25,15 +48,5 @@ void write(const std::filesystem::path& path, umbrage::image_view<const T> pixel
 void write_png(const std::filesystem::path& path, umbrage::image_view<const std::uint8_t> grey) { write(path, grey); }
 void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec3> rgb) { write(path, rgb); }
 void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec4> rgba) { write(path, rgba); }
-
-glm::u8vec3 to_srgb(glm::vec3 linear) {
-    glm::u8vec3 bytes;
-    for (int i = 0; i < 3; ++i) {
-        const float v = std::clamp(linear[i], 0.0f, 1.0f);
-        const float s = v <= 0.0031308f ? 12.92f * v : 1.055f * std::pow(v, 1.0f / 2.4f) - 0.055f;
-        bytes[i] = static_cast<std::uint8_t>(s * 255.0f + 0.5f);
-    }
-    return bytes;
-}
 
 }  // namespace example

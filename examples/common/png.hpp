@@ -22,7 +22,4 @@ void write_png(const std::filesystem::path& path, umbrage::image_view<const std:
 void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec3> rgb);
 void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec4> rgba);
 
-/// Linear light 0..1 to the bytes that screens expect (sRGB).
-[[nodiscard]] glm::u8vec3 to_srgb(glm::vec3 linear);
-
 }  // namespace example

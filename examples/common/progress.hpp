@@ -2,12 +2,14 @@
 //
 // What a program says while it works: a bar on a terminal, and how long each stage took.
 //
-//     example::progress progress(rows, quiet);
-//     progress.stage("depth pass", [&] { ...; progress.step(); });
+//     example::progress progress(stages, quiet);
+//     progress.stage("visibility", [&] { umbrage::visibility(..., progress.bands()); });
 //
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <iostream>
 #include <optional>
@@ -23,13 +25,23 @@ namespace example {
 
 class progress {
 public:
-    /// @param total   steps in all; a bar appears when standard error is a terminal
-    progress(unsigned long total, bool quiet) {
-        if (!quiet && isatty(fileno(stderr))) bar_.emplace(total, std::cerr, "", "", "");
+    /// @param stages   in all; a bar appears when standard error is a terminal
+    progress(unsigned long stages, bool quiet) {
+        if (!quiet && isatty(fileno(stderr))) bar_.emplace(stages * steps, std::cerr, "", "", "");
     }
 
-    void step(unsigned long steps = 1) {
-        if (bar_) *bar_ += steps;
+    /// A parallel_for for the library's functions: bands of rows, one after the other, and the bar moves after each.
+    [[nodiscard]] auto bands() {
+        return [this](int count, auto&& piece) {
+            constexpr int bands = 16;
+            for (int band = 0; band < std::min(bands, count); ++band) {
+                const auto row = [&](int of) {
+                    return static_cast<int>(std::int64_t{count} * of / std::min(bands, count));
+                };
+                piece(row(band), row(band + 1));
+                advance(std::min(done_ + steps / bands, steps));
+            }
+        };
     }
 
     /// Runs the work and remembers how long it took.
@@ -42,6 +54,8 @@ public:
             ~clock() {
                 const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
                 owner.times_.emplace_back(std::move(name), took.count());
+                owner.advance(steps);
+                owner.done_ = 0;
             }
         } running{*this, std::move(name)};
         return std::forward<Work>(work)();
@@ -57,7 +71,15 @@ public:
     }
 
 private:
+    static constexpr unsigned long steps = 64;  ///< of a stage
+
+    void advance(unsigned long to) {
+        if (bar_) *bar_ += to - done_;
+        done_ = to;
+    }
+
     std::optional<boost::timer::progress_display> bar_;
+    unsigned long done_ = 0;  ///< of the running stage
     std::vector<std::pair<std::string, double>> times_;
 };
 

@@ -15,8 +15,8 @@
 namespace example {
 namespace {
 
-constexpr float floor_half = 4.0f;  ///< the floor reaches from -4 to 4
-constexpr float fitted_size = 2.4f; ///< greatest edge of a mesh that was scaled to fit
+constexpr float floor_half = 4.0f;   ///< the floor reaches from -4 to 4
+constexpr float fitted_size = 2.4f;  ///< greatest edge of a mesh that was scaled to fit
 constexpr float tau = 2.0f * std::numbers::pi_v<float>;
 
 struct vertex {
@@ -144,14 +144,6 @@ scene on_floor(mesh object, up_axis up) {
         if (!(glm::length(v) < 100.0f)) v = glm::vec3(0);  // belongs to no triangle that is left
     }
     return finish(object);
-}
-
-glm::vec3 floor_colour(glm::vec3 position) {
-    const glm::vec2 cell = glm::floor(glm::vec2(position.x, position.z) * 2.0f);
-    const glm::vec2 inside = glm::vec2(position.x, position.z) * 2.0f - cell;
-    const bool joint = std::min({inside.x, inside.y, 1 - inside.x, 1 - inside.y}) < 0.02f;
-    const bool dark = (static_cast<int>(cell.x) + static_cast<int>(cell.y)) % 2 != 0;
-    return glm::vec3(joint ? 0.30f : dark ? 0.52f : 0.64f);
 }
 
 }  // namespace example

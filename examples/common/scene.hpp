@@ -27,7 +27,7 @@ struct mesh {
 struct scene {
     mesh geometry;
     std::size_t floor_triangles = 0;
-    glm::vec3 low{0}, high{0};      ///< of everything
+    glm::vec3 low{0}, high{0};     ///< of everything
     glm::vec3 target{0, 0.7f, 0};  ///< what lights and cameras look at
 };
 
@@ -43,8 +43,5 @@ enum class up_axis { y, z };  ///< of a mesh that somebody else made
 /// OBJ, glTF, PLY and whatever else assimp reads, flattened into one mesh without triangles that cannot be drawn.
 /// @throws std::runtime_error  missing, empty or broken file; the message is one line and names the file
 [[nodiscard]] mesh load_mesh(const std::filesystem::path& path);
-
-/// Colour of the floor's tiles at a point of it.
-[[nodiscard]] glm::vec3 floor_colour(glm::vec3 position);
 
 }  // namespace example

@@ -44,11 +44,9 @@ enum class receiver_kind {
     scaled,   ///< receiver_ps14, with decode_ps14: the map's side alone went through the look-up texture
     encoded,  ///< through the look-up texture as well, both sides by decode_ps14
 };
-enum class filter_kind { hard, four_tap, pcf_2x2, box };  ///< pcf_2x2 is pcf_2x2_dx_sdk where the test is dx_sdk's
 enum class test_kind {
     less_equal,  ///< receiver - bias <= stored
-    dx_sdk,      ///< compare_dx_sdk: shadow when stored + bias < receiver
-    exercise,    ///< compare_exercise: lit when receiver < stored + bias
+    exercise,    ///< compare_exercise, of a single texel: lit when receiver < stored + bias
 };
 enum class shading_kind {
     diffuse_ambient,  ///< shadow takes the diffuse light away
@@ -60,23 +58,24 @@ struct shadow_system {
     std::string_view title;  ///< for people
 
     light_kind light = light_kind::spot;
-    float distance = 10;            ///< of a spot from what it looks at, world units
-    float outer_angle = 36;         ///< of a spot, degrees between axis and edge of the cone; 36 holds the whole floor
+    float distance = 10;     ///< of a spot from what it looks at, world units
+    float outer_angle = 36;  ///< of a spot, degrees between axis and edge of the cone; 36 holds the whole floor
     float azimuth = 60, elevation = 40;  ///< where the light is to begin with, degrees
     int map_size = 1024;
+    float texels_per_unit = 10, offset = 10, z_near = 0.1f, z_far = 40;  ///< of an exercise's light
 
     depth_kind depth = depth_kind::linear;
-    std::string_view encoding = "depth32f";  ///< one of encoding_names in encodings.hpp
+    std::string_view encoding = "depth32f";  ///< one of umbrage::encodings
     receiver_kind receiver = receiver_kind::plain;
 
-    filter_kind filter = filter_kind::hard;
+    std::string_view filter = "hard";  ///< one of umbrage::filters; pcf_2x2_dx_sdk adds the bias on the map's side
     test_kind test = test_kind::less_equal;
     float bias = 0x1p-18f;  ///< in the map's depth; epsilon where the original says so
     float lift = 1;         ///< texels along the normal, see lifted(); the originals had none
 
     shading_kind shading = shading_kind::diffuse_ambient;
     float ambient = 0.22f;
-    bool textured = false;    ///< multiply by texture()
+    bool textured = false;  ///< multiply by texture()
     float scene_scale = 1;
 };
 
@@ -87,7 +86,7 @@ inline constexpr shadow_system radeon_8500{
     .light = light_kind::spot,
     .encoding = "rg11",
     .receiver = receiver_kind::scaled,
-    .filter = filter_kind::four_tap,
+    .filter = "four_tap",
     .bias = 1.5f / 2048,  // the look-up rounds down by up to one code
     .lift = 2,
 };
@@ -101,8 +100,7 @@ inline constexpr shadow_system dx_sdk{
     .outer_angle = 24,
     .map_size = 512,
     .depth = depth_kind::projected,
-    .filter = filter_kind::pcf_2x2,
-    .test = test_kind::dx_sdk,
+    .filter = "pcf_2x2_dx_sdk",
     .bias = 0.00005f,
     .lift = 2,
     .textured = true,
@@ -114,7 +112,7 @@ inline constexpr shadow_system exercise{
     .title = "Directional-light exercise",
     .light = light_kind::exercise,
     .map_size = 320,  // more makes the map wider, not finer
-    .filter = filter_kind::hard,
+    .filter = "hard",
     .test = test_kind::exercise,
     .bias = 0.0005f,
     .lift = 1,
@@ -129,7 +127,7 @@ inline constexpr shadow_system self_shadowing{
     .depth = depth_kind::projected,  // an orthographic light's z/w is linear
     .encoding = "rg11",
     .receiver = receiver_kind::encoded,
-    .filter = filter_kind::hard,
+    .filter = "hard",
     .bias = 0.5f / 2048,  // both sides round down alike
     .lift = 1,
     .shading = shading_kind::darken,
@@ -172,7 +170,8 @@ struct light {
 
     /// Edge of a texel's footprint at a point, across the light, in world units.
     [[nodiscard]] float texel_world(glm::vec3 p, int map_size) const {
-        return spread * (spot ? std::max(glm::dot(p - position, direction), 0.0f) : 1.0f) / static_cast<float>(map_size);
+        return spread * (spot ? std::max(glm::dot(p - position, direction), 0.0f) : 1.0f) /
+               static_cast<float>(map_size);
     }
 
     /// The system's kind of depth from the depth pass's z/w in [0, 1].
@@ -185,8 +184,8 @@ struct light {
 };
 
 /// @param azimuth, elevation  degrees; azimuth 0 is towards the camera, 90 to its right; elevation 90 straight above
-[[nodiscard]] inline light make_light(const shadow_system& s, const scene& scene, float azimuth, float elevation, int map_size,
-                                      umbrage::clip_space clip = picture_clip) {
+[[nodiscard]] inline light make_light(const shadow_system& s, const scene& scene, float azimuth, float elevation,
+                                      int map_size, umbrage::clip_space clip = picture_clip) {
     const glm::vec3 towards = direction_at(azimuth, elevation);
     const glm::vec3 up = direction_at(azimuth, elevation + 90);  // turns with the light, never parallel to it
     light out{.spot = s.light == light_kind::spot, .direction = -towards};
@@ -195,11 +194,17 @@ struct light {
             out.position = scene.target + s.distance * s.scene_scale * towards;
             const glm::vec3 middle = 0.5f * (scene.low + scene.high), half = 0.5f * (scene.high - scene.low);
             out.z_near = 0.1f;
-            out.z_far = 1.01f * (glm::dot(middle - out.position, out.direction) + glm::dot(half, glm::abs(out.direction)));
+            out.z_far =
+                1.01f * (glm::dot(middle - out.position, out.direction) + glm::dot(half, glm::abs(out.direction)));
             const float angle = glm::radians(s.outer_angle);
             out.cos_outer = std::cos(angle);
-            out.space = umbrage::make_spot_light<float>({.position = out.position, .direction = out.direction, .up = up,
-                .outer_angle_radians = angle, .z_near = out.z_near, .z_far = out.z_far, .clip = clip});
+            out.space = umbrage::make_spot_light<float>({.position = out.position,
+                                                         .direction = out.direction,
+                                                         .up = up,
+                                                         .outer_angle_radians = angle,
+                                                         .z_near = out.z_near,
+                                                         .z_far = out.z_far,
+                                                         .clip = clip});
             break;
         }
         case light_kind::fitted:
@@ -207,10 +212,16 @@ struct light {
                 {.direction = out.direction, .up = up, .low = scene.low, .high = scene.high, .clip = clip});
             break;
         case light_kind::exercise:
-            out.z_near = 0.1f;
-            out.z_far = 40;
-            out.space = umbrage::make_directional_light<float>({.direction = out.direction, .up = up, .offset = 10,
-                .map_size = map_size, .texels_per_unit = 10, .z_near = out.z_near, .z_far = out.z_far, .clip = clip});
+            out.z_near = s.z_near;
+            out.z_far = s.z_far;
+            out.space = umbrage::make_directional_light<float>({.direction = out.direction,
+                                                                .up = up,
+                                                                .offset = s.offset,
+                                                                .map_size = map_size,
+                                                                .texels_per_unit = s.texels_per_unit,
+                                                                .z_near = out.z_near,
+                                                                .z_far = out.z_far,
+                                                                .clip = clip});
             break;
     }
     out.spread = 2 / std::min(out.space.projection[0][0], out.space.projection[1][1]);
@@ -220,7 +231,8 @@ struct light {
 /// The point to look up instead of the surface itself: off it by so many texels that the surface cannot shadow
 /// itself at any angle. Without it (lift = 0) a system has the bias in depth alone, as the originals had.
 /// @param normal  of length one, on the camera's side
-[[nodiscard]] inline glm::vec3 lifted(const shadow_system& s, const light& l, glm::vec3 position, glm::vec3 normal, int map_size) {
+[[nodiscard]] inline glm::vec3 lifted(const shadow_system& s, const light& l, glm::vec3 position, glm::vec3 normal,
+                                      int map_size) {
     const float cosine = glm::dot(normal, l.direction);
     const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
     return position + normal * (s.lift * sine * l.texel_world(position, map_size));
@@ -234,12 +246,15 @@ struct light {
 
 /// What the camera sees of a surface.
 /// @param normal, to_light  of length one
-[[nodiscard]] inline glm::vec3 shade(const shadow_system& s, glm::vec3 colour, glm::vec3 normal, glm::vec3 to_light, float visibility) {
+[[nodiscard]] inline glm::vec3 shade(const shadow_system& s, glm::vec3 colour, glm::vec3 normal, glm::vec3 to_light,
+                                     float visibility) {
     const float n_dot_l = glm::dot(normal, to_light);
     if (s.shading == shading_kind::diffuse_ambient)
         return umbrage::diffuse_ambient(colour, s.ambient, n_dot_l, visibility);
-    const float facing = glm::clamp(4 * n_dot_l, 0.0f, 1.0f);  // ps.1.x: mul_x4_sat; hides the map's teeth where light grazes
-    return umbrage::diffuse_ambient(colour, s.ambient, n_dot_l, 1.0f) * (s.ambient + (1 - s.ambient) * facing * visibility);
+    const float facing =
+        glm::clamp(4 * n_dot_l, 0.0f, 1.0f);  // ps.1.x: mul_x4_sat; hides the map's teeth where light grazes
+    return umbrage::diffuse_ambient(colour, s.ambient, n_dot_l, 1.0f) *
+           (s.ambient + (1 - s.ambient) * facing * visibility);
 }
 
 }  // namespace example

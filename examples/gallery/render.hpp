@@ -22,6 +22,7 @@
 #include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/depth/encodings.hpp>
 #include <umbrage/images/encode.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
@@ -57,6 +58,7 @@ struct eight_bits {
     using texel = std::uint8_t;
     [[nodiscard]] texel encode(float depth) const { return umbrage::store_unorm8(depth); }
     [[nodiscard]] float decode(texel t) const { return static_cast<float>(t) / 255.0f; }
+    [[nodiscard]] texel cleared() const { return 255; }
 };
 
 /// A depth image that went through an encoding.
@@ -68,12 +70,15 @@ struct stored_depth {
     double error = 0;  ///< worst |decoded - depth|
 };
 
+/// @param empty  what `depth` holds where nothing was drawn
 template <class Encoding>
-[[nodiscard]] stored_depth store(const umbrage::image<float>& depth, const Encoding& encoding) {
+[[nodiscard]] stored_depth store(const umbrage::image<float>& depth, const Encoding& encoding, float empty) {
     using texel = typename Encoding::texel;
     stored_depth out{.depth = umbrage::image<float>(depth.size())};
     umbrage::image<texel> map(depth.size());
     out.encode_ms = best_of_5([&] { umbrage::encode(depth.view(), map.view(), encoding); });
+    std::ranges::transform(depth.texels(), map.texels(), map.texels().begin(),
+                           [&](float d, texel t) { return d == empty ? encoding.cleared() : t; });
     out.decode_ms = best_of_5([&] { umbrage::decode(std::as_const(map).view(), out.depth.view(), encoding); });
 
     std::vector<std::uint32_t> codes(depth.texels().size());
@@ -88,6 +93,13 @@ template <class Encoding>
     }
     std::ranges::sort(codes);
     out.codes = static_cast<std::size_t>(std::ranges::unique(codes).begin() - codes.begin());
+    return out;
+}
+
+/// @param encoding  by name
+[[nodiscard]] inline stored_depth stored(const umbrage::image<float>& depth, std::string_view encoding, float empty) {
+    stored_depth out;
+    umbrage::with_encoding(encoding, [&](const auto& as) { out = store(depth, as, empty); });
     return out;
 }
 
@@ -128,10 +140,8 @@ template <class Encoding>
         if (s.test == example::test_kind::exercise)
             return umbrage::compare_exercise(depth, outside_lit(glm::ivec2(glm::floor(glm::vec2(p)))), s.bias);
         const float cone = light.cone(at.position);
-        if (s.test == example::test_kind::dx_sdk)
-            return cone * umbrage::pcf_2x2_dx_sdk(fetch, glm::vec2(p), depth, s.bias);
-        if (s.filter == example::filter_kind::hard)
-            return cone * umbrage::hard(fetch, glm::vec2(p), receiver_of(s, depth - s.bias));
+        if (s.filter == "pcf_2x2_dx_sdk") return cone * umbrage::pcf_2x2_dx_sdk(fetch, glm::vec2(p), depth, s.bias);
+        if (s.filter == "hard") return cone * umbrage::hard(fetch, glm::vec2(p), receiver_of(s, depth - s.bias));
         std::array<glm::vec3, 4> tap;
         for (std::size_t i = 0; i < 4; ++i) tap[i] = project_coordinate(shadow_coordinate(taps[i], point));
         return cone * umbrage::four_tap(fetch, glm::vec2(tap[0]), glm::vec2(tap[1]), glm::vec2(tap[2]),

@@ -4,10 +4,10 @@
 // bilinear mean, on diffuse and ambient light.
 //
 //     light -> depth pass -> [map] -> fetch -> compare -> filter -> visibility -> shade
-#include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
+#include "rays.hpp"
 #include "stage.hpp"
 
 namespace {
@@ -15,24 +15,25 @@ namespace {
 using namespace example;
 
 void run(const options& o) {
-    shadow_system system = dx_sdk;
-    system.lift = o.lift;
+    const shadow_system system = o.of(dx_sdk);
     const stage stage(system, o);
 
     // Light, and the way from the world to texels of its map.
     const light light = make_light(system, stage.scene, o.azimuth, o.elevation, o.map_size);
     const glm::mat4 world_to_texels = umbrage::texture_matrix(light.space, glm::ivec2(o.map_size));
 
-    // Depth pass: z/w as floats; there is nothing to encode or to decode.
-    const umbrage::image<float> map = depth_pass(system, stage.scene, light, o.map_size);
+    // Depth pass: z/w, kept as floats unless --encoding says otherwise.
+    const umbrage::image<float> map = stored(system, light, depth_pass(system, stage.scene, light, o.map_size));
     const auto fetch = umbrage::clamped(map);
 
     // Visibility: within the cone, compare and filter.
     const umbrage::image<float> visibility = stage.visibility([&](const surface& s) {
         const glm::vec3 point = lifted(system, light, s.position, s.normal, o.map_size);
         const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
-        // Another filter: umbrage::box(fetch, glm::vec2(p), p.z - system.bias, 1)
-        return light.cone(s.position) * umbrage::pcf_2x2_dx_sdk(fetch, glm::vec2(p), p.z, system.bias);
+        const float lit = system.filter == dx_sdk.filter
+                              ? umbrage::pcf_2x2_dx_sdk(fetch, glm::vec2(p), p.z, system.bias)
+                              : filtered(system, fetch, glm::vec2(p), p.z - system.bias);
+        return light.cone(s.position) * lit;
     });
 
     // Shade.

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include <umbrage/compare.hpp>
-#include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
+#include "rays.hpp"
 #include "stage.hpp"
 
 namespace {
@@ -29,7 +29,7 @@ frame render(const shadow_system& system, const stage& stage, float azimuth, flo
     const glm::mat4 world_to_texels = umbrage::texture_matrix(light.space, glm::ivec2(map_size));
 
     // Depth pass: keeps what is nearer or equally near.
-    umbrage::image<float> map = depth_pass(system, stage.scene, light, map_size);
+    umbrage::image<float> map = stored(system, light, depth_pass(system, stage.scene, light, map_size));
     const auto fetch = umbrage::bordered(map, 1.0f);  // what the map does not reach is lit
 
     // Visibility: one texel, one comparison.
@@ -37,7 +37,7 @@ frame render(const shadow_system& system, const stage& stage, float azimuth, flo
         const glm::vec3 point = lifted(system, light, s.position, s.normal, map_size);
         const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
         const float current = light.depth(system, p.z);
-        // A filter: return umbrage::pcf_2x2(fetch, glm::vec2(p), current - system.bias);
+        if (system.filter != exercise.filter) return filtered(system, fetch, glm::vec2(p), current - system.bias);
         return umbrage::compare_exercise(current, fetch(glm::ivec2(glm::floor(glm::vec2(p)))), system.bias);
     });
 
@@ -47,9 +47,7 @@ frame render(const shadow_system& system, const stage& stage, float azimuth, flo
     return {light, std::move(map), std::move(visibility), std::move(shaded)};
 }
 
-void run(const options& o, int frames) {
-    shadow_system system = exercise;
-    system.lift = o.lift;
+void run(const options& o, const shadow_system& system, int frames) {
     const stage stage(system, o);
     std::vector<picture> moving;
     for (int i = 0; i < frames; ++i) {
@@ -67,9 +65,19 @@ void run(const options& o, int frames) {
 int main(int argc, char** argv) {
     return example::run("exercise", [&] {
         int frames = 8;
+        shadow_system system = exercise;
         const auto more = [&](CLI::App& app) {
             app.add_option("--frames", frames, "of the light's way round")->check(within(1, 64));
+            app.add_option("--texels-per-unit", system.texels_per_unit, "of the map, per world unit")
+                ->check(within(0.1, 1000));
+            app.add_option("--offset", system.offset, "of the light from the origin, world units")
+                ->check(within(-1000, 1000));
+            app.add_option("--near", system.z_near, "plane, world units from the light")->check(within(-1000, 1000));
+            app.add_option("--far", system.z_far, "plane, world units from the light")->check(within(-1000, 1000));
         };
-        if (const auto options = read_options(exercise, argc, argv, more)) run(*options, frames);
+        if (const auto options = read_options(exercise, argc, argv, more)) {
+            if (!(system.z_near < system.z_far)) throw usage_error("--near must be less than --far");
+            run(*options, options->of(system), frames);
+        }
     });
 }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
+#include "rays.hpp"
 #include "stage.hpp"
 
 namespace {
@@ -29,16 +31,18 @@ using namespace example;
 float s3_12(float v) { return std::floor(v * 4096.0f + 0.5f) / 4096.0f; }
 
 /// r / 8 + g on such numbers; the shift right drops three bits.
-float decode_s3_12(glm::vec2 sampled) { return std::floor(s3_12(sampled.x) * 4096.0f / 8.0f) / 4096.0f + s3_12(sampled.y); }
+float decode_s3_12(glm::vec2 sampled) {
+    return std::floor(s3_12(sampled.x) * 4096.0f / 8.0f) / 4096.0f + s3_12(sampled.y);
+}
 
 void run(const options& o) {
-    shadow_system system = radeon_8500;
-    system.lift = o.lift;
+    const shadow_system system = o.of(radeon_8500);
     const stage stage(system, o);
 
     // Light: a texture matrix, and from it one for each of four taps, as the application set them up.
     const light light = make_light(system, stage.scene, o.azimuth, o.elevation, o.map_size);
-    const auto taps = umbrage::tap_matrices(umbrage::texture_matrix(light.space, glm::ivec2(o.map_size)));
+    const glm::mat4 world_to_texels = umbrage::texture_matrix(light.space, glm::ivec2(o.map_size));
+    const auto taps = umbrage::tap_matrices(world_to_texels);
 
     // Depth pass.
     const umbrage::image<float> depth = depth_pass(system, stage.scene, light, o.map_size);
@@ -57,13 +61,17 @@ void run(const options& o) {
     const auto visibility_with = [&](auto fetch, auto scale) {
         return stage.visibility([&](const surface& s) {
             const glm::vec3 point = lifted(system, light, s.position, s.normal, o.map_size);
+            const auto project = [&](const glm::mat4& m) {
+                return umbrage::project_coordinate(umbrage::shadow_coordinate(m, point));
+            };
             std::array<glm::vec3, 4> at;
-            for (std::size_t tap = 0; tap < 4; ++tap)
-                at[tap] = umbrage::project_coordinate(umbrage::shadow_coordinate(taps[tap], point));
+            for (std::size_t tap = 0; tap < 4; ++tap) at[tap] = project(taps[tap]);
             const float receiver = scale(light.depth(system, at[0].z) - system.bias);
             const auto xy = [](glm::vec3 p) { return glm::vec2(p.x, p.y); };
-            // Compare and filter. Another filter: umbrage::hard(fetch, xy(at[3]), receiver)
-            return light.cone(s.position) * umbrage::four_tap(fetch, xy(at[0]), xy(at[1]), xy(at[2]), xy(at[3]), receiver);
+            const float lit = system.filter == radeon_8500.filter
+                                  ? umbrage::four_tap(fetch, xy(at[0]), xy(at[1]), xy(at[2]), xy(at[3]), receiver)
+                                  : filtered(system, fetch, xy(project(world_to_texels)), receiver);
+            return light.cone(s.position) * lit;
         });
     };
     const auto sampled = [&, fetch = umbrage::clamped(map)](glm::ivec2 t) { return umbrage::load_unorm8(fetch(t)); };
@@ -71,16 +79,23 @@ void run(const options& o) {
 
     // Fetch and decode, in four ways.
     struct way {
-        const char* name;
+        std::string name;
         umbrage::image<float> visibility;
     };
-    const std::array ways{
-        way{"8 bits", visibility_with([&, fetch = umbrage::clamped(map_8)](glm::ivec2 t) { return fetch(t) / 255.0f; }, as_it_is)},
+    std::vector<way> ways{
+        way{"8 bits", visibility_with([&, fetch = umbrage::clamped(map_8)](glm::ivec2 t) { return fetch(t) / 255.0f; },
+                                      as_it_is)},
         way{"11 bits", visibility_with([&](glm::ivec2 t) { return umbrage::decode_ps14(sampled(t)); },
                                        [](float z) { return umbrage::receiver_ps14(z); })},
         way{"11 bits in s3.12", visibility_with([&](glm::ivec2 t) { return decode_s3_12(sampled(t)); },
                                                 [](float z) { return s3_12(umbrage::receiver_ps14(z)); })},
         way{"exact", visibility_with(umbrage::clamped(depth), as_it_is)}};
+    std::vector<std::size_t> shown{1, 2};
+    if (system.encoding != radeon_8500.encoding) {
+        const umbrage::image<float> other = stored(system, light, depth);
+        ways.insert(ways.begin(), {o.encoding, visibility_with(umbrage::clamped(other), as_it_is)});
+        shown = {0};
+    }
 
     // Shade, with the map in the corner.
     std::vector<picture> pictures, masks;
@@ -91,16 +106,17 @@ void run(const options& o) {
         std::size_t other = 0;
         for (std::size_t i = 0; i < w.visibility.texels().size(); ++i)
             other += w.visibility.texels()[i] != ways.back().visibility.texels()[i];
-        std::printf("%-16s %6zu of %zu pixels are not what exact depth gives\n", w.name, other, w.visibility.texels().size());
+        std::printf("%-16s %6zu of %zu pixels are not what exact depth gives\n", w.name.c_str(), other,
+                    w.visibility.texels().size());
     }
-    write(o, pictures[1], ways[1].visibility, depth);
+    write(o, pictures[shown[0]], ways[shown[0]].visibility, depth);
     write(o, "comparison.png", side_by_side(pictures));
     write(o, "comparison_visibility.png", side_by_side(masks));
     picture channels(map.size());
     std::ranges::transform(map.texels(), channels.texels().begin(), [](glm::u8vec2 t) { return glm::u8vec3(t, 0); });
     write(o, "map.png", channels);
     if (o.rays)
-        for (std::size_t i : {1u, 2u}) compare_with_rays(stage, light, ways[i].visibility, o.map_size, 5);
+        for (std::size_t i : shown) compare_with_rays(stage, light, ways[i].visibility, o.map_size, 5);
 }
 
 }  // namespace

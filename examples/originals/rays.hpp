@@ -6,13 +6,18 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdio>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include <scene.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+#include "stage.hpp"
 
 namespace example {
 
@@ -39,7 +44,8 @@ public:
             const float along = glm::dot(to, way);
             if (along < -b.radius || glm::dot(to, to) - along * along > b.radius * b.radius * 1.001f) continue;
             for (glm::uvec3 t : b.triangles)
-                if (hits(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z], from, way, distance)) return true;
+                if (hits(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z], from, way, distance))
+                    return true;
         }
         return false;
     }
@@ -65,5 +71,49 @@ private:
     const mesh& mesh_;
     std::vector<ball> balls_;
 };
+
+/// --rays: whether a shadow is where it belongs, away from edges by as much as filter and bias reach.
+/// @param reach  how far they may move a shadow's edge, texels
+/// @throws std::runtime_error  it is not, or no place is far enough from edges to tell
+inline void compare_with_rays(const stage& on, const light& l, const umbrage::image<float>& visibility, int map_size,
+                              float reach) {
+    const ray_tracer rays(on.scene.geometry);
+    const glm::mat4 to_texels = umbrage::texture_matrix(l.space, glm::ivec2(map_size));
+    int certain = 0, shadow = 0, leaks = 0, acne = 0;
+    on.for_each_surface([&](glm::ivec2 pixel, const surface& s) {
+        const glm::vec3 way = l.to_light(s.position);
+        const float facing = glm::dot(s.face_normal, way);
+        if (facing < 0.05f || l.cone(s.position) == 0) return;  // dark without any shadow
+        const glm::vec3 place = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, s.position));
+        const auto inside = [&](float at) { return at > reach && at < static_cast<float>(map_size) - reach; };
+        if (!inside(place.x) || !inside(place.y)) return;  // the map knows only one side of what is there
+        const float step = reach * l.texel_world(s.position, map_size);
+        const glm::vec3 side = glm::normalize(glm::cross(way, s.face_normal + glm::vec3(0.1f, 0.2f, 0.3f)));
+        const glm::vec3 across = glm::cross(way, side);
+        // Beside the surface in its plane, as a texel beside has it; and as far above as the bias may lift it.
+        const auto blocked = [&](float i, float j, float above) {
+            const glm::vec3 aside = step * (i * side + j * across);
+            const glm::vec3 start =
+                s.position + aside - way * (glm::dot(s.face_normal, aside) / facing) + 0.001f * s.face_normal;
+            const glm::vec3 to_light = l.to_light(start);
+            const float distance = l.spot ? glm::length(l.position - start) : 1e3f;
+            return rays.blocked(start + above * to_light, to_light, distance - above);
+        };
+        const bool dark = blocked(0, 0, 0);
+        for (float i = -1; i <= 1; i += 0.5f)
+            for (float j = -1; j <= 1; j += 0.5f)
+                if (blocked(i, j, dark ? step : 0) != dark) return;  // near an edge
+        ++certain;
+        shadow += dark;
+        leaks += dark && visibility[pixel] > 0.5f;
+        acne += !dark && visibility[pixel] < 0.5f;
+    });
+    std::printf("rays: %d pixels away from edges, %d of them in shadow; lit there %d, dark elsewhere %d\n", certain,
+                shadow, leaks, acne);
+    if ((leaks + acne) * 500 > certain) throw std::runtime_error("the shadow map disagrees with rays to the light");
+    if (shadow == 0 || certain == shadow)
+        throw std::runtime_error("rays tell nothing: with " + std::to_string(map_size) + " texels no " +
+                                 (shadow == 0 ? "shadow" : "light") + " is wider than what filter and bias reach");
+}
 
 }  // namespace example

@@ -11,10 +11,9 @@
 
 #include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/rg_table.hpp>
-#include <umbrage/filter/pcf/hard.hpp>
-#include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
+#include "rays.hpp"
 #include "stage.hpp"
 
 namespace {
@@ -22,8 +21,7 @@ namespace {
 using namespace example;
 
 void run(const options& o) {
-    shadow_system system = self_shadowing;
-    system.lift = o.lift;
+    const shadow_system system = o.of(self_shadowing);
     const stage stage(system, o);
 
     // Light: orthographic, so that depth grows evenly and the look-up texture can lie along it.
@@ -44,16 +42,22 @@ void run(const options& o) {
 
     // Fetch and decode: shift red right by three, add green.
     const auto decode = [](glm::u8vec2 texel) { return umbrage::decode_ps14(umbrage::load_unorm8(texel)); };
-    const auto fetch = [&, texel = umbrage::clamped(map)](glm::ivec2 t) { return decode(texel(t)); };
+    const auto looked_up = [&, texel = umbrage::clamped(map)](glm::ivec2 t) { return decode(texel(t)); };
 
     // Visibility: one texel, one comparison.
-    const umbrage::image<float> visibility = stage.visibility([&](const surface& s) {
-        const glm::vec3 point = lifted(system, light, s.position, s.normal, o.map_size);
-        const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
-        const float receiver = decode(look_up(p.z - system.bias));
-        // Another filter: umbrage::pcf_2x2(fetch, glm::vec2(p), receiver)
-        return umbrage::hard(fetch, glm::vec2(p), receiver);
-    });
+    // fetch: texel -> what the map holds, decoded;  scale: a depth, decoded likewise
+    const auto visibility_with = [&](auto fetch, auto scale) {
+        return stage.visibility([&](const surface& s) {
+            const glm::vec3 point = lifted(system, light, s.position, s.normal, o.map_size);
+            const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
+            return filtered(system, fetch, glm::vec2(p), scale(p.z - system.bias));
+        });
+    };
+    const bool own = system.encoding == self_shadowing.encoding;
+    const umbrage::image<float> other = stored(system, light, depth);
+    const umbrage::image<float> visibility =
+        own ? visibility_with(looked_up, [&](float z) { return decode(look_up(z)); })
+            : visibility_with(umbrage::clamped(other), [](float z) { return z; });
 
     // Shade: the lit picture, darkened.
     picture shaded = stage.shade(system, light, visibility);

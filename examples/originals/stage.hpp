@@ -17,16 +17,19 @@
 #include <utility>
 #include <vector>
 
+#include <umbrage/filter/filters.hpp>
 #include <umbrage/images/rasterize.hpp>
 #include <umbrage/unorm.hpp>
 #include <umbrage/images/overlay.hpp>
 
 #include <camera.hpp>
+#include <choices.hpp>
 #include <command_line.hpp>
 #include <png.hpp>
+#include <shadow_map.hpp>
+#include <srgb.hpp>
+#include <surface.hpp>
 #include <systems.hpp>
-
-#include "rays.hpp"
 
 namespace example {
 
@@ -34,23 +37,44 @@ struct options {
     std::filesystem::path output = "out", mesh{};
     float azimuth = 0, elevation = 0;
     int size = 960, map_size = 0;
-    float lift = 0;
+    float lift = 0, bias = 0;
+    std::string encoding{}, filter{};
     bool rays = false;
+
+    /// The system as these options want it.
+    [[nodiscard]] shadow_system of(shadow_system s) const {
+        s.lift = lift;
+        s.bias = bias;
+        s.encoding = encoding;
+        s.filter = filter;
+        return s;
+    }
 };
 
 /// Nothing when only help was asked for. `more` may add options of the program's own.
 template <class More>
 std::optional<options> read_options(const shadow_system& s, int argc, char** argv, More&& more) {
-    options o{.azimuth = s.azimuth, .elevation = s.elevation, .map_size = s.map_size, .lift = s.lift};
+    options o{.azimuth = s.azimuth,
+              .elevation = s.elevation,
+              .map_size = s.map_size,
+              .lift = s.lift,
+              .bias = s.bias,
+              .encoding = std::string(s.encoding),
+              .filter = std::string(s.filter)};
     CLI::App app{std::string(s.title), std::string(s.name)};
     app.option_defaults()->always_capture_default();
-    app.add_option("mesh", o.mesh, "OBJ, glTF or PLY file; without one, the built-in scene");
+    add_mesh(app, "mesh", o.mesh);
     app.add_option("-o,--output", o.output, "folder for the pictures, made when missing");
     app.add_option("--azimuth", o.azimuth, "of the light, degrees")->check(within(-360, 360));
     app.add_option("--elevation", o.elevation, "90 is straight above")->check(within(5, 90));
     app.add_option("--size", o.size, "width of the picture, pixels; its height is two thirds")->check(within(3, 4096));
     app.add_option("--map-size", o.map_size, "texels along an edge")->check(within(16, 8192));
-    app.add_option("--lift", o.lift, "texels along the normal; 0 leaves the original's bias alone")->check(within(0, 16));
+    app.add_option("--lift", o.lift, "texels along the normal; 0 leaves the original's bias alone")
+        ->check(within(0, 16));
+    app.add_option("--bias,--epsilon", o.bias, "in the map's depth")->check(within(-1, 1));
+    add_encoding(app, o.encoding)
+        ->description("how a depth is stored; all but the original's own are decoded by their readers");
+    add_filter(app, o.filter);
     app.add_flag("--rays", o.rays, "compare the shadow with rays to the light; fails where they disagree");
     more(app);
     if (!parse(app, argc, argv)) return std::nullopt;
@@ -81,9 +105,11 @@ struct stage {
     /// Calls use(pixel, surface) wherever the camera sees one.
     template <class Use>
     void for_each_surface(Use&& use) const {
-        for (glm::ivec2 pixel{0}; pixel.y < seen.size().y; ++pixel.y)
-            for (pixel.x = 0; pixel.x < seen.size().x; ++pixel.x)
-                if (seen[pixel] != nothing) use(pixel, surface_at(scene, camera, seen, pixel));
+        for (int y = 0; y < seen.size().y; ++y)
+            for_each_run(seen, y, [&](int first, int last, std::uint32_t triangle) {
+                const seen_triangle on(scene, camera, seen.size(), triangle);
+                for (int x = first; x < last; ++x) use(glm::ivec2(x, y), on.at({x, y}));
+            });
     }
 
     /// An image of lit(surface); 1 where the camera sees nothing.
@@ -106,11 +132,28 @@ struct stage {
 };
 
 /// The depth pass: the distance to what the light sees first, in the system's kind of depth.
-[[nodiscard]] inline umbrage::image<float> depth_pass(const shadow_system& s, const scene& scene, const light& l, int map_size) {
+[[nodiscard]] inline umbrage::image<float> depth_pass(const shadow_system& s, const scene& scene, const light& l,
+                                                      int map_size) {
     umbrage::image<float> depth(glm::ivec2(map_size), umbrage::cleared_depth(l.space.clip));
     umbrage::rasterize_depth(depth, view_of(scene.geometry), l.world_to_clip(), l.space.clip);
     for (float& z : depth.texels()) z = l.depth(s, z);
     return depth;
+}
+
+/// What the system's encoding keeps of a depth image.
+[[nodiscard]] inline umbrage::image<float> stored(const shadow_system& s, const light& l,
+                                                  const umbrage::image<float>& depth) {
+    const float empty = l.depth(s, umbrage::cleared_depth(l.space.clip));
+    return store(s.encoding, umbrage::upper_edge<float>, depth, empty).depth;
+}
+
+/// Any of the filters, where a system's own does not do.
+/// @param fetch  texel -> depth
+template <class Fetch>
+[[nodiscard]] float filtered(const shadow_system& s, const Fetch& fetch, glm::vec2 coord, float receiver) {
+    float visibility = 1;
+    umbrage::with_filter(s.filter, [&](const auto& filter) { visibility = filter(fetch, coord, receiver); });
+    return visibility;
 }
 
 /// The map in the top left corner, its histogram stretched.
@@ -136,9 +179,7 @@ inline void show_map(picture& on, const umbrage::image<float>& depth) {
     return out;
 }
 
-inline void write(const options& o, const char* name, const picture& p) {
-    write_png(o.output / name, p.view());
-}
+inline void write(const options& o, const char* name, const picture& p) { write_png(o.output / name, p.view()); }
 
 /// picture.png, visibility.png and, its histogram stretched, depth.png.
 inline void write(const options& o, const picture& p, const umbrage::image<float>& visibility,
@@ -147,39 +188,6 @@ inline void write(const options& o, const picture& p, const umbrage::image<float
     write(o, "visibility.png", grey(visibility));
     std::ranges::transform(depth.texels(), depth.texels().begin(), umbrage::stretch(depth));
     write(o, "depth.png", grey(depth));
-}
-
-/// --rays: whether a shadow is where it belongs.
-/// @param reach  how far from its edges the filter and the lift may move it, texels
-/// @throws std::runtime_error  it is not
-inline void compare_with_rays(const stage& on, const light& l, const umbrage::image<float>& visibility, int map_size,
-                              float reach) {
-    const ray_tracer rays(on.scene.geometry);
-    int certain = 0, shadow = 0, leaks = 0, acne = 0;
-    on.for_each_surface([&](glm::ivec2 pixel, const surface& s) {
-        const glm::vec3 way = l.to_light(s.position);
-        if (glm::dot(s.face_normal, way) < 0.05f || l.cone(s.position) == 0) return;  // dark without any shadow
-        const float step = reach * l.texel_world(s.position, map_size);
-        const glm::vec3 side = glm::normalize(glm::cross(way, s.face_normal + glm::vec3(0.1f, 0.2f, 0.3f)));
-        const glm::vec3 across = glm::cross(way, side);
-        const glm::vec3 start = s.position + s.face_normal * (1.5f * step);  // no ray aside begins below the surface
-        const float distance = l.spot ? glm::length(l.position - s.position) : 1e3f;
-        const auto blocked = [&](float i, float j) {
-            return rays.blocked(start + step * (way + i * side + j * across), way, distance - 2 * step);
-        };
-        const bool dark = rays.blocked(s.position + 0.001f * s.face_normal, way, distance);
-        for (float i = -1; i <= 1; i += 0.5f)
-            for (float j = -1; j <= 1; j += 0.5f)
-                if (blocked(i, j) != dark) return;  // near an edge
-        ++certain;
-        shadow += dark;
-        leaks += dark && visibility[pixel] > 0.5f;
-        acne += !dark && visibility[pixel] < 0.5f;
-    });
-    std::printf("rays: %d pixels away from edges, %d of them in shadow; lit there %d, dark elsewhere %d\n", certain, shadow,
-                leaks, acne);
-    if (shadow == 0 || certain == shadow || (leaks + acne) * 500 > certain)
-        throw std::runtime_error("the shadow map disagrees with rays to the light");
 }
 
 }  // namespace example

@@ -5,10 +5,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <string>
@@ -23,10 +26,13 @@
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec2.hpp>
 
+#include <umbrage/depth/float_bits.hpp>
+#include <umbrage/depth/rg.hpp>
 #include <umbrage/image.hpp>
 
-#include <encodings.hpp>
+#include <choices.hpp>
 #include <scene.hpp>
+#include <srgb.hpp>
 
 namespace {
 
@@ -104,10 +110,10 @@ TEST_CASE("shadow_render: the built-in scene, from the camera that is the defaul
     CHECK(picture("default", "map.png").size() == glm::ivec2(256));
     CHECK(dark(mask) > 0.03);
     CHECK(dark(mask) < 0.3);
-    CHECK(mask[{5, 5}].r == 255);      // the sky
-    CHECK(mask[{120, 155}].r == 255);  // the floor in front
-    CHECK(mask[{120, 65}].r == 0);     // the ball's shadow on the box
-    CHECK(mask[{40, 115}].r == 0);     // the torus' shadow on the floor
+    CHECK(mask[{5, 5}].r == 255);                 // the sky
+    CHECK(mask[{120, 155}].r == 255);             // the floor in front
+    CHECK(mask[{120, 65}].r == 0);                // the ball's shadow on the box
+    CHECK(mask[{40, 115}].r == 0);                // the torus' shadow on the floor
     CHECK(colours[{0, 0}] != colours[{239, 0}]);  // the overlay over the sky
 }
 
@@ -120,7 +126,7 @@ TEST_CASE("shadow_render: without --quiet each stage's time is printed, and no b
 }
 
 TEST_CASE("shadow_render: map.png holds the bytes of the encoding") {
-    REQUIRE(run(output("bytes") + small + "--encoding float").code == 0);
+    REQUIRE(run(output("bytes") + small + "--encoding depth32f").code == 0);
     REQUIRE(run(output("rg11") + small + "--encoding rg11").code == 0);
     const auto exact = picture("bytes", "map.png"), packed = picture("rg11", "map.png");
     int differ = 0;
@@ -135,7 +141,7 @@ TEST_CASE("shadow_render: map.png holds the bytes of the encoding") {
 }
 
 TEST_CASE("shadow_render: every encoding and every filter shades alike") {
-    REQUIRE(run(output("reference") + small + "--encoding float").code == 0);
+    REQUIRE(run(output("reference") + small + "--encoding depth32f").code == 0);
     const auto reference = picture("reference", "visibility.png");
     const auto agrees = [&](const std::string& options, double share) {
         CAPTURE(options);
@@ -146,11 +152,10 @@ TEST_CASE("shadow_render: every encoding and every filter shades alike") {
             for (int x = 0; x < 240; ++x) differ += std::abs(other[{x, y}].r - reference[{x, y}].r) > 64;
         CHECK(differ < share * 240 * 160);
     };
-    for (const std::string& name : example::encoding_names)
-        if (name != "base255" && name != "threejs_legacy")  // faulty at depth 1: the empty texels
-            agrees("--encoding " + name, name == "rg9" ? 0.02 : 0.01);
+    for (const std::string& name : example::encoding_names()) agrees("--encoding " + name, name == "rg9" ? 0.02 : 0.01);
     for (const char* edge : {"lower", "centre"}) agrees(std::string("--encoding rg11 --edge ") + edge, 0.01);
-    for (const char* filter : {"hard", "four-tap", "box --radius 1"}) agrees(std::string("--filter ") + filter, 0.03);
+    for (const char* filter : {"hard", "four_tap", "pcf_2x2_dx_sdk", "box --radius 1", "hierarchical_box --radius 1"})
+        agrees(std::string("--filter ") + filter, 0.03);
 }
 
 TEST_CASE("shadow_render: no acne on what a light lights, from any side") {
@@ -164,12 +169,33 @@ TEST_CASE("shadow_render: no acne on what a light lights, from any side") {
         return shadowed;
     };
     for (const char* light : {"--light spot ", "--light directional "})
-        for (const char* filter : {"--filter hard ", "--filter four-tap ", "--filter pcf ", "--filter box --radius 3 "})
-            for (const char* angles : {"--azimuth 20 --elevation 20", "--azimuth 300 --elevation 50", "--elevation 90"}) {
+        for (const char* filter :
+             {"--filter hard ", "--filter four_tap ", "--filter pcf_2x2 ", "--filter box --radius 3 "})
+            for (const char* angles :
+                 {"--azimuth 20 --elevation 20", "--azimuth 300 --elevation 50", "--elevation 90"}) {
                 const std::string options = std::string(light) + filter + angles;
                 CHECK_MESSAGE(shadowed_front(options) == 0, options);
             }
     CHECK(shadowed_front("--bias 0 --azimuth 20 --elevation 20") > 100);  // without the bias there is plenty
+}
+
+TEST_CASE("to_srgb: the curve's bytes, on both sides of every step") {
+    const example::srgb_table table;
+    int differ = 0;
+    for (float v = 0; v <= 1; v += 0x1p-20f) differ += table(v) != example::srgb_curve(v);
+    for (int byte = 1; byte < 256; ++byte) {
+        std::uint32_t below = 0, least = std::bit_cast<std::uint32_t>(1.0f);
+        while (least - below > 1) {
+            const std::uint32_t middle = (below + least) / 2;
+            (example::srgb_curve(std::bit_cast<float>(middle)) < byte ? below : least) = middle;
+        }
+        for (std::uint32_t bits = below - 100; bits < least + 100 && bits <= std::bit_cast<std::uint32_t>(1.0f); ++bits)
+            differ += table(std::bit_cast<float>(bits)) != example::srgb_curve(std::bit_cast<float>(bits));
+    }
+    CHECK(differ == 0);
+    CHECK(table(-1) == 0);
+    CHECK(table(2) == 255);
+    CHECK(table(std::numeric_limits<float>::quiet_NaN()) == 0);
 }
 
 TEST_CASE("shadow_render: meshes of any unit, offset and up axis, in each format") {
@@ -179,23 +205,27 @@ TEST_CASE("shadow_render: meshes of any unit, offset and up axis, in each format
     CHECK(dark(mask) > 0.02);
 
     std::string far = obj;
-    for (const auto& [from, to] : {std::pair{"v 0 0 0", "v 5000 8000 -3000"}, {"v 1 0 0", "v 7048 8000 -3000"},
-                                   {"v 0 1 0", "v 5000 10048 -3000"}, {"v 0 0 1", "v 5000 8000 -952"}})
+    for (const auto& [from, to] : {std::pair{"v 0 0 0", "v 5000 8000 -3000"},
+                                   {"v 1 0 0", "v 7048 8000 -3000"},
+                                   {"v 0 1 0", "v 5000 10048 -3000"},
+                                   {"v 0 0 1", "v 5000 8000 -952"}})
         far.replace(far.find(from), 7, to);
     REQUIRE(run(output("far") + small + file("far.obj", far)).code == 0);
     const auto scaled = picture("far", "visibility.png");
     CHECK(std::ranges::equal(mask.texels(), scaled.texels()));
 
-    const std::string ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                            "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
-                            "0 0 0\n1 0 0\n0 0 1\n0 -1 0\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 4\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n0 0 1\n0 -1 0\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
     REQUIRE(run(output("ply") + small + "--up z " + file("tetrahedron.ply", ply)).code == 0);
     const auto turned = picture("ply", "visibility.png");
     CHECK(std::ranges::equal(mask.texels(), turned.texels()));
 
     const std::string gltf = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
         "meshes":[{"primitives":[{"attributes":{"POSITION":1},"indices":0}]}],
-        "buffers":[{"uri":"data:application/octet-stream;base64,AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA=","byteLength":44}],
+        "buffers":[{"byteLength":44,"uri":
+            "data:application/octet-stream;base64,AAABAAIAAAAAAAAAAAAAAAAAAAAAAIA/AAAAAAAAAAAAAAAAAACAPwAAAAA="}],
         "bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":6},{"buffer":0,"byteOffset":8,"byteLength":36}],
         "accessors":[{"bufferView":0,"componentType":5123,"count":3,"type":"SCALAR"},
                      {"bufferView":1,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}]})";
@@ -204,6 +234,7 @@ TEST_CASE("shadow_render: meshes of any unit, offset and up axis, in each format
 }
 
 TEST_CASE("shadow_render: missing, empty and broken meshes") {
+    fails("''", 2, "mesh");
     fails(quoted(folder / "none.obj"), 1, "no such file");
     fails(quoted(folder), 1, "not a file");
     fails(file("empty.obj", ""), 1, "the file is empty");
@@ -221,8 +252,10 @@ TEST_CASE("shadow_render: missing, empty and broken meshes") {
 TEST_CASE("shadow_render: impossible options") {
     for (const char* value : {"0", "-1", "100000", "99999999999999999999", "nan", "1.5", "many"})
         fails(std::string("--map-size ") + value, 2, "--map-size");
-    for (const char* option : {"--azimuth", "--elevation", "--cone", "--distance", "--bias", "--fov", "--camera-azimuth"})
-        for (const char* value : {"nan", "-nan", "inf", "1e30", "up"}) fails(std::string(option) + " " + value, 2, option);
+    for (const char* option :
+         {"--azimuth", "--elevation", "--cone", "--distance", "--bias", "--fov", "--camera-azimuth"})
+        for (const char* value : {"nan", "-nan", "inf", "1e30", "up"})
+            fails(std::string(option) + " " + value, 2, option);
     fails("--cone 180", 2, "--cone");
     fails("--elevation 0", 2, "--elevation");
     fails("--width 0", 2, "--width");

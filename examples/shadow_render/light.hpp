@@ -21,27 +21,34 @@
 namespace shadow_render {
 
 struct light {
-    bool spot = true;
-    glm::vec3 position, direction;  ///< a directional light has no position
-    float cos_outer = 0, z_near = 0, z_far = 1;
+    glm::vec3 position, direction;
+    float cos_outer = 0, z_near = 0, z_far = 1;  ///< a directional light has 0, 0 and 1
     umbrage::light_space<float> space{};
 
     [[nodiscard]] glm::mat4 world_to_clip() const { return space.projection * space.view; }
 
-    [[nodiscard]] glm::vec3 to_light(glm::vec3 p) const { return spot ? glm::normalize(position - p) : -direction; }
+    // Both kinds are computed and one is chosen, by a float: a branch would keep compilers from using vectors.
+    [[nodiscard]] bool spot() const { return z_near > 0; }
+
+    [[nodiscard]] glm::vec3 to_light(glm::vec3 p) const {
+        const glm::vec3 back = -direction, way = glm::normalize(position - p);
+        return {spot() ? way.x : back.x, spot() ? way.y : back.y, spot() ? way.z : back.z};
+    }
 
     /// Depth that grows evenly with distance, which is what few bits need: z/w already does in a directional map.
     [[nodiscard]] float even_depth(float depth) const {
-        return spot ? umbrage::linear_depth(umbrage::view_z_from_depth(depth, z_near, z_far), 1 / z_far) : depth;
+        const float even = umbrage::linear_depth(umbrage::view_z_from_depth(depth, z_near, z_far), 1 / z_far);
+        return spot() ? even : depth;
     }
 
     [[nodiscard]] float cone(glm::vec3 p) const {
-        return spot ? umbrage::spot_cone(direction, p - position, cos_outer) : 1.0f;
+        const float inside = umbrage::spot_cone(direction, p - position, cos_outer);
+        return spot() ? inside : 1.0f;
     }
 
     /// Edge of a texel's footprint at a point, across the light, in world units.
     [[nodiscard]] float texel_world(glm::vec3 p, int map_size) const {
-        const float distance = spot ? glm::dot(p - position, direction) : 1.0f;
+        const float along = glm::dot(p - position, direction), distance = spot() ? along : 1.0f;
         const float half = 1 / std::min(space.projection[0][0], space.projection[1][1]);
         return 2 * half * std::max(distance, 0.0f) / static_cast<float>(map_size);
     }
@@ -50,13 +57,13 @@ struct light {
 [[nodiscard]] inline light make_light(const options& o, const example::scene& scene) {
     const glm::vec3 towards = example::direction_at(o.azimuth, o.elevation);
     const glm::vec3 up = example::direction_at(o.azimuth, o.elevation + 90);  // never parallel
-    light out{.spot = o.light == light_kind::spot,
-              .position = scene.target + o.distance * towards,
-              .direction = -towards};
-    if (!out.spot) {
-        out.space = umbrage::fit_directional_light<float>(
-            {.direction = out.direction, .up = up, .low = scene.low, .high = scene.high,
-             .clip = example::picture_clip});
+    light out{.position = scene.target + o.distance * towards, .direction = -towards};
+    if (o.light != light_kind::spot) {
+        out.space = umbrage::fit_directional_light<float>({.direction = out.direction,
+                                                           .up = up,
+                                                           .low = scene.low,
+                                                           .high = scene.high,
+                                                           .clip = example::picture_clip});
         return out;
     }
 

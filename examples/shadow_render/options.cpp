@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <choices.hpp>
 #include <command_line.hpp>
-#include <encodings.hpp>
 
 namespace shadow_render {
 namespace {
@@ -15,10 +15,6 @@ template <class Kind>
 using choices = std::vector<std::pair<std::string, Kind>>;
 
 const choices<light_kind> lights{{"spot", light_kind::spot}, {"directional", light_kind::directional}};
-const choices<filter_kind> filters{{"hard", filter_kind::hard},
-                                   {"four-tap", filter_kind::four_tap},
-                                   {"pcf", filter_kind::pcf},
-                                   {"box", filter_kind::box}};
 const choices<float> edges{
     {"lower", umbrage::lower_edge<float>}, {"centre", umbrage::centre<float>}, {"upper", umbrage::upper_edge<float>}};
 const choices<example::up_axis> axes{{"y", example::up_axis::y}, {"z", example::up_axis::z}};
@@ -51,7 +47,7 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
                  "shadow_render"};
     app.option_defaults()->always_capture_default();
 
-    app.add_option("mesh", o.mesh, "OBJ, glTF or PLY file; without one, the built-in scene");
+    example::add_mesh(app, "mesh", o.mesh);
     add_choice(app, "--up", o.up, axes, "axis of the mesh that points up");
     app.add_option("-o,--output", o.output, "folder for the pictures, made when missing");
 
@@ -65,14 +61,12 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
 
     group("Shadow map");
     app.add_option("--map-size", o.map_size, "texels along an edge")->check(within(1, 8192));
-    app.add_option("--encoding", o.encoding, "how a depth is stored")
-        ->check(CLI::IsMember(example::encoding_names).description(""))
-        ->type_name("NAME");
+    example::add_encoding(app, o.encoding)->type_name("NAME");
     add_choice(app, "--edge", o.edge, edges, "of a code's interval, that decoding answers");
 
     group("Filter");
-    add_choice(app, "--filter", o.filter, filters, "how texels become visibility");
-    app.add_option("--radius", o.radius, "of the box, texels")->check(within(0, 8));
+    example::add_filter(app, o.filter);
+    app.add_option("--radius", o.radius, "of a box, texels")->check(within(0, 8));
     app.add_option("--bias", o.bias, "along the surface's normal, texels; without it, what the filter needs")
         ->check(within(-100, 100));
 
@@ -87,7 +81,7 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.add_flag("-q,--quiet", o.quiet, "no progress, no timings");
 
     std::string names = "Encodings:";
-    for (const std::string& name : example::encoding_names) names += " " + name;
+    for (const std::string& name : example::encoding_names()) names += " " + name;
     app.footer(names);
 
     if (!example::parse(app, argc, argv)) return std::nullopt;

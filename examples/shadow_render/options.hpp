@@ -12,7 +12,6 @@
 namespace shadow_render {
 
 enum class light_kind { spot, directional };
-enum class filter_kind { hard, four_tap, pcf, box };
 
 /// Angles are in degrees. Azimuth 0 is towards the default camera, 90 to its right; elevation 90 is straight above.
 struct options {
@@ -28,8 +27,8 @@ struct options {
     std::string encoding = "rg16";
     float edge = umbrage::upper_edge<float>;  ///< of a code's interval, that decoding answers
 
-    filter_kind filter = filter_kind::pcf;
-    int radius = 2;             ///< of the box
+    std::string filter = "pcf_2x2";
+    int radius = 2;             ///< of a box
     std::optional<float> bias;  ///< texels; unset: what the filter needs
 
     int width = 960, height = 640, samples = 2;

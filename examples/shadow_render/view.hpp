@@ -13,15 +13,19 @@
 #include <glm/vec4.hpp>
 
 #include <umbrage/image.hpp>
+#include <umbrage/images/visibility.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include <camera.hpp>
 #include <scene.hpp>
+#include <surface.hpp>
 
 #include "light.hpp"
 #include "options.hpp"
 
 namespace shadow_render {
+
+using example::lanes;
 
 [[nodiscard]] inline example::camera make_camera(const options& o, const example::scene& scene) {
     return example::make_camera({.target = scene.target,
@@ -32,13 +36,26 @@ namespace shadow_render {
                                  .aspect = static_cast<float>(o.width) / static_cast<float>(o.height)});
 }
 
+/// What light and camera see.
+struct view {
+    const example::scene& scene;
+    light lamp;
+    example::camera camera;
+    umbrage::image<std::uint32_t> seen;  ///< triangle behind each sample of the picture
+
+    [[nodiscard]] example::seen_triangle triangle(std::uint32_t index) const {
+        return {scene, camera, seen.size(), index};
+    }
+};
+
 /// The point to look up instead of the surface itself, moved off it so that no texel the filter reads can shadow a
 /// plane through it. With t the angle between normal and light axis, a texel's step across the map changes the depth
 /// of the plane by as much as a move of sin(t) texels along its normal wins: so sin(t) times the farthest texel.
-[[nodiscard]] inline glm::vec3 biased(const example::surface& s, const light& l, float texels, int map_size) {
-    const float cosine = glm::dot(s.face_normal, l.direction);
+[[nodiscard]] inline glm::vec3 biased(glm::vec3 position, glm::vec3 face_normal, const light& l, float texels,
+                                      int map_size) {
+    const float cosine = glm::dot(face_normal, l.direction);
     const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-    return s.position + s.face_normal * (texels * sine * l.texel_world(s.position, map_size));
+    return position + face_normal * (texels * sine * l.texel_world(position, map_size));
 }
 
 /// What `biased` needs so that no plane shadows itself: the way to the corner of the filter's footprint.
@@ -47,38 +64,48 @@ namespace shadow_render {
     return std::numbers::sqrt2_v<float> * (reach + snapping);
 }
 
-/// What light and camera see.
-struct view {
-    const example::scene& scene;
-    light lamp;
-    example::camera camera;
-    umbrage::image<std::uint32_t> seen;  ///< triangle behind each sample of the picture
+/// Where each sample looks into the map, in texels, and the depth that it compares with; the bias is part of both.
+struct receivers {
+    umbrage::image<float> x, y, depth;
 
-    [[nodiscard]] bool empty(glm::ivec2 sample) const { return seen[sample] == example::nothing; }
-    [[nodiscard]] example::surface at(glm::ivec2 sample) const {
-        return example::surface_at(scene, camera, seen, sample);
-    }
+    explicit receivers(glm::ivec2 size, glm::vec3 value = umbrage::project_coordinate(glm::vec4(0)))  // lit in any map
+        : x(size, value.x), y(size, value.y), depth(size, value.z) {}
+
+    [[nodiscard]] umbrage::receiver_planes planes() const { return {x, y, depth}; }
 };
 
-/// Where each sample looks into the map, in texels, and the depth that it compares with; the bias is part of both.
-/// @param texels  what `biased` takes
-/// @param below   how far the encoding may answer below the depth it was given
-/// @param step    called after each row
-template <class Step>
-[[nodiscard]] umbrage::image<glm::vec3> receivers_of(const view& v, int map_size, float texels, float below, Step&& step) {
+/// @param texels    what `biased` takes
+/// @param below     how far the encoding may answer below the depth it was given
+/// @param parallel  as the library's functions take it
+template <class ParallelFor>
+[[nodiscard]] receivers receivers_of(const view& v, int map_size, float texels, float below, ParallelFor&& parallel) {
     constexpr float rounding = 0x1p-18f;  // the depth pass and we compute the same depth, in float
     const glm::mat4 world_to_texels = umbrage::texture_matrix(v.lamp.space, glm::ivec2(map_size));
-    const glm::ivec2 size = v.seen.size();
-    umbrage::image<glm::vec3> receivers(size, umbrage::project_coordinate(glm::vec4(0)));  // lit in any map
-    for (int y = 0; y < size.y; ++y, step())
-        for (int x = 0; x < size.x; ++x) {
-            const glm::ivec2 t(x, y);
-            if (v.empty(t)) continue;
-            const glm::vec3 point = biased(v.at(t), v.lamp, texels, map_size);
-            const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
-            receivers[t] = {p.x, p.y, v.lamp.even_depth(p.z) - rounding - below};
-        }
-    return receivers;
+    receivers out(v.seen.size());
+    const auto row = [&](int y) {
+        float *const to_x = out.x.view().row(y), *const to_y = out.y.view().row(y),
+                     *const to_depth = out.depth.view().row(y);
+        example::for_each_run(v.seen, y, [&](int first, int last, std::uint32_t triangle) {
+            const example::seen_triangle on = v.triangle(triangle);
+            for (int x = first; x < last; x += lanes) {
+                example::vectors weights, at;
+                on.locate({x, y}, weights, at);
+                for (int i = 0; i < lanes; ++i)
+                    at.set(i, biased(at[i], on.face_normal(at[i]), v.lamp, texels, map_size));
+                for (int i = 0; i < lanes; ++i)
+                    at.set(i, umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, at[i])));
+                for (int i = 0; i < lanes; ++i) at.z[i] = v.lamp.even_depth(at.z[i]) - rounding - below;
+                const int count = std::min(lanes, last - x);
+                std::copy_n(at.x, count, to_x + x);
+                std::copy_n(at.y, count, to_y + x);
+                std::copy_n(at.z, count, to_depth + x);
+            }
+        });
+    };
+    parallel(v.seen.size().y, [&](int first, int last) {
+        for (int y = first; y < last; ++y) row(y);
+    });
+    return out;
 }
 
 }  // namespace shadow_render

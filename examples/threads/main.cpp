@@ -26,7 +26,8 @@ struct program {
             for (int x = 0; x < map_size.x; ++x) depth[{x, y}] = (x / 64 + y / 64) % 3 == 0 ? 0.25f : 0.75f;
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x)
-                receivers[{x, y}] = {0.5f * static_cast<float>(x) + 0.1f * static_cast<float>(y), 0.9f * static_cast<float>(y), 0.5f};
+                receivers[{x, y}] = {0.5f * static_cast<float>(x) + 0.1f * static_cast<float>(y),
+                                     0.9f * static_cast<float>(y), 0.5f};
         umbrage::encode(depth.view(), map.view(), umbrage::rg<11>{});
     }
 
@@ -36,8 +37,10 @@ struct program {
         double best = 1e9;
         for (int run = 0; run < 7; ++run) {
             const auto start = std::chrono::steady_clock::now();
-            umbrage::visibility(map.view(), umbrage::rg<11>{}, receivers.view(), umbrage::filters::box{2}, visibility.view(), parallel_for);
-            best = std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+            umbrage::visibility(map.view(), umbrage::rg<11>{}, receivers.view(), umbrage::filters::box{2},
+                                visibility.view(), parallel_for);
+            best = std::min(
+                best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
         }
         return best;
     }
@@ -47,7 +50,8 @@ struct program {
         for (int threads : {1, 2}) {
             std::ranges::fill(shared.texels(), -1.0f);
             const double milliseconds = time(shared, Scheduler{threads});
-            const bool same = std::memcmp(shared.texels().data(), alone.texels().data(), alone.texels().size_bytes()) == 0;
+            const bool same =
+                std::memcmp(shared.texels().data(), alone.texels().data(), alone.texels().size_bytes()) == 0;
             std::printf("%-12s %d thread%s %8.2f ms   %s\n", name, threads, threads > 1 ? "s" : " ", milliseconds,
                         same ? "same bits" : "OTHER BITS");
             failures += !same;

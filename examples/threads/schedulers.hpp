@@ -52,7 +52,8 @@ struct one_tbb {
     int threads;
     template <class Piece>
     void operator()(int count, Piece&& piece) const {
-        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                        static_cast<std::size_t>(threads));
         tbb::parallel_for(tbb::blocked_range<int>(0, count),
                           [&](const tbb::blocked_range<int>& rows) { piece(rows.begin(), rows.end()); });
     }

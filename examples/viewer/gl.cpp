@@ -12,7 +12,7 @@ handle<program_kind> linked(const stages& text) {
     GLint good = GL_TRUE;
     char log[4096] = "";
     const std::pair<GLenum, const std::string*> both[] = {{GL_VERTEX_SHADER, &text.vertex},
-                                                            {GL_FRAGMENT_SHADER, &text.fragment}};
+                                                          {GL_FRAGMENT_SHADER, &text.fragment}};
     for (const auto& [kind, source] : both) {
         const GLuint shader = glCreateShader(kind);
         const char* characters = source->c_str();

@@ -42,19 +42,35 @@ private:
 };
 
 struct buffer_kind {
-    static GLuint make() { GLuint id = 0; glGenBuffers(1, &id); return id; }
+    static GLuint make() {
+        GLuint id = 0;
+        glGenBuffers(1, &id);
+        return id;
+    }
     static void drop(GLuint id) { glDeleteBuffers(1, &id); }
 };
 struct texture_kind {
-    static GLuint make() { GLuint id = 0; glGenTextures(1, &id); return id; }
+    static GLuint make() {
+        GLuint id = 0;
+        glGenTextures(1, &id);
+        return id;
+    }
     static void drop(GLuint id) { glDeleteTextures(1, &id); }
 };
 struct renderbuffer_kind {
-    static GLuint make() { GLuint id = 0; glGenRenderbuffers(1, &id); return id; }
+    static GLuint make() {
+        GLuint id = 0;
+        glGenRenderbuffers(1, &id);
+        return id;
+    }
     static void drop(GLuint id) { glDeleteRenderbuffers(1, &id); }
 };
 struct framebuffer_kind {
-    static GLuint make() { GLuint id = 0; glGenFramebuffers(1, &id); return id; }
+    static GLuint make() {
+        GLuint id = 0;
+        glGenFramebuffers(1, &id);
+        return id;
+    }
     static void drop(GLuint id) { glDeleteFramebuffers(1, &id); }
 };
 struct program_kind {
@@ -77,14 +93,32 @@ public:
     explicit program(stages text);
 
     [[nodiscard]] const stages& text() const { return text_; }
-    const program& use() const { glUseProgram(id_); return *this; }
+    const program& use() const {
+        glUseProgram(id_);
+        return *this;
+    }
 
     // A uniform that the program does not use is no fault.
-    const program& set(const char* name, int v) const { glUniform1i(at(name), v); return *this; }
-    const program& set(const char* name, float v) const { glUniform1f(at(name), v); return *this; }
-    const program& set(const char* name, glm::vec2 v) const { glUniform2f(at(name), v.x, v.y); return *this; }
-    const program& set(const char* name, glm::vec3 v) const { glUniform3f(at(name), v.x, v.y, v.z); return *this; }
-    const program& set(const char* name, glm::vec4 v) const { glUniform4f(at(name), v.x, v.y, v.z, v.w); return *this; }
+    const program& set(const char* name, int v) const {
+        glUniform1i(at(name), v);
+        return *this;
+    }
+    const program& set(const char* name, float v) const {
+        glUniform1f(at(name), v);
+        return *this;
+    }
+    const program& set(const char* name, glm::vec2 v) const {
+        glUniform2f(at(name), v.x, v.y);
+        return *this;
+    }
+    const program& set(const char* name, glm::vec3 v) const {
+        glUniform3f(at(name), v.x, v.y, v.z);
+        return *this;
+    }
+    const program& set(const char* name, glm::vec4 v) const {
+        glUniform4f(at(name), v.x, v.y, v.z, v.w);
+        return *this;
+    }
     const program& set(const char* name, const glm::mat4& m, int count = 1) const {
         glUniformMatrix4fv(at(name), count, GL_FALSE, glm::value_ptr(m));
         return *this;

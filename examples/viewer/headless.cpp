@@ -33,8 +33,9 @@ headless::headless(bool es2) : display_(open_display()) {
     if (!eglChooseConfig(display_, wish, &config, 1, &count) || count == 0) fail("no configuration");
     eglBindAPI(es2 ? EGL_OPENGL_ES_API : EGL_OPENGL_API);
     const EGLint es[] = {EGL_CONTEXT_CLIENT_VERSION, 2, EGL_NONE};
-    const EGLint core[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
-                           EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLint core[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     const EGLContext context = eglCreateContext(display_, config, EGL_NO_CONTEXT, es2 ? es : core);
     if (context == EGL_NO_CONTEXT) fail("no context");
     EGLSurface surface = EGL_NO_SURFACE;  // we draw into textures: a surface only where EGL insists

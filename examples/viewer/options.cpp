@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include <choices.hpp>
 #include <command_line.hpp>
 
 #include "session.hpp"
@@ -16,25 +17,22 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     CLI::App app{"Shows a shadow mapping system on OpenGL, live.", "viewer"};
     app.option_defaults()->always_capture_default();
 
-    std::vector<std::string> systems, filters;
+    std::vector<std::string> systems;
     for (const example::shadow_system& s : example::systems) systems.emplace_back(s.name);
-    for (const auto& [kind, name] : filter_names) filters.emplace_back(name);
-    const auto one_of = [](CLI::Option* option, const std::vector<std::string>& names) {
-        option->check(CLI::IsMember(names).description(""))->type_name(CLI::detail::join(names, "|"));
-    };
     const std::map<std::string, example::up_axis> axes{{"y", example::up_axis::y}, {"z", example::up_axis::z}};
 
-    one_of(app.add_option("--system", o.system, "what to show"), systems);
-    app.add_option("--mesh", o.mesh, "OBJ, glTF or PLY file; without one, the built-in scene");
+    example::add_choice(app, "--system", o.system, systems, "what to show");
+    example::add_mesh(app, "--mesh", o.mesh);
     app.add_option("--up", o.up, "axis of the mesh that points up")
-        ->transform(CLI::CheckedTransformer(axes).description(""))->type_name("y|z")->default_str("y");
+        ->transform(CLI::CheckedTransformer(axes).description(""))
+        ->type_name("y|z")
+        ->default_str("y");
 
     app.option_defaults()->group("Shadow (without them, the system's own)");
     app.add_option("--azimuth", o.azimuth, "where the light stands, degrees")->check(within(-360, 360));
     app.add_option("--elevation", o.elevation, "90 is straight above")->check(within(lowest_light, 90));
-    app.add_option("--encoding", o.encoding, "how a depth is stored")
-        ->check(CLI::IsMember(example::encoding_names).description(""))->type_name("NAME");
-    one_of(app.add_option("--filter", o.filter, "how texels become visibility"), filters);
+    example::add_encoding(app, o.encoding)->type_name("NAME");
+    example::add_filter(app, o.filter);
     app.add_option("--map-size", o.map_size, "texels along an edge")->check(within(smallest_map, largest_map));
     app.add_option("--bias", o.bias, "in the map's depth")->check(within(-1, 1));
     app.add_option("--lift", o.lift, "texels along the surface's normal")->check(within(0, 16));
@@ -53,7 +51,7 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.add_option("--screenshot", o.screenshot, "PNG file for the last frame, and for the key P");
 
     std::string footer = "Encodings:";
-    for (const std::string& name : example::encoding_names) footer += " " + name;
+    for (const std::string& name : example::encoding_names()) footer += " " + name;
     app.footer(footer + "\n" + std::string(keys));
 
     if (!example::parse(app, argc, argv)) return std::nullopt;

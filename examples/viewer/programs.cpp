@@ -9,14 +9,11 @@
 #include <umbrage/depth/kinds.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/rg_table.hpp>
-#include <umbrage/filter/pcf/box.hpp>
-#include <umbrage/filter/pcf/four_tap.hpp>
-#include <umbrage/filter/pcf/hard.hpp>
-#include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/filter/filters.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shade/lighting.hpp>
 
-#include "encoding_glsl.hpp"
+#include "stored_as.hpp"
 
 namespace viewer {
 namespace {
@@ -36,9 +33,10 @@ std::string vertex(version v, const snippets& uses, std::string_view rest) {
     return glsl::source(v, uses, v == version::v100 ? "" : "#define attribute in\n#define varying out\n").append(rest);
 }
 std::string fragment(version v, const snippets& uses, const std::string& macros, std::string_view rest) {
-    const std::string words = v == version::v100
-        ? "precision highp float;\nprecision highp sampler2D;\n#define fragment_colour gl_FragColor\n"
-        : "#define varying in\nout vec4 fragment_colour;\n";
+    const std::string words =
+        v == version::v100
+            ? "precision highp float;\nprecision highp sampler2D;\n#define fragment_colour gl_FragColor\n"
+            : "#define varying in\nout vec4 fragment_colour;\n";
     return glsl::source(v, uses, words + macros).append(rest);
 }
 
@@ -54,7 +52,7 @@ storage storage_of(const shadow_system& s) {
                 {glsl::decode_ps14},
                 "vec4(umbrage_to_unorm(umbrage_encode_rg11_table(table, depth)), 0.0, 0.0)",
                 "umbrage_decode_ps14((stored).xy)"};
-    const encoding& e = encoding_called(s.encoding);
+    const stored_as e = encoding_called(s.encoding);
     return {e.writers(), e.readers(), e.write("depth"), e.read("(stored)")};
 }
 
@@ -79,21 +77,16 @@ struct filter {
     std::string visibility;  ///< expression of p, depth, biased, receiver and bias
 };
 filter filter_of(const shadow_system& s) {
-    using enum example::filter_kind;
-    switch (s.filter) {
-        case hard:
-            if (s.test == example::test_kind::exercise && s.receiver == example::receiver_kind::plain)
-                return {{glsl::compare_exercise, glsl::fetch_depth},
-                        "umbrage_compare_exercise(depth, umbrage_fetch_depth(map, map_size, floor(p.xy)), bias)"};
-            return {{glsl::hard}, "umbrage_hard(map, map_size, p.xy, receiver)"};
-        case four_tap:
-            return {{glsl::four_tap}, "umbrage_four_tap(map, map_size, tap(0), tap(1), tap(2), tap(3), receiver)"};
-        case box: return {{glsl::box}, "umbrage_box(map, map_size, p.xy, receiver, 1)"};
-        case pcf_2x2: break;
-    }
-    if (s.test == example::test_kind::dx_sdk)
-        return {{glsl::pcf_2x2_dx_sdk}, "umbrage_pcf_2x2_dx_sdk(map, map_size, p.xy, depth, bias)"};
-    return {{glsl::pcf_2x2}, "umbrage_pcf_2x2(map, map_size, p.xy, receiver)"};
+    if (s.test == example::test_kind::exercise && s.filter == "hard" && s.receiver == example::receiver_kind::plain)
+        return {{glsl::compare_exercise, glsl::fetch_depth},
+                "umbrage_compare_exercise(depth, umbrage_fetch_depth(map, map_size, floor(p.xy)), bias)"};
+    const glsl::snippet* snippet = nullptr;
+    umbrage::with_filter(s.filter, [&](const auto& of) { snippet = of.snippet; });
+    std::string arguments = "p.xy, receiver";
+    if (snippet == &glsl::four_tap) arguments = "tap(0), tap(1), tap(2), tap(3), receiver";
+    if (snippet == &glsl::box) arguments += ", 1";
+    if (snippet == &glsl::pcf_2x2_dx_sdk) arguments = "p.xy, depth, bias";
+    return {{*snippet}, "umbrage_" + std::string(snippet->name) + "(map, map_size, " + arguments + ")"};
 }
 
 /// The side that is compared with the map, an expression of `depth`, biased.
@@ -120,7 +113,7 @@ void main() {
 
 /// depth_here(): the map's depth at a corner's place, nearest texel.
 std::string overlay_head(const shadow_system& s, version v, const snippets& more) {
-    const encoding& e = encoding_called(s.encoding);  // whatever way the system itself reads it
+    const stored_as e = encoding_called(s.encoding);  // whatever way the system itself reads it
     return fragment(v, joined({e.readers(), {glsl::fetch_clamped, glsl::saturate}, more}), "", R"GLSL(
 uniform sampler2D map;
 uniform vec2 map_size;
@@ -147,16 +140,17 @@ void main() {
                      "uniform sampler2D table;\nvarying vec4 coordinate;\n" + map_depth(s) + R"GLSL(
 void main() {
     float depth = map_depth(umbrage_project_coordinate(coordinate).z);
-    fragment_colour = )GLSL" + how.write + ";\n}\n")};
+    fragment_colour = )GLSL" +
+                         how.write + ";\n}\n")};
 }
 
 stages camera_stages(const shadow_system& s, version v, bool mask) {
     const storage how = storage_of(s);
     const filter filter = filter_of(s);
     const std::string lit = s.shading == example::shading_kind::diffuse_ambient
-        ? "umbrage_diffuse_ambient(albedo, ambient, n_dot_l, visibility)"
-        : "umbrage_diffuse_ambient(albedo, ambient, n_dot_l, 1.0) * "
-          "(ambient + (1.0 - ambient) * clamp(4.0 * n_dot_l, 0.0, 1.0) * visibility)";
+                                ? "umbrage_diffuse_ambient(albedo, ambient, n_dot_l, visibility)"
+                                : "umbrage_diffuse_ambient(albedo, ambient, n_dot_l, 1.0) * "
+                                  "(ambient + (1.0 - ambient) * clamp(4.0 * n_dot_l, 0.0, 1.0) * visibility)";
 
     stages out;
     out.vertex = vertex(v, {}, R"GLSL(
@@ -173,10 +167,15 @@ void main() {
     gl_Position = world_to_clip * vec4(position, 1.0);
 }
 )GLSL");
-    out.fragment = fragment(v, joined({how.writers, how.readers, filter.uses, depth_snippets,
-                                       {glsl::receiver_ps14, glsl::shadow_coordinate,
-                                        glsl::project_coordinate, glsl::spot_cone, glsl::diffuse_ambient}}),
-                            fetch_macro(how), R"GLSL(
+    out.fragment = fragment(v,
+                            joined({how.writers,
+                                    how.readers,
+                                    filter.uses,
+                                    depth_snippets,
+                                    {glsl::receiver_ps14, glsl::shadow_coordinate, glsl::project_coordinate,
+                                     glsl::spot_cone, glsl::diffuse_ambient}}),
+                            fetch_macro(how),
+                            R"GLSL(
 varying vec3 world, world_normal, world_face;
 varying vec4 surface_colour;  // alpha: 1 on the floor
 uniform vec3 eye, light_direction;
@@ -223,8 +222,10 @@ void main() {
 
     // Fetch, decode, compare, filter.
     float biased = depth - bias;
-    float receiver = )GLSL" + receiver_of(s) + R"GLSL(;
-    float visibility = )GLSL" + filter.visibility + R"GLSL(;
+    float receiver = )GLSL" + receiver_of(s) +
+                                R"GLSL(;
+    float visibility = )GLSL" + filter.visibility +
+                                R"GLSL(;
     if (light_position.w > 0.0)
         visibility *= umbrage_spot_cone(light_direction, world - light_position.xyz, cos_outer);
 )GLSL");
@@ -235,10 +236,12 @@ void main() {
     out.fragment += R"GLSL(
     // Shade.
     vec3 albedo = surface_colour.a > 0.5 ? floor_colour(world) : surface_colour.rgb;
-)GLSL" + std::string(s.textured ? "    albedo *= solid_texture(world);\n" : "") + R"GLSL(
+)GLSL" + std::string(s.textured ? "    albedo *= solid_texture(world);\n" : "") +
+                    R"GLSL(
     vec3 to_light = light_position.w > 0.0 ? normalize(light_position.xyz - world) : -light_direction;
     float n_dot_l = dot(normal, to_light);
-    vec3 seen = )GLSL" + lit + R"GLSL(;
+    vec3 seen = )GLSL" +
+                    lit + R"GLSL(;
     fragment_colour = vec4(srgb(seen.r), srgb(seen.g), srgb(seen.b), 1.0);
 }
 )GLSL";

@@ -8,9 +8,9 @@
 #include <umbrage/image.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
-#include <png.hpp>
+#include <srgb.hpp>
 
-#include "encoding_glsl.hpp"
+#include "stored_as.hpp"
 
 namespace viewer {
 namespace {
@@ -40,24 +40,10 @@ glm::mat4 opengl(glm::mat4 m) {
     return m;
 }
 
-/// What an empty texel holds: depth 1, encoded.
-glm::vec4 cleared(std::string_view encoding) {
-    return example::with_encoding(encoding, umbrage::upper_edge<float>, [](auto e, float) {
-        const auto texel = e.encode(1.0f);
-        glm::vec4 out(0);
-        if constexpr (std::is_same_v<decltype(texel), const float>)
-            out.x = texel;
-        else
-            for (int i = 0; i < texel.length(); ++i) out[i] = static_cast<float>(texel[i]) / 255.0f;
-        return out;
-    });
-}
-
 /// The system's bias, and what a decoder of others may answer below the depth it was given.
 float bias_of(const example::shadow_system& s) {
     if (s.receiver != example::receiver_kind::plain) return s.bias;
-    return s.bias + example::with_encoding(s.encoding, umbrage::upper_edge<float>,
-                                           [](auto, float below) { return below; });
+    return s.bias + encoding_called(s.encoding).below;
 }
 
 void bind(int unit, GLuint texture) {
@@ -142,7 +128,7 @@ void renderer::depth_pass(const session& s, const example::light& l) {
     bind(0, 0);  // the map is drawn to
     glBindFramebuffer(GL_FRAMEBUFFER, map_->framebuffer);
     glViewport(0, 0, map_->size.x, map_->size.y);
-    clear(cleared(s.system.encoding));
+    clear(encoding_called(s.system.encoding).cleared);
     updated(depth_, depth_stages(s.system, dialect()))
         .set("light_to_clip", l.world_to_clip())
         .set("world_to_texels", umbrage::texture_matrix(l.space, map_->size))

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <sstream>
 
+#include <choices.hpp>
 #include <command_line.hpp>
 
-#include "encoding_glsl.hpp"
+#include "stored_as.hpp"
 
 namespace viewer {
 namespace {
@@ -16,24 +17,30 @@ const example::shadow_system& system_called(std::string_view name) {
     return *std::ranges::find(example::systems, name, &example::shadow_system::name);
 }
 
-example::filter_kind filter_called(std::string_view name) {
-    return std::ranges::find(filter_names, name, &decltype(filter_names)::value_type::second)->first;
+/// The list's own copy of a name, which stays.
+const std::string& listed(const std::vector<std::string>& names, std::string_view name) {
+    return *std::ranges::find(names, name);
+}
+
+/// The name after this one; after the last the first.
+const std::string& after(const std::vector<std::string>& names, std::string_view name) {
+    const auto next = std::ranges::find(names, name) + 1;
+    return next == names.end() ? names.front() : *next;
 }
 
 float turned(float degrees, float by) { return std::remainder(degrees + by, 360.0f); }
 
-bool runs_on_es2(const example::shadow_system& s) { return on_es2(encoding_called(s.encoding)); }
+bool runs_on_es2(const example::shadow_system& s) { return encoding_called(s.encoding).on_es2(); }
 
 }  // namespace
 
-session::session(const options& o)
-    : es2(o.es2), mask(o.mask), text(o.text), map(o.map), mesh_file_(o.mesh), up_(o.up) {
+session::session(const options& o) : es2(o.es2), mask(o.mask), text(o.text), map(o.map), mesh_file_(o.mesh), up_(o.up) {
     camera.aspect = static_cast<float>(o.width) / static_cast<float>(o.height);
     select(system_called(o.system));
     if (o.azimuth) system.azimuth = *o.azimuth;
     if (o.elevation) system.elevation = *o.elevation;
-    if (o.encoding) encode(*std::ranges::find(example::encoding_names, *o.encoding));
-    if (o.filter) system.filter = filter_called(*o.filter);
+    if (o.encoding) encode(*o.encoding);
+    if (o.filter) system.filter = listed(example::filter_names(), *o.filter);
     if (o.map_size) system.map_size = *o.map_size;
     if (o.bias) system.bias = *o.bias;
     if (o.lift) system.lift = *o.lift;
@@ -52,32 +59,32 @@ void session::select(const example::shadow_system& s) {
 }
 
 void session::encode(std::string_view name) {
-    if (es2 && !on_es2(encoding_called(name)))
+    if (es2 && !encoding_called(name).on_es2())
         throw example::usage_error("OpenGL ES 2 cannot do the encoding " + std::string(name));
     const example::shadow_system& original = system_called(system.name);
-    system.encoding = name;
+    system.encoding = listed(example::encoding_names(), name);
     system.receiver = name == original.encoding ? original.receiver : example::receiver_kind::plain;
 }
 
 void session::next_encoding() {
-    const auto& names = example::encoding_names;
-    auto at = std::ranges::find(names, system.encoding);
-    do {
-        if (++at == names.end()) at = names.begin();
-    } while (es2 && !on_es2(encoding_called(*at)));
-    encode(*at);
+    std::string_view next = system.encoding;
+    do { next = after(example::encoding_names(), next); } while (es2 && !encoding_called(next).on_es2());
+    encode(next);
 }
 
 void session::press(int pressed) {
     constexpr float step = 3;
     switch (pressed) {
-        case '1': case '2': case '3': case '4': {
+        case '1':
+        case '2':
+        case '3':
+        case '4': {
             const example::shadow_system& s = example::systems[static_cast<std::size_t>(pressed - '1')];
             if (!es2 || runs_on_es2(s)) select(s);
             break;
         }
         case 'E': next_encoding(); break;
-        case 'F': system.filter = static_cast<example::filter_kind>((static_cast<int>(system.filter) + 1) % 4); break;
+        case 'F': system.filter = after(example::filter_names(), system.filter); break;
         case '+': system.bias *= 1.25f; break;
         case '-': system.bias *= 0.8f; break;
         case 'M': system.map_size = std::min(system.map_size * 2, largest_map / 2); break;
@@ -116,10 +123,9 @@ void session::resize(glm::ivec2 size) {
 
 std::string session::describe() const {
     std::ostringstream out;
-    out << system.title << "\nencoding " << system.encoding << ", filter "
-        << filter_names[static_cast<std::size_t>(system.filter)].second << "\nbias " << system.bias << ", map "
-        << system.map_size << " x " << system.map_size << "\nlight: azimuth " << system.azimuth << ", elevation "
-        << system.elevation << '\n';
+    out << system.title << "\nencoding " << system.encoding << ", filter " << system.filter << "\nbias " << system.bias
+        << ", map " << system.map_size << " x " << system.map_size << "\nlight: azimuth " << system.azimuth
+        << ", elevation " << system.elevation << '\n';
     return out.str();
 }
 

@@ -7,13 +7,10 @@
 //
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include <camera.hpp>
-#include <encodings.hpp>
 #include <systems.hpp>
 
 #include "options.hpp"
@@ -22,10 +19,6 @@ namespace viewer {
 
 inline constexpr float lowest_light = 5;
 inline constexpr int smallest_map = 16, largest_map = 8192;
-
-inline constexpr std::array<std::pair<example::filter_kind, std::string_view>, 4> filter_names{
-    {{example::filter_kind::hard, "hard"}, {example::filter_kind::four_tap, "four-tap"},
-     {example::filter_kind::pcf_2x2, "pcf"}, {example::filter_kind::box, "box"}}};
 
 /// Keys that stand for no letter.
 namespace key {
@@ -56,6 +49,7 @@ public:
     /// Goes over to a system as it is by itself.
     /// @throws example::usage_error  it does not run on OpenGL ES 2
     void select(const example::shadow_system& s);
+    /// @param name  one of example::encoding_names()
     /// @throws example::usage_error  it does not run on OpenGL ES 2
     void encode(std::string_view name);
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+//
+// The library's encodings and filters on a command line, by their own names.
+//
+//     example::add_encoding(app, options.encoding);
+//
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace example {
+
+[[nodiscard]] const std::vector<std::string>& encoding_names();
+[[nodiscard]] const std::vector<std::string>& filter_names();
+
+/// --encoding and --filter; Text is a std::string, or an optional one.
+template <class Text>
+CLI::Option* add_choice(CLI::App& app, const char* option, Text& value, const std::vector<std::string>& names,
+                        const char* about) {
+    return app.add_option(option, value, about)
+        ->check(CLI::IsMember(names).description(""))
+        ->type_name(CLI::detail::join(names, "|"));
+}
+template <class Text>
+CLI::Option* add_encoding(CLI::App& app, Text& value) {
+    return add_choice(app, "--encoding", value, encoding_names(), "how a depth is stored");
+}
+template <class Text>
+CLI::Option* add_filter(CLI::App& app, Text& value) {
+    return add_choice(app, "--filter", value, filter_names(), "how texels become visibility");
+}
+
+}  // namespace example

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "shadow_map.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <umbrage/depth/encodings.hpp>
+#include <umbrage/images/encode.hpp>
+
+namespace example {
+namespace {
+
+/// The bytes of a texel as image viewers can show them.
+glm::u8vec3 bytes(glm::u8vec2 texel) { return {texel, 0}; }
+glm::u8vec3 bytes(glm::u8vec3 texel) { return texel; }
+glm::u8vec4 bytes(glm::u8vec4 texel) { return texel; }
+glm::u8vec4 bytes(float texel) { return umbrage::encode_float_bits(texel); }
+
+}  // namespace
+
+shadow_map store(std::string_view name, float edge, const umbrage::image<float>& depth, float empty) {
+    shadow_map out{.depth = umbrage::image<float>(depth.size()), .bytes{}};
+    const bool known = umbrage::with_encoding(name, [&](auto encoding) {
+        if constexpr (umbrage::has_edge<decltype(encoding)>) encoding.edge = edge;
+        using texel = typename decltype(encoding)::texel;
+        umbrage::image<texel> map(depth.size());
+        umbrage::encode(depth.view(), map.view(), encoding);
+        std::ranges::transform(depth.texels(), map.texels(), map.texels().begin(),
+                               [&](float d, texel t) { return d == empty ? encoding.cleared() : t; });
+        umbrage::decode(std::as_const(map).view(), out.depth.view(), encoding);
+        out.cleared = encoding.decode(encoding.cleared());
+        out.below = static_cast<float>(encoding.error().below);
+        umbrage::image<decltype(bytes(texel{}))> shown(depth.size());
+        std::ranges::transform(map.texels(), shown.texels().begin(), [](texel t) { return bytes(t); });
+        out.bytes = std::move(shown);
+    });
+    if (!known) throw std::invalid_argument("no encoding is called " + std::string(name));
+    return out;
+}
+
+}  // namespace example

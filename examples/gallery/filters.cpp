@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cctype>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <umbrage/filter/filters.hpp>
+#include <umbrage/images/visibility.hpp>
+#include <umbrage/shader/registry.hpp>
+
+#include "sections.hpp"
+
+namespace gallery {
+namespace {
+
+using namespace example;
+namespace glsl = umbrage::glsl;
+
+template <class Filter>
+void add_filter(page& page, const settings& o, const std::filesystem::path& folder, std::string_view id,
+                std::string_view title, std::string_view about, Filter filter, float reach,
+                std::vector<glsl::snippet> snippets) {
+    shadow_system system = radeon_8500;
+    system.map_size = 256;
+    system.lift = std::numbers::sqrt2_v<float> * (reach + 1.0f / 128);  // to the corner of what the filter reads
+    stage stage(system, {.output = folder, .size = 3});
+    const glm::ivec2 size(o.size * 2 / 3);
+    stage.camera = make_camera({.target = {-1.75f, 0, 0.35f}, .elevation = 55, .distance = 7.5f, .fov = 10});
+    stage.seen = camera_pass(stage.scene.geometry, stage.camera, size);
+
+    const light light = make_light(system, stage.scene, system.azimuth, system.elevation, system.map_size);
+    const auto map = depth_pass(system, stage.scene, light, system.map_size);
+    const glm::mat4 to_texels = umbrage::texture_matrix(light.space, map.size());
+    umbrage::image<glm::vec3> receivers(size, umbrage::project_coordinate(glm::vec4(0)));
+    stage.for_each_surface([&](glm::ivec2 pixel, const surface& s) {
+        const glm::vec3 point = lifted(system, light, s.position, s.normal, system.map_size);
+        const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, point));
+        receivers[pixel] = {p.x, p.y, light.depth(system, p.z) - 0x1p-18f};
+    });
+
+    umbrage::image<float> visibility(size);
+    const double ms = best_of_5([&] {
+        umbrage::visibility(map.view(), umbrage::depth32f{}, std::as_const(receivers).view(), filter,
+                            visibility.view());
+    });
+    int most_taps = 0;
+    for (glm::vec3 r : receivers.texels()) {
+        int taps = 0;
+        const auto fetch = [&, texel = umbrage::clamped(map)](glm::ivec2 t) { return ++taps, texel(t); };
+        static_cast<void>(filter(fetch, glm::vec2(r), r.z));
+        most_taps = std::max(most_taps, taps);
+    }
+    std::vector<float> levels(visibility.texels().begin(), visibility.texels().end());
+    std::ranges::sort(levels);
+    const auto different = std::ranges::unique(levels).begin() - levels.begin();
+    const double count = double(receivers.texels().size());
+    page.entry(id, title, about,
+               {{page.picture(stage.shade(system, light, visibility)), "Shaded"},
+                {page.picture(grey(visibility)), "Visibility"}},
+               {{"fetches", std::to_string(most_taps)},
+                {"levels in this picture", std::to_string(different)},
+                {text("%.0f receivers, best of 5", count), text("%.3f ms", ms)},
+                {"each", text("%.1f ns", ms * 1e6 / count)}},
+               together_and_alone(std::move(snippets)));
+}
+
+/// A summary as a sentence.
+std::string sentence(std::string_view summary) {
+    std::string out(summary);
+    out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
+    return out + '.';
+}
+
+}  // namespace
+
+void add_filters(page& page, const settings& o, const std::filesystem::path& folder) {
+    page.section("filters", "Filters",
+                 "One edge of a shadow, from a map of 256 × 256 texels, seen from near. The smoother, the more texels "
+                 "it takes.");
+    umbrage::for_each_filter([&]<class Filter>(Filter filter) {
+        const std::string name(filter.name), about = sentence(filter.snippet->summary);
+        std::vector<glsl::snippet> snippets{*filter.snippet};
+        if constexpr (requires { filter.offsets; }) snippets.push_back(glsl::tap_coordinate);
+        if constexpr (requires { filter.radius; })
+            for (const int radius : {1, 2, 4, 8}) {
+                filter.radius = radius;
+                const std::string each = name + "_" + std::to_string(radius);
+                add_filter(page, o, folder, each, each,
+                           about + text(" %d × %d texels.", 2 * radius + 1, 2 * radius + 1), filter, filter.reach(),
+                           snippets);
+            }
+        else add_filter(page, o, folder, name, name, about, filter, filter.reach(), snippets);
+    });
+}
+
+}  // namespace gallery

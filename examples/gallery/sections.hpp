@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+//
+// The page's sections, and what they share.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <umbrage/images/overlay.hpp>
+
+#include "page.hpp"
+#include "render.hpp"
+
+namespace gallery {
+
+struct settings {
+    std::filesystem::path output = "gallery/index.html", viewer{};
+    int size = 564;
+};
+
+/// @param folder  for pictures on their way into the page
+void add_systems(page& page, const settings& o, const std::filesystem::path& folder);
+void add_encodings(page& page, const settings& o, const std::filesystem::path& folder);
+void add_filters(page& page, const settings& o, const std::filesystem::path& folder);
+
+template <class... Values>
+[[nodiscard]] std::string text(const char* format, Values... values) {
+    char out[400];
+    std::snprintf(out, sizeof out, format, values...);
+    return out;
+}
+[[nodiscard]] inline std::string milliseconds(double ms) { return text("%.1f ms", ms); }
+[[nodiscard]] inline std::string square(int size) { return text("%d × %d", size, size); }
+[[nodiscard]] inline std::string depth_error(double error) {
+    return error > 0 ? text("%.2e = 2^%.4g", error, std::log2(error)) : "0";
+}
+
+/// A map as it is stored: its channels from left to right. Of a float the depth, stretched.
+[[nodiscard]] inline example::picture packed(const stored_depth& map, const umbrage::image<float>& depth, int edge) {
+    using namespace example;
+    std::vector<picture> channels;
+    const auto add = [&](const umbrage::image<float>& from, auto&& colour) {
+        umbrage::overlay(channels.emplace_back(glm::ivec2(edge)), from,
+                         {.size = glm::ivec2(edge), .map_origin = picture_clip.origin}, colour);
+    };
+    for (const auto& channel : map.channels) {
+        umbrage::image<float> values(channel.size());
+        std::ranges::transform(channel.texels(), values.texels().begin(),
+                               [](std::uint8_t v) { return static_cast<float>(v) / 255.0f; });
+        add(values, [](float v) { return v; });
+    }
+    if (channels.empty()) add(depth, umbrage::stretch(depth));
+    return side_by_side(channels);
+}
+
+/// @param decode    GLSL function of the texels' channels, e.g. "umbrage_decode_rg11"
+/// @param channels  what it takes, e.g. ".xy, 1.0"
+[[nodiscard]] inline std::string fetching(const std::string& decode, const std::string& channels) {
+    return "#define UMBRAGE_FETCH(map, size, texel) " + decode + "(umbrage_fetch_clamped(map, size, texel)" + channels +
+           ")\n";
+}
+
+}  // namespace gallery

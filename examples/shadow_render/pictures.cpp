@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "pictures.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <variant>
+
+#include <umbrage/images/overlay.hpp>
+#include <umbrage/unorm.hpp>
+#include <umbrage/view/false_colour.hpp>
+
+#include <camera.hpp>
+#include <png.hpp>
+
+#include "shade.hpp"
+
+namespace shadow_render {
+
+void write(const options& o, const example::shadow_map& map, const umbrage::image<float>& visibility,
+           umbrage::image<glm::u8vec3> picture) {
+    const umbrage::contrast_stretch stretch = umbrage::stretch(map.depth, map.cleared);
+    umbrage::image<glm::u8vec3> colours(map.depth.size());
+    std::ranges::transform(map.depth.texels(), colours.texels().begin(),
+                           [&](float d) { return umbrage::store_unorm8(umbrage::false_colour(stretch(d))); });
+    umbrage::image<std::uint8_t> mask(picture.size());
+    for (int y = 0; y < mask.size().y; ++y)
+        for (int x = 0; x < mask.size().x; ++x)
+            mask[{x, y}] = umbrage::store_unorm8(mean<float>(x, o.samples, [&](int at, int row) {
+                return visibility[{at, y * o.samples + row}];
+            }));
+    const int corner = std::min(o.width, o.height) / 4;
+    if (corner > 0)
+        umbrage::overlay(picture, map.depth, {.size{corner, corner}, .map_origin = example::picture_clip.origin},
+                         stretch);
+
+    std::visit([&](const auto& bytes) { example::write_png(o.output / "map.png", bytes.view()); }, map.bytes);
+    example::write_png(o.output / "depth.png", std::as_const(colours).view());
+    example::write_png(o.output / "visibility.png", std::as_const(mask).view());
+    example::write_png(o.output / "picture.png", std::as_const(picture).view());
+}
+
+}  // namespace shadow_render
