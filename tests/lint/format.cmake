@@ -8,7 +8,8 @@ if(NOT version MATCHES "version 14\\.")
     return()
 endif()
 
-file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/include/*.[ch]pp ${ROOT}/tests/*.[ch]pp)
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/include/*.[ch]pp ${ROOT}/tests/*.[ch]pp
+    ${ROOT}/examples/*.[ch]pp)
 execute_process(COMMAND ${CLANG_FORMAT} --dry-run --Werror ${files} WORKING_DIRECTORY ${ROOT}
     RESULT_VARIABLE result ERROR_VARIABLE complaints)
 if(result)

@@ -4,7 +4,8 @@
 cmake_minimum_required(VERSION 3.21)
 string(REPEAT . 121 too_long)
 
-file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/include/*.[ch]pp ${ROOT}/tests/*.[ch]pp)
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/include/*.[ch]pp ${ROOT}/tests/*.[ch]pp
+    ${ROOT}/examples/*.[ch]pp)
 list(LENGTH files count)
 if(count LESS 100)
     message(FATAL_ERROR "Only ${count} files in ${ROOT}")
