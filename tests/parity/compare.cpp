@@ -13,6 +13,8 @@ bool same_bits(float a, float b) {
     return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) || (std::isnan(a) && std::isnan(b));
 }
 
+bool zeros(float a, float b) { return a == 0.0f && b == 0.0f; }
+
 std::int64_t ordered(float v) {
     const auto bits = std::bit_cast<std::int32_t>(v);
     return bits < 0 ? -static_cast<std::int64_t>(bits & 0x7FFFFFFF) : bits;
@@ -63,7 +65,7 @@ void compare(const job& j, const expectation& expected, const std::vector<vec4>&
             bool bits = false;
             auto ulp = std::numeric_limits<std::int64_t>::max();
             for (const vec4& a : accepted) {
-                bits = bits || same_bits(a[c], is[c]);
+                bits = bits || same_bits(a[c], is[c]) || (!e.bits && zeros(a[c], is[c]));
                 ulp = std::min(ulp, ulp_distance(a[c], is[c]));
             }
             if (within) t.worst_ulp = std::max(t.worst_ulp, ulp);
