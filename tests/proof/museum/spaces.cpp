@@ -121,14 +121,14 @@ score directions(View view) {
 }
 
 // Points behind a spot light over a map that nothing was drawn to: all lit.
-template <class Project>
-score behind(Project project) {
+template <class Project, class Compare = less_equal>
+score behind(Project project, Compare is_lit = {}) {
     const mat4 m = texture_matrix(spot(vulkan_clip_space), map_size);
     score s;
     points(
         [&](vec3 p) {
             const vec3 c = project(shadow_coordinate(m, p));
-            s.add(double(hard([](glm::ivec2) { return 1.0f; }, vec2(c.x, c.y), c.z)) - 1.0, 0.0);
+            s.add(double(hard([](glm::ivec2) { return 1.0f; }, vec2(c.x, c.y), c.z, is_lit)) - 1.0, 0.0);
         },
         -1.0f);
     return s;
@@ -174,7 +174,9 @@ const exhibit all[] = {
      "Points behind a spot light divide by a negative w, land on the map upside down and beyond its far plane.",
      "(x, y, z) / w", "13824 points behind the light, an empty map, in shadow", "visibility",
      "`project_coordinate` sends w <= 0 out of texel space, which every filter takes as lit",
-     [] { return behind([](vec4 c) { return vec3(c.x / c.w, c.y / c.w, c.z / c.w); }); },
+     [] {  // compared as it comes: our filters light what is beyond the far plane
+         return behind([](vec4 c) { return vec3(c.x / c.w, c.y / c.w, c.z / c.w); }, less_equal_scaled{});
+     },
      [] { return behind(project_coordinate<float>); }},
 };
 
