@@ -4,6 +4,8 @@
 // in filter/pcf and defines add_filter_pcf_box, which the build finds.
 #pragma once
 
+#include <umbrage/filter/pcf/hard.hpp>
+
 #include "../values.hpp"
 
 namespace parity {
@@ -29,6 +31,28 @@ inline const std::string outside_lit = "#define UMBRAGE_OUTSIDE_LIT\n";
             .twin = std::move(twin),
             .call = "vec4(umbrage_" + std::string(s.name) + "(map, map_size, vec2(x0.x, x0.y), x0.z" + arguments + "))",
             .maps = depth_maps()};
+}
+[[nodiscard]] inline entry reversed_filter(const snippet& s, const std::string& arguments,
+                                           std::function<vec4(const sample&)> twin) {
+    entry e = filter(s, arguments, std::move(twin));
+    e.variant = "reversed";
+    e.preamble = reversed;
+    return e;
+}
+
+/// A filter over packed maps that are compared on a scale of their own.
+/// @param level      what makes a texel a level, and its call of `texel`
+/// @param receiver   what makes x0.z a receiver, and its call
+[[nodiscard]] inline entry levels(const snippet& level, const std::string& of_texel, const snippet& receiver,
+                                  const std::string& of_depth, std::function<vec4(const sample&)> twin) {
+    return {.primitive = &level,
+            .variant = "compared",
+            .classes = receivers(),
+            .twin = std::move(twin),
+            .call = "vec4(umbrage_hard(map, map_size, vec2(x0.x, x0.y), " + of_depth + "))",
+            .maps = packed_maps(),
+            .also = {&umbrage::glsl::hard, &receiver},
+            .preamble = "#define UMBRAGE_FETCH(map, size, texel) " + of_texel + "\n"};
 }
 
 }  // namespace parity

@@ -17,6 +17,9 @@ void add_filter_pcf_box(std::vector<entry>& all) {
 
     all.push_back(filter(glsl::box_count, ", int(x0.w)",
                          [](const sample& s) { return vec4(box_count(s.depth(), at(s), s.x[0].z, radius_of(s))); }));
+    all.push_back(reversed_filter(glsl::box_count, ", int(x0.w)", [](const sample& s) {
+        return vec4(box_count(s.depth(), at(s), s.x[0].z, radius_of(s), greater_equal{}));
+    }));
     all.push_back(filter(glsl::box, ", int(x0.w)",
                          [](const sample& s) { return vec4(box(s.depth(), at(s), s.x[0].z, radius_of(s))); }));
     all.push_back({.primitive = &glsl::box_scale,

@@ -44,13 +44,8 @@ void add_filter_pcf_pcf_2x2(std::vector<entry>& all) {
         glsl::pcf_2x2, "", [](const sample& s) { return vec4(pcf_2x2(s.depth(), at(s), s.x[0].z)); }, all_weights()));
     all.push_back(filter(glsl::pcf_2x2_dx_sdk, ", 0.015625",
                          [](const sample& s) { return vec4(pcf_2x2_dx_sdk(s.depth(), at(s), s.x[0].z, 0.015625f)); }));
-    all.push_back({.primitive = &glsl::pcf_2x2,
-                   .variant = "reversed",
-                   .classes = receivers(),
-                   .twin = [](const sample& s) { return vec4(pcf_2x2(s.depth(), at(s), s.x[0].z, greater_equal{})); },
-                   .call = "vec4(umbrage_pcf_2x2(map, map_size, vec2(x0.x, x0.y), x0.z))",
-                   .maps = depth_maps(),
-                   .preamble = reversed});
+    all.push_back(reversed_filter(
+        glsl::pcf_2x2, "", [](const sample& s) { return vec4(pcf_2x2(s.depth(), at(s), s.x[0].z, greater_equal{})); }));
     for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
         const bool forward = direction == depth_direction::forward;
         all.push_back({.primitive = &glsl::pcf_2x2,
