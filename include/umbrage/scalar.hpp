@@ -82,7 +82,8 @@ inline constexpr snippet saturate{
 #endif
 #endif
 UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
-    return v >= 1.0 ? 1.0 : (v > 0.0 ? v : (v <= 0.0 ? 0.0 : UMBRAGE_FAR));
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : UMBRAGE_FAR));
 }
 )GLSL",
 };
