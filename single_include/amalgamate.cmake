@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Writes the single header: umbrage.hpp with each of our headers put in place once and the others' hoisted.
+# Writes what is made of the headers: include/umbrage/primitives.hpp, which includes those of the primitives; and the single
+# header, umbrage.hpp with each of our headers put in place once and the others' hoisted.
 #
 #     cmake -P single_include/amalgamate.cmake                  # or: make single-header
 #     cmake -D OUTPUT=folder -P single_include/amalgamate.cmake # the test: elsewhere, and compare
@@ -11,6 +12,33 @@ set(committed ${CMAKE_CURRENT_LIST_DIR}/umbrage)
 if(NOT OUTPUT)
     set(OUTPUT ${committed})
 endif()
+
+# made(NAME in FOLDER as committed in FOLDER): fails where the two differ.
+function(made name new old)
+    execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${new}/${name} ${old}/${name} RESULT_VARIABLE different)
+    if(different)
+        message(FATAL_ERROR "${old}/${name} is stale; make it anew:\n  make single-header")
+    endif()
+endfunction()
+
+# The primitives: every header but those of whole images, which bring simd/ along, and the registry's.
+file(GLOB_RECURSE primitives RELATIVE ${root}/include ${root}/include/*.hpp)
+list(FILTER primitives EXCLUDE REGEX "/(images|simd)/|/(umbrage|primitives|filters|registry)\\.hpp$")
+list(SORT primitives)
+list(TRANSFORM primitives REPLACE "(.+)" "#include <\\1>\n")
+list(JOIN primitives "" primitives)
+set(folder ${root}/include/umbrage)
+if(NOT OUTPUT STREQUAL "${committed}")
+    set(folder ${OUTPUT})
+endif()
+file(WRITE ${folder}/primitives.hpp "// SPDX-License-Identifier: MIT
+//
+// The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them, and
+// the registry of snippets come with <umbrage/umbrage.hpp>. Made by single_include/amalgamate.cmake.
+#pragma once
+
+${primitives}")
+made(primitives.hpp ${folder} ${root}/include/umbrage)
 
 set(done "")   # our headers, in the order in which they were reached
 set(others "") # GLM and standard headers
@@ -51,10 +79,7 @@ ${licence}
 #pragma once
 
 ${others}${body}")
-execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${OUTPUT}/umbrage.hpp ${committed}/umbrage.hpp RESULT_VARIABLE different)
-if(different)
-    message(FATAL_ERROR "${committed}/umbrage.hpp is stale; make it anew:\n  make single-header")
-endif()
+made(umbrage.hpp ${OUTPUT} ${committed})
 
 file(GLOB_RECURSE headers RELATIVE ${root}/include ${root}/include/*.hpp)
 foreach(header IN LISTS headers)

@@ -564,230 +564,6 @@ inline constexpr auto compare_snippets = list<&compare, &compare_dx_sdk, &compar
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/image.hpp
-// Images: a view over anybody's pixels, an owner, and the two ways to fetch a texel.
-//
-//     umbrage::image<float> map({1024, 1024}, 1.0f);
-//     umbrage::image_view<const float> foreign(pixels, {width, height}, bytes_per_row);
-//     float depth = umbrage::clamped(foreign)(glm::ivec2(-1, 5));  // the texel at (0, 5)
-//
-
-namespace umbrage {
-
-/// Pixels that somebody else owns: rows of `size.x` elements, `stride` bytes from one row to the next.
-/// Row 0 is at `data`; with a negative stride the others come before it, as in a bottom-up image. An empty view has a
-/// zero in its size.
-template <class T>
-struct image_view {
-    T* data = nullptr;
-    glm::ivec2 size{0, 0};
-    std::ptrdiff_t stride = 0;  ///< in bytes
-
-    constexpr image_view() = default;
-
-    /// Rows that follow each other without a gap.
-    constexpr image_view(T* pixels, glm::ivec2 extent)
-        : image_view(pixels, extent, extent.x * static_cast<std::ptrdiff_t>(sizeof(T))) {}
-
-    /// @throws std::invalid_argument  negative size; pixels missing; stride shorter than a row
-    ///                                or not a multiple of the alignment of T
-    constexpr image_view(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
-        : data(pixels), size(extent), stride(stride_bytes) {
-        if (extent.x < 0 || extent.y < 0) detail::fail("umbrage::image_view: negative size");
-        if (empty()) return;
-        const auto row_bytes = extent.x * static_cast<std::ptrdiff_t>(sizeof(T));
-        const auto distance = stride_bytes < 0 ? -stride_bytes : stride_bytes;
-        if (!pixels) detail::fail("umbrage::image_view: no pixels");
-        if (extent.y > 1 && distance < row_bytes) detail::fail("umbrage::image_view: stride shorter than a row");
-        if (distance % static_cast<std::ptrdiff_t>(alignof(T)) != 0)
-            detail::fail("umbrage::image_view: stride breaks the alignment of a texel");
-    }
-
-    /// A view that may write is also a view that may read.
-    constexpr operator image_view<const T>() const requires(!std::is_const_v<T>) { return {data, size, stride}; }
-
-    [[nodiscard]] constexpr bool empty() const { return size.x == 0 || size.y == 0; }
-
-    /// First texel of row y, 0 <= y < size.y.
-    [[nodiscard]] T* row(int y) const {
-        assert(y >= 0 && y < size.y);
-        using byte = std::conditional_t<std::is_const_v<T>, const std::byte, std::byte>;
-        return reinterpret_cast<T*>(reinterpret_cast<byte*>(data) + y * stride);
-    }
-
-    /// Texel inside the image.
-    [[nodiscard]] T& operator[](glm::ivec2 texel) const {
-        assert(texel.x >= 0 && texel.x < size.x);
-        return row(texel.y)[texel.x];
-    }
-
-    /// Rows first <= y < last as a view of their own: the unit of work for a thread.
-    [[nodiscard]] image_view rows(int first, int last) const {
-        assert(0 <= first && first <= last && last <= size.y);
-        return {first < last ? row(first) : data, {size.x, last - first}, stride};
-    }
-};
-
-namespace detail {
-
-/// Aligns memory to cache lines, so that no block of pixels straddles two without need.
-template <class T>
-struct line_allocator {
-    using value_type = T;
-    static constexpr std::align_val_t line{64};
-
-    line_allocator() = default;
-    template <class Other>
-    line_allocator(const line_allocator<Other>&) {}
-    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
-    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, line); }
-    bool operator==(const line_allocator&) const = default;
-};
-
-}  // namespace detail
-
-/// Pixels of our own, without gaps between rows.
-template <class T>
-class image {
-public:
-    image() = default;
-
-    /// @throws std::invalid_argument  negative size
-    explicit image(glm::ivec2 size, const T& value = T{}) : size_(size) {
-        if (size.x < 0 || size.y < 0) detail::fail("umbrage::image: negative size");
-        texels_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), value);
-    }
-
-    [[nodiscard]] glm::ivec2 size() const { return size_; }
-    [[nodiscard]] bool empty() const { return texels_.empty(); }
-    [[nodiscard]] std::span<T> texels() & { return texels_; }
-    [[nodiscard]] std::span<const T> texels() const& { return texels_; }
-    void texels() && = delete;  ///< of a temporary: they would dangle
-
-    [[nodiscard]] T& operator[](glm::ivec2 texel) { return view()[texel]; }
-    [[nodiscard]] const T& operator[](glm::ivec2 texel) const { return view()[texel]; }
-
-    [[nodiscard]] image_view<T> view() { return {texels_.data(), size_}; }
-    [[nodiscard]] image_view<const T> view() const { return {texels_.data(), size_}; }
-    operator image_view<T>() { return view(); }
-    operator image_view<const T>() const { return view(); }
-
-private:
-    static_assert(!std::is_same_v<T, bool>, "std::vector<bool> has no pixels to view: use std::uint8_t");
-    glm::ivec2 size_{0, 0};
-    std::vector<T, detail::line_allocator<T>> texels_;
-};
-
-namespace detail {
-
-/// What functions over images take: an image, or a view of one.
-template <class T>
-[[nodiscard]] image_view<T> view_of(image_view<T> view) {
-    return view;
-}
-template <class T>
-[[nodiscard]] image_view<T> view_of(image<T>& of) {
-    return of;
-}
-template <class T>
-[[nodiscard]] image_view<const T> view_of(const image<T>& of) {
-    return of;
-}
-template <class T>
-inline constexpr bool is_image = false;
-template <class T>
-inline constexpr bool is_image<image<T>> = true;
-template <class... Any>
-concept some_image = (is_image<std::remove_cvref_t<Any>> || ...);
-
-}  // namespace detail
-
-/// Texel of the map, coordinates outside moved to the nearest one inside. The map must not be empty.
-/// @exactness   A
-template <class T>
-[[nodiscard]] std::remove_const_t<T> fetch_clamped(image_view<T> map, glm::ivec2 texel) {
-    assert(!map.empty());
-    const int x = texel.x < 0 ? 0 : (texel.x < map.size.x ? texel.x : map.size.x - 1);
-    const int y = texel.y < 0 ? 0 : (texel.y < map.size.y ? texel.y : map.size.y - 1);
-    return map.row(y)[x];
-}
-
-/// Texel of the map, or `border` outside of it. An empty map is all border.
-/// @exactness   A
-template <class T>
-[[nodiscard]] std::remove_const_t<T> fetch_bordered(image_view<T> map, glm::ivec2 texel,
-                                                    std::remove_const_t<T> border) {
-    const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
-    return inside ? map.row(texel.y)[texel.x] : border;
-}
-
-/// fetch_clamped as the callable that filters take.
-/// @throws std::invalid_argument  empty map
-template <class T>
-[[nodiscard]] auto clamped(image_view<T> map) {
-    if (map.empty()) detail::fail("umbrage::clamped: empty map");
-    return [map](glm::ivec2 texel) { return fetch_clamped(map, texel); };
-}
-template <class T>
-[[nodiscard]] auto clamped(const image<T>& map) {
-    return clamped(map.view());
-}
-
-/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is
-/// lit.
-template <class T>
-[[nodiscard]] auto bordered(image_view<T> map, std::remove_const_t<T> border) {
-    return [map, border](glm::ivec2 texel) { return fetch_bordered(map, texel, border); };
-}
-template <class T>
-[[nodiscard]] auto bordered(const image<T>& map, std::type_identity_t<T> border) {
-    return bordered(map.view(), border);
-}
-
-namespace glsl {
-
-inline constexpr snippet fetch_clamped{
-    .name = "fetch_clamped",
-    .summary = "texel of a map, outside the nearest one inside",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
-//   map    2D sampler; before GLSL 1.30 its filter must be nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
-#ifndef UMBRAGE_MAP
-#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
-#endif
-UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
-#if __VERSION__ >= 130
-    return texelFetch(map, ivec2(inside), 0);
-#else
-    return texture2D(map, (inside + 0.5) / size);
-#endif
-}
-)GLSL",
-};
-
-inline constexpr snippet fetch_bordered{
-    .name = "fetch_bordered",
-    .summary = "texel of a map, outside a border value",
-    .exactness = tier::a,
-    .needs = list<&fetch_clamped>,
-    .source = R"GLSL(
-// umbrage_fetch_bordered: texel of a map, or border outside of it
-UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
-                                          UMBRAGE_HIGHP vec4 border) {
-    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
-    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y ? value : border;
-}
-)GLSL",
-};
-
-inline constexpr auto image_snippets = list<&fetch_clamped, &fetch_bordered>;
-
-}  // namespace glsl
-}  // namespace umbrage
-
 // ---- umbrage/unorm.hpp
 // Between integer channels 0..255 and what an 8-bit render target takes and gives.
 //
@@ -905,13 +681,6 @@ inline constexpr auto unorm_snippets = list<&to_unorm, &from_unorm>;
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/version.hpp
-// The version of umbrage. CMake reads it from here.
-
-#define UMBRAGE_VERSION_MAJOR 0
-#define UMBRAGE_VERSION_MINOR 1
-#define UMBRAGE_VERSION_PATCH 0
-
 // ---- umbrage/depth/encoding.hpp
 // What an encoding is: a value that turns depths into texels and back, and knows what there is to know of itself.
 //
@@ -983,6 +752,53 @@ consteval bool is_encoding() {
 }
 
 }  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/depth/code.hpp
+// A depth as a whole number of 2^Bits steps, and back: what every encoding of ours is made of.
+//
+//     std::uint32_t x = umbrage::to_code<11>(0.5f);                         // 1024
+//     float d = umbrage::from_code<11>(float(x), umbrage::upper_edge<float>);  // 1025 / 2048
+//
+
+namespace umbrage {
+
+/// Where in a code's interval [x, x + 1) * 2^-Bits a decoder answers. With the upper edge no surface shadows itself
+/// through quantisation alone (d <= decode(encode(d)) for every d in [0, 1]), and the cleared depth 1 decodes to 1.
+template <real T>
+inline constexpr T lower_edge = T(0);
+template <real T>
+inline constexpr T centre = T(0.5);
+template <real T>
+inline constexpr T upper_edge = T(1);
+
+/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
+/// @return        0 .. 2^Bits - 1
+/// @formula       min(floor(depth 2^Bits), 2^Bits - 1)
+/// @exactness     A: scaling by a power of two, floor, min
+template <int Bits, real T>
+[[nodiscard]] constexpr std::uint32_t to_code(T depth, T far = T(1)) {
+    static_assert(Bits >= 1 && Bits <= 24, "a binary32 significand has 24 bits");
+    constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
+    const auto x = static_cast<std::uint32_t>(saturate(depth, far) * T(codes));
+    return x < codes ? x : codes - 1;
+}
+
+/// @param code    0 .. 2^Bits - 1
+/// @param edge    lower_edge, centre or upper_edge
+/// @return        (code + edge) 2^-Bits
+/// @exactness     A, but for the centre of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
+template <int Bits, real T>
+[[nodiscard]] constexpr T from_code(T code, T edge) {
+    return (code + edge) * (T(1) / T(std::uint32_t(1) << Bits));
+}
+
+/// How far from_code's answer may lie below and above a depth that to_code was given.
+[[nodiscard]] constexpr decoding_error edge_error(int bits, float edge) {
+    const double step = 1.0 / static_cast<double>(std::uint32_t(1) << bits);
+    return {.below = (1.0 - static_cast<double>(edge)) * step, .above = static_cast<double>(edge) * step};
+}
+
 }  // namespace umbrage
 
 // ---- umbrage/depth/depth32f.hpp
@@ -1257,53 +1073,6 @@ struct base255_repaired {
     }
     [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
 };
-
-}  // namespace umbrage
-
-// ---- umbrage/depth/code.hpp
-// A depth as a whole number of 2^Bits steps, and back: what every encoding of ours is made of.
-//
-//     std::uint32_t x = umbrage::to_code<11>(0.5f);                         // 1024
-//     float d = umbrage::from_code<11>(float(x), umbrage::upper_edge<float>);  // 1025 / 2048
-//
-
-namespace umbrage {
-
-/// Where in a code's interval [x, x + 1) * 2^-Bits a decoder answers. With the upper edge no surface shadows itself
-/// through quantisation alone (d <= decode(encode(d)) for every d in [0, 1]), and the cleared depth 1 decodes to 1.
-template <real T>
-inline constexpr T lower_edge = T(0);
-template <real T>
-inline constexpr T centre = T(0.5);
-template <real T>
-inline constexpr T upper_edge = T(1);
-
-/// @param depth   clamped to [0, 1]; NaN counts as far: 1, or 0 where depth is reversed
-/// @return        0 .. 2^Bits - 1
-/// @formula       min(floor(depth 2^Bits), 2^Bits - 1)
-/// @exactness     A: scaling by a power of two, floor, min
-template <int Bits, real T>
-[[nodiscard]] constexpr std::uint32_t to_code(T depth, T far = T(1)) {
-    static_assert(Bits >= 1 && Bits <= 24, "a binary32 significand has 24 bits");
-    constexpr std::uint32_t codes = std::uint32_t(1) << Bits;
-    const auto x = static_cast<std::uint32_t>(saturate(depth, far) * T(codes));
-    return x < codes ? x : codes - 1;
-}
-
-/// @param code    0 .. 2^Bits - 1
-/// @param edge    lower_edge, centre or upper_edge
-/// @return        (code + edge) 2^-Bits
-/// @exactness     A, but for the centre of 24 bits in binary32, which needs a 25th bit from code 2^23 on (then B)
-template <int Bits, real T>
-[[nodiscard]] constexpr T from_code(T code, T edge) {
-    return (code + edge) * (T(1) / T(std::uint32_t(1) << Bits));
-}
-
-/// How far from_code's answer may lie below and above a depth that to_code was given.
-[[nodiscard]] constexpr decoding_error edge_error(int bits, float edge) {
-    const double step = 1.0 / static_cast<double>(std::uint32_t(1) << bits);
-    return {.below = (1.0 - static_cast<double>(edge)) * step, .above = static_cast<double>(edge) * step};
-}
 
 }  // namespace umbrage
 
@@ -1707,6 +1476,230 @@ struct threejs_legacy_repaired {
     [[nodiscard]] texel cleared() const { return encode(cleared_depth(direction)); }
 };
 
+}  // namespace umbrage
+
+// ---- umbrage/image.hpp
+// Images: a view over anybody's pixels, an owner, and the two ways to fetch a texel.
+//
+//     umbrage::image<float> map({1024, 1024}, 1.0f);
+//     umbrage::image_view<const float> foreign(pixels, {width, height}, bytes_per_row);
+//     float depth = umbrage::clamped(foreign)(glm::ivec2(-1, 5));  // the texel at (0, 5)
+//
+
+namespace umbrage {
+
+/// Pixels that somebody else owns: rows of `size.x` elements, `stride` bytes from one row to the next.
+/// Row 0 is at `data`; with a negative stride the others come before it, as in a bottom-up image. An empty view has a
+/// zero in its size.
+template <class T>
+struct image_view {
+    T* data = nullptr;
+    glm::ivec2 size{0, 0};
+    std::ptrdiff_t stride = 0;  ///< in bytes
+
+    constexpr image_view() = default;
+
+    /// Rows that follow each other without a gap.
+    constexpr image_view(T* pixels, glm::ivec2 extent)
+        : image_view(pixels, extent, extent.x * static_cast<std::ptrdiff_t>(sizeof(T))) {}
+
+    /// @throws std::invalid_argument  negative size; pixels missing; stride shorter than a row
+    ///                                or not a multiple of the alignment of T
+    constexpr image_view(T* pixels, glm::ivec2 extent, std::ptrdiff_t stride_bytes)
+        : data(pixels), size(extent), stride(stride_bytes) {
+        if (extent.x < 0 || extent.y < 0) detail::fail("umbrage::image_view: negative size");
+        if (empty()) return;
+        const auto row_bytes = extent.x * static_cast<std::ptrdiff_t>(sizeof(T));
+        const auto distance = stride_bytes < 0 ? -stride_bytes : stride_bytes;
+        if (!pixels) detail::fail("umbrage::image_view: no pixels");
+        if (extent.y > 1 && distance < row_bytes) detail::fail("umbrage::image_view: stride shorter than a row");
+        if (distance % static_cast<std::ptrdiff_t>(alignof(T)) != 0)
+            detail::fail("umbrage::image_view: stride breaks the alignment of a texel");
+    }
+
+    /// A view that may write is also a view that may read.
+    constexpr operator image_view<const T>() const requires(!std::is_const_v<T>) { return {data, size, stride}; }
+
+    [[nodiscard]] constexpr bool empty() const { return size.x == 0 || size.y == 0; }
+
+    /// First texel of row y, 0 <= y < size.y.
+    [[nodiscard]] T* row(int y) const {
+        assert(y >= 0 && y < size.y);
+        using byte = std::conditional_t<std::is_const_v<T>, const std::byte, std::byte>;
+        return reinterpret_cast<T*>(reinterpret_cast<byte*>(data) + y * stride);
+    }
+
+    /// Texel inside the image.
+    [[nodiscard]] T& operator[](glm::ivec2 texel) const {
+        assert(texel.x >= 0 && texel.x < size.x);
+        return row(texel.y)[texel.x];
+    }
+
+    /// Rows first <= y < last as a view of their own: the unit of work for a thread.
+    [[nodiscard]] image_view rows(int first, int last) const {
+        assert(0 <= first && first <= last && last <= size.y);
+        return {first < last ? row(first) : data, {size.x, last - first}, stride};
+    }
+};
+
+namespace detail {
+
+/// Aligns memory to cache lines, so that no block of pixels straddles two without need.
+template <class T>
+struct line_allocator {
+    using value_type = T;
+    static constexpr std::align_val_t line{64};
+
+    line_allocator() = default;
+    template <class Other>
+    line_allocator(const line_allocator<Other>&) {}
+    [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), line)); }
+    void deallocate(T* pixels, std::size_t) { ::operator delete(pixels, line); }
+    bool operator==(const line_allocator&) const = default;
+};
+
+}  // namespace detail
+
+/// Pixels of our own, without gaps between rows.
+template <class T>
+class image {
+public:
+    image() = default;
+
+    /// @throws std::invalid_argument  negative size
+    explicit image(glm::ivec2 size, const T& value = T{}) : size_(size) {
+        if (size.x < 0 || size.y < 0) detail::fail("umbrage::image: negative size");
+        texels_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), value);
+    }
+
+    [[nodiscard]] glm::ivec2 size() const { return size_; }
+    [[nodiscard]] bool empty() const { return texels_.empty(); }
+    [[nodiscard]] std::span<T> texels() & { return texels_; }
+    [[nodiscard]] std::span<const T> texels() const& { return texels_; }
+    void texels() && = delete;  ///< of a temporary: they would dangle
+
+    [[nodiscard]] T& operator[](glm::ivec2 texel) { return view()[texel]; }
+    [[nodiscard]] const T& operator[](glm::ivec2 texel) const { return view()[texel]; }
+
+    [[nodiscard]] image_view<T> view() { return {texels_.data(), size_}; }
+    [[nodiscard]] image_view<const T> view() const { return {texels_.data(), size_}; }
+    operator image_view<T>() { return view(); }
+    operator image_view<const T>() const { return view(); }
+
+private:
+    static_assert(!std::is_same_v<T, bool>, "std::vector<bool> has no pixels to view: use std::uint8_t");
+    glm::ivec2 size_{0, 0};
+    std::vector<T, detail::line_allocator<T>> texels_;
+};
+
+namespace detail {
+
+/// What functions over images take: an image, or a view of one.
+template <class T>
+[[nodiscard]] image_view<T> view_of(image_view<T> view) {
+    return view;
+}
+template <class T>
+[[nodiscard]] image_view<T> view_of(image<T>& of) {
+    return of;
+}
+template <class T>
+[[nodiscard]] image_view<const T> view_of(const image<T>& of) {
+    return of;
+}
+template <class T>
+inline constexpr bool is_image = false;
+template <class T>
+inline constexpr bool is_image<image<T>> = true;
+template <class... Any>
+concept some_image = (is_image<std::remove_cvref_t<Any>> || ...);
+
+}  // namespace detail
+
+/// Texel of the map, coordinates outside moved to the nearest one inside. The map must not be empty.
+/// @exactness   A
+template <class T>
+[[nodiscard]] std::remove_const_t<T> fetch_clamped(image_view<T> map, glm::ivec2 texel) {
+    assert(!map.empty());
+    const int x = texel.x < 0 ? 0 : (texel.x < map.size.x ? texel.x : map.size.x - 1);
+    const int y = texel.y < 0 ? 0 : (texel.y < map.size.y ? texel.y : map.size.y - 1);
+    return map.row(y)[x];
+}
+
+/// Texel of the map, or `border` outside of it. An empty map is all border.
+/// @exactness   A
+template <class T>
+[[nodiscard]] std::remove_const_t<T> fetch_bordered(image_view<T> map, glm::ivec2 texel,
+                                                    std::remove_const_t<T> border) {
+    const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
+    return inside ? map.row(texel.y)[texel.x] : border;
+}
+
+/// fetch_clamped as the callable that filters take.
+/// @throws std::invalid_argument  empty map
+template <class T>
+[[nodiscard]] auto clamped(image_view<T> map) {
+    if (map.empty()) detail::fail("umbrage::clamped: empty map");
+    return [map](glm::ivec2 texel) { return fetch_clamped(map, texel); };
+}
+template <class T>
+[[nodiscard]] auto clamped(const image<T>& map) {
+    return clamped(map.view());
+}
+
+/// fetch_bordered as the callable that filters take; with `border` the cleared depth, everything outside the map is
+/// lit.
+template <class T>
+[[nodiscard]] auto bordered(image_view<T> map, std::remove_const_t<T> border) {
+    return [map, border](glm::ivec2 texel) { return fetch_bordered(map, texel, border); };
+}
+template <class T>
+[[nodiscard]] auto bordered(const image<T>& map, std::type_identity_t<T> border) {
+    return bordered(map.view(), border);
+}
+
+namespace glsl {
+
+inline constexpr snippet fetch_clamped{
+    .name = "fetch_clamped",
+    .summary = "texel of a map, outside the nearest one inside",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(inside), 0);
+#else
+    return texture2D(map, (inside + 0.5) / size);
+#endif
+}
+)GLSL",
+};
+
+inline constexpr snippet fetch_bordered{
+    .name = "fetch_bordered",
+    .summary = "texel of a map, outside a border value",
+    .exactness = tier::a,
+    .needs = list<&fetch_clamped>,
+    .source = R"GLSL(
+// umbrage_fetch_bordered: texel of a map, or border outside of it
+UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                          UMBRAGE_HIGHP vec4 border) {
+    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y ? value : border;
+}
+)GLSL",
+};
+
+inline constexpr auto image_snippets = list<&fetch_clamped, &fetch_bordered>;
+
+}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/depth/rg.hpp
@@ -2493,477 +2486,6 @@ inline constexpr auto rg_table_snippets = list<&encode_rg_table<Bits>...>;
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/light/light_space.hpp
-// A light's view of the world: two matrices and the convention they follow. Every set-up function either returns
-// matrices of finite numbers, whose product is finite too, or reports which argument is to blame.
-//
-//     auto light = umbrage::make_spot_light({.position = {0, 5, 0}, .direction = {0, -1, 0}});
-//     glm::mat4 clip_from_world = light.projection * light.view;
-//
-
-namespace umbrage {
-
-template <real T>
-struct light_space {
-    glm::mat<4, 4, T> view{T(1)};        ///< world -> light's view space, a rotation; down -z (right) or +z (left)
-    glm::mat<4, 4, T> projection{T(1)};  ///< view space -> clip space
-    clip_space clip;
-};
-
-namespace detail {
-
-/// Reports an argument of a set-up function, or several, unless what they need is met.
-inline void require(bool met, const char* function, const char* arguments, const char* problem) {
-    if (!met) fail(std::string("umbrage::") + function + ": " + arguments + " " + problem);
-}
-
-/// True for what neither overflowed nor is lost where denormals count as zero.
-template <real T>
-[[nodiscard]] bool is_normal(T v) {
-    return is_finite(v) && glm::abs(v) >= std::numeric_limits<T>::min();
-}
-
-/// The one check of a light's matrices.
-template <real T>
-[[nodiscard]] light_space<T> checked(const light_space<T>& light, const char* function, const char* arguments) {
-    const bool finite = all_finite(light.view) && all_finite(light.projection);
-    require(finite && all_finite(light.projection * light.view), function, arguments,
-            "give a matrix that is not finite");
-    return light;
-}
-
-/// Unit vector; scaled first, so that nothing overflows or underflows. Zero stays zero.
-template <real T>
-[[nodiscard]] glm::vec<3, T> unit(glm::vec<3, T> v) {
-    const T scale = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
-    return scale > T(0) ? glm::normalize(v / scale) : v;
-}
-
-/// look_along in the name of another function, whose argument `position` is; the result is the caller's to check.
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
-                                           handedness hand, const char* function, const char* position_name) {
-    require(all_finite(position), function, position_name, "must be finite");
-    require(all_finite(direction), function, "direction", "must be finite");
-    require(all_finite(up), function, "up", "must be finite");
-    const glm::vec<3, T> forward = unit(direction);
-    require(forward != glm::vec<3, T>(0), function, "direction", "must not be zero");
-
-    glm::vec<3, T> side = glm::cross(forward, unit(up));
-    if (!(glm::length(side) > T(1e-3))) {
-        const glm::vec<3, T> along = glm::abs(forward);
-        const glm::length_t least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
-        glm::vec<3, T> axis(0);
-        axis[least] = T(1);
-        side = glm::cross(forward, axis);
-    }
-    const glm::vec<3, T> above = glm::normalize(glm::cross(side, forward));
-    side = glm::cross(forward, above);  // again: up nearly parallel to forward leaves the first a hundred ulp askew
-    const T towards = hand == handedness::right ? T(1) : T(-1);  // left: half a turn about y
-
-    glm::mat<4, 4, T> view(T(1));
-    for (glm::length_t i = 0; i < 3; ++i) {
-        view[i][0] = towards * side[i];
-        view[i][1] = above[i];
-        view[i][2] = -towards * forward[i];
-    }
-    view[3][0] = -towards * glm::dot(side, position);
-    view[3][1] = -glm::dot(above, position);
-    view[3][2] = towards * glm::dot(forward, position);
-    return view;
-}
-
-}  // namespace detail
-
-/// World to light's view space by a rotation: x to the right, y up.
-///
-/// @param position    of the light, world
-/// @param direction   it looks along, any length > 0
-/// @param up          hint; where it is parallel to direction, or nearly (1e-3), the world axis least along direction
-///                    takes its place, so that any direction works
-/// @param hand        of the world and the view; right: looks down -z, as glm::lookAtRH, left: down +z, as
-/// glm::lookAtLH
-/// @throws std::invalid_argument  zero or non-finite direction or position
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
-                                           handedness hand) {
-    const auto view = detail::look_along(position, direction, up, hand, "look_along", "position");
-    detail::require(detail::all_finite(view), "look_along", "position", "is too far out");
-    return view;
-}
-
-namespace detail {
-
-/// Rows that send view-space distance z_near to the near depth and z_far to the far depth of the convention.
-template <real T>
-struct depth_ends {
-    T at_near, at_far;
-};
-template <real T>
-[[nodiscard]] constexpr depth_ends<T> ends(clip_space clip) {
-    const T low = clip.range == depth_range::zero_to_one ? T(0) : T(-1);
-    return clip.direction == depth_direction::forward ? depth_ends<T>{low, T(1)} : depth_ends<T>{T(1), low};
-}
-
-/// perspective in the name of another function, which has checked the tangents.
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip,
-                                            const char* function) {
-    require(is_normal(z_near) && z_near > T(0), function, "z_near", "must be above 0, finite and no denormal");
-    require(!is_nan(z_far) && z_near < z_far, function, "z_far", "must be above z_near");
-    const auto [at_near, at_far] = ends<T>(clip);
-    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
-    // the formula over powers of two, which keeps its bits and does not overflow; no far plane: z_near is nothing to it
-    const bool bounded = is_finite(z_far);
-    const int far_scale = bounded ? std::ilogb(z_far) : 0, near_scale = std::ilogb(z_near);
-    const T f = bounded ? std::scalbn(z_far, -far_scale) : T(1), n = bounded ? std::scalbn(z_near, -far_scale) : T(0);
-    const T product = std::scalbn(z_near, -near_scale) * f * (at_near - at_far);
-    glm::mat<4, 4, T> m(T(0));
-    m[0][0] = T(1) / tan_half_x;
-    m[1][1] = T(1) / tan_half_y;
-    m[2][2] = forward * (f * at_far - n * at_near) / (f - n);
-    m[3][2] = std::scalbn(product / (f - n), near_scale);
-    m[2][3] = forward;
-    require(is_finite(m[3][2]), function, "z_near and z_far", "are too large and too close together");
-    return m;
-}
-
-/// orthographic in the name of another function, whose arguments give the box and the planes.
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
-                                             clip_space clip, const char* function, const char* box,
-                                             const char* planes) {
-    require(all_finite(low) && all_finite(high), function, box, "must give a finite box");
-    require(low.x < high.x && low.y < high.y, function, box, "must give a box with some width and height");
-    require(is_finite(z_near) && is_finite(z_far), function, planes, "must be finite");
-    require(z_near < z_far, function, planes, "must be in order, some distance apart");
-    const auto [at_near, at_far] = ends<T>(clip);
-    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
-    glm::mat<4, 4, T> m(T(1));
-    for (glm::length_t i = 0; i < 2; ++i) {
-        m[i][i] = T(2) / (high[i] - low[i]);
-        m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
-        require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "give too large or too small a box");
-    }
-    m[2][2] = forward * (at_far - at_near) / (z_far - z_near);
-    m[3][2] = (z_far * at_near - z_near * at_far) / (z_far - z_near);
-    require(is_normal(m[2][2]) && is_finite(m[3][2]), function, planes, "are too far apart or too close together");
-    return m;
-}
-
-}  // namespace detail
-
-/// Perspective projection.
-///
-/// @param tan_half_x, tan_half_y   tangent of half the opening angle, > 0
-/// @param z_near, z_far            0 < z_near < z_far, world units; an infinite z_far is no far plane: depth then nears
-///                                 the far depth with distance, forward or reversed
-/// @throws std::invalid_argument   anything else, and what gives a matrix that is not finite
-/// @formula       z/w = A + B / distance through (z_near, near depth), (z_far, far depth)
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip) {
-    const auto opening = [](T tangent) { return tangent > T(0) && detail::is_normal(T(1) / tangent); };
-    detail::require(opening(tan_half_x), "perspective", "tan_half_x", "must be above 0, and 1 / tan_half_x finite");
-    detail::require(opening(tan_half_y), "perspective", "tan_half_y", "must be above 0, and 1 / tan_half_y finite");
-    return detail::perspective(tan_half_x, tan_half_y, z_near, z_far, clip, "perspective");
-}
-
-/// Orthographic projection of the box between two corners of view space, z given as distances in front of the light.
-///
-/// @param low, high        x and y of the corners, low < high
-/// @param z_near, z_far    z_near < z_far, world units, may be negative (behind the light's position)
-/// @throws std::invalid_argument   an empty or non-finite box, and one that gives a matrix that is not finite
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
-                                             clip_space clip) {
-    return detail::orthographic(low, high, z_near, z_far, clip, "orthographic", "low and high", "z_near and z_far");
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/directional_light.hpp
-// A directional light's space: the classic course exercise's set-up, and the tight fit to bounds.
-//
-//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024});
-//     auto tight = umbrage::fit_directional_light({.direction = d, .low = scene_low, .high = scene_high});
-//
-
-namespace umbrage {
-
-namespace detail {
-
-/// Length, with the bits of glm::length but where a square overflows or vanishes.
-template <real T>
-[[nodiscard]] T length(glm::vec<3, T> v) {
-    const T greatest = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
-    if (!(greatest > T(0))) return T(0);
-    const int scale = std::ilogb(greatest);
-    return std::scalbn(
-        glm::length(glm::vec<3, T>(std::scalbn(v.x, -scale), std::scalbn(v.y, -scale), std::scalbn(v.z, -scale))),
-        scale);
-}
-
-}  // namespace detail
-
-template <real T = float>
-struct directional_light {
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
-    glm::vec<3, T> target{T(0)};                  ///< what it looks at
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    T offset = T(10);                             ///< from target back to the light, world units
-    int map_size = 1024;                          ///< texels, >= 1
-    T texels_per_unit = T(10);                    ///< across the light, world units; > 0
-    T z_near = T(0.1);                            ///< world units from the light
-    T z_far = T(100);
-    clip_space clip{};
-};
-
-/// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / texels_per_unit.
-/// @throws std::invalid_argument  zero or non-finite direction, map_size or texels_per_unit not above 0, planes out of
-///                                order, and what gives matrices that are not finite
-template <real T = float>
-[[nodiscard]] light_space<T> make_directional_light(const directional_light<T>& light) {
-    constexpr auto function = "make_directional_light";
-    detail::require(light.map_size >= 1, function, "map_size", "must be above 0");
-    detail::require(is_finite(light.texels_per_unit) && light.texels_per_unit > T(0), function, "texels_per_unit",
-                    "must be finite and above 0");
-    detail::require(is_finite(light.offset), function, "offset", "must be finite");
-    // along the normalised direction, moved by the offset: the view's last row holds the light's distance
-    light_space<T> space{
-        detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),
-        {},
-        light.clip};
-    space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
-    const glm::vec<2, T> half(T(light.map_size) / light.texels_per_unit / T(2));
-    space.projection = detail::orthographic(-half, half, light.z_near, light.z_far, light.clip, function,
-                                            "map_size and texels_per_unit", "z_near and z_far");
-    return detail::checked(space, function, "target, offset, texels_per_unit, z_near and z_far");
-}
-
-template <real T = float>
-struct directional_fit {
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    glm::vec<3, T> low{T(-1)}, high{T(1)};        ///< bounds of all casters and receivers, low <= high
-    T margin = T(0.01);                           ///< added on every side, as a share of the bounds' diagonal, > 0
-    clip_space clip{};
-};
-
-/// The smallest box along the light that holds the bounds, and the margin.
-/// @throws std::invalid_argument  zero or non-finite direction, bounds empty, inverted or of no extent, and what gives
-///                                matrices that are not finite
-template <real T = float>
-[[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
-    constexpr auto function = "fit_directional_light", bounds = "low and high", box = "low, high and margin";
-    detail::require(detail::all_finite(fit.low) && detail::all_finite(fit.high), function, bounds, "must be finite");
-    detail::require(!glm::any(glm::greaterThan(fit.low, fit.high)), function, "low", "must not be above high");
-    detail::require(is_finite(fit.margin) && fit.margin > T(0), function, "margin", "must be finite and above 0");
-    // halved first: the bounds may reach from one end of the numbers to the other
-    const glm::vec<3, T> half = fit.high * T(0.5) - fit.low * T(0.5), centre = fit.low * T(0.5) + fit.high * T(0.5);
-    const T radius = detail::length(half);
-    detail::require(radius > T(0), function, bounds, "must have some extent");
-    light_space<T> space{
-        detail::look_along(centre, fit.direction, fit.up, fit.clip.hand, function, bounds), {}, fit.clip};
-    // the box is centred on the bounds' centre, so it is enough to know how far it reaches
-    glm::vec<3, T> reach(fit.margin * T(2) * radius);
-    for (int row = 0; row < 3; ++row)
-        for (int i = 0; i < 3; ++i) reach[row] += glm::abs(space.view[i][row]) * half[i];
-    const glm::vec<2, T> side(reach);
-    space.projection = detail::orthographic(-side, side, -reach.z, reach.z, fit.clip, function, box, box);
-    return detail::checked(space, function, box);
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/spot_light.hpp
-// A spot light's space.
-//
-//     auto light = umbrage::make_spot_light({.position = p, .direction = d, .outer_angle_radians = 0.6f});
-//
-
-namespace umbrage {
-
-template <real T = float>
-struct spot_light {
-    glm::vec<3, T> position{T(0)};
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
-    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
-    T z_near = T(0.1);                                  ///< > 0, world units
-    T z_far = T(100);                                   ///< > z_near; infinite: no far plane
-    clip_space clip{};
-};
-
-/// View and perspective projection around the light's cone, which the square map holds whole.
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), planes out of order, and
-/// what
-///                                gives matrices that are not finite
-template <real T = float>
-[[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
-    constexpr auto function = "make_spot_light";
-    const T angle = light.outer_angle_radians;
-    detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
-                    "outer_angle_radians", "must lie between 0 and pi / 2");
-    const T extent = std::tan(angle);
-    detail::require(detail::is_normal(T(1) / extent), function, "outer_angle_radians", "must have a finite cotangent");
-    return detail::checked<T>(
-        {detail::look_along(light.position, light.direction, light.up, light.clip.hand, function, "position"),
-         detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function), light.clip},
-        function, "position, outer_angle_radians, z_near and z_far");
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/texture_matrix.hpp
-// From world to the shadow map: the texture matrix, the four tap matrices, and what a vertex shader does with them.
-//
-//     glm::mat4 m = umbrage::texture_matrix(light, {1024, 1024});
-//     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, world));  // texels, texels, depth
-//
-
-namespace umbrage {
-
-/// World to texels and depth, before the division by w.
-///
-/// @param map_size   texels, each >= 1; the first texel's centre is (0.5, 0.5)
-/// @return           (x w, y w, depth w, w); depth in [0, 1] whatever the clip space, reversed stays reversed
-/// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
-///                   [-1, 1] clip space becomes z / 2 + 1 / 2
-/// @throws std::invalid_argument  map_size below 1, or a matrix that is not finite
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
-    detail::require(map_size.x >= 1 && map_size.y >= 1, "texture_matrix", "map_size", "must be above 0");
-    const glm::vec<2, T> half = glm::vec<2, T>(map_size) * T(0.5);
-    glm::mat<4, 4, T> scale_bias(T(1));
-    scale_bias[0][0] = half.x;
-    scale_bias[1][1] = light.clip.origin == texture_origin::bottom ? half.y : -half.y;
-    scale_bias[3][0] = half.x;
-    scale_bias[3][1] = half.y;
-    if (light.clip.range == depth_range::minus_one_to_one) {
-        scale_bias[2][2] = T(0.5);
-        scale_bias[3][2] = T(0.5);
-    }
-    const glm::mat<4, 4, T> m = scale_bias * light.projection * light.view;
-    detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "give a matrix that is not finite");
-    return m;
-}
-
-/// The same to [0, 1]: what texture look-ups with normalised coordinates take.
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> texture_matrix_uv(const light_space<T>& light) {
-    return texture_matrix(light, {1, 1});
-}
-
-/// The taps of the 2002 sample: half a texel off in both directions.
-template <real T>
-inline const std::array<glm::vec<2, T>, 4> default_taps{
-    {{T(-0.5), T(-0.5)}, {T(0.5), T(-0.5)}, {T(-0.5), T(0.5)}, {T(0.5), T(0.5)}}};
-
-/// One texture matrix per tap, for hardware and shaders that cannot move a projective coordinate afterwards.
-///
-/// @param texture_matrix   world to texels
-/// @param offsets          of the taps, in texels
-/// @return                 matrices with the offset applied before the division by w: equal in exact arithmetic to
-///                         adding it afterwards; in binary32 within 6 ulp of (|m0 x| + |m1 y| + |m2 z| + |m3|) / w,
-///                         the magnitudes that add up to a coordinate (worst seen 4.5; tap_coordinate stays closer)
-/// @formula                translate(offset) * texture_matrix
-/// @throws std::invalid_argument  a matrix that is not finite
-/// @cite                   ATI Radeon SDK, ShadowMap sample, 2002
-template <real T>
-[[nodiscard]] std::array<glm::mat<4, 4, T>, 4> tap_matrices(
-    const glm::mat<4, 4, T>& texture_matrix, const std::array<glm::vec<2, T>, 4>& offsets = default_taps<T>) {
-    std::array<glm::mat<4, 4, T>, 4> taps;
-    for (std::size_t tap = 0; tap < 4; ++tap) {
-        taps[tap] = texture_matrix;
-        for (int column = 0; column < 4; ++column) {
-            taps[tap][column][0] += offsets[tap].x * texture_matrix[column][3];
-            taps[tap][column][1] += offsets[tap].y * texture_matrix[column][3];
-        }
-        detail::require(detail::all_finite(taps[tap]), "tap_matrices", "texture_matrix and offsets",
-                        "give a matrix that is not finite");
-    }
-    return taps;
-}
-
-/// A world position through a texture matrix; the vertex shader's part.
-/// @formula       m[3] + m[0] x + m[1] y + m[2] z, sums from left to right: an order that GLSL compilers without
-///                `precise` were seen to keep, where they move m[3] forward from the end
-/// @exactness     B
-template <real T>
-[[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
-    glm::vec<4, T> c(0);
-    for (glm::length_t row = 0; row < 4; ++row)
-        c[row] = m[3][row] + m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z;
-    return c;
-}
-
-/// A tap's coordinate from the middle's: what the tap's own matrix would have given.
-/// @param coordinate   as shadow_coordinate returns it, before the division by w;   offset  in texels
-/// @return             after the division within 3 ulp of the offset added afterwards (worst seen 1.9)
-/// @formula            (x + offset.x w, y + offset.y w, z, w)
-/// @exactness          B
-template <real T>
-[[nodiscard]] constexpr glm::vec<4, T> tap_coordinate(glm::vec<4, T> coordinate, glm::vec<2, T> offset) {
-    return {coordinate.x + offset.x * coordinate.w, coordinate.y + offset.y * coordinate.w, coordinate.z, coordinate.w};
-}
-
-/// The division: what filters take.
-/// @return        (x, y) in texels, z depth; for w <= 0 (not in front of the light) or NaN in w (65536, 65536, 0),
-///                which every filter takes as lit
-/// @exactness     C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> project_coordinate(glm::vec<4, T> coordinate) {
-    if (is_nan(coordinate.w) || !(coordinate.w > T(0))) return {T(65536), T(65536), T(0)};
-    return {coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w};
-}
-
-namespace glsl {
-
-inline constexpr snippet shadow_coordinate{
-    .name = "shadow_coordinate",
-    .summary = "world to texels and depth, before the division",
-    .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
-UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
-    return c;
-}
-)GLSL",
-};
-
-inline constexpr snippet tap_coordinate{
-    .name = "tap_coordinate",
-    .summary = "a tap's coordinate from the middle's, before the division",
-    .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
-UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE_HIGHP vec2 offset) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moved = vec2(coordinate.x, coordinate.y) + offset * coordinate.w;
-    return vec4(moved.x, moved.y, coordinate.z, coordinate.w);
-}
-)GLSL",
-};
-
-inline constexpr snippet project_coordinate{
-    .name = "project_coordinate",
-    .summary = "the division by w, lit behind the light",
-    .exactness = tier::c,
-    .ulp = 1,
-    .source = R"GLSL(
-// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
-UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
-    UMBRAGE_HIGHP vec3 p = vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
-    return coordinate.w > 0.0 ? p : vec3(65536.0, 65536.0, 0.0);
-}
-)GLSL",
-};
-
-inline constexpr auto texture_matrix_snippets = list<&shadow_coordinate, &tap_coordinate, &project_coordinate>;
-
-}  // namespace glsl
-}  // namespace umbrage
-
 // ---- umbrage/filter/filter.hpp
 // What a filter is: a value that makes visibility of a map's texels, and knows what there is to know of itself.
 //
@@ -3354,6 +2876,344 @@ struct hard {
 }  // namespace filters
 }  // namespace umbrage
 
+// ---- umbrage/light/light_space.hpp
+// A light's view of the world: two matrices and the convention they follow. Every set-up function either returns
+// matrices of finite numbers, whose product is finite too, or reports which argument is to blame.
+//
+//     auto light = umbrage::make_spot_light({.position = {0, 5, 0}, .direction = {0, -1, 0}});
+//     glm::mat4 clip_from_world = light.projection * light.view;
+//
+
+namespace umbrage {
+
+template <real T>
+struct light_space {
+    glm::mat<4, 4, T> view{T(1)};        ///< world -> light's view space, a rotation; down -z (right) or +z (left)
+    glm::mat<4, 4, T> projection{T(1)};  ///< view space -> clip space
+    clip_space clip;
+};
+
+namespace detail {
+
+/// Reports an argument of a set-up function, or several, unless what they need is met.
+inline void require(bool met, const char* function, const char* arguments, const char* problem) {
+    if (!met) fail(std::string("umbrage::") + function + ": " + arguments + " " + problem);
+}
+
+/// True for what neither overflowed nor is lost where denormals count as zero.
+template <real T>
+[[nodiscard]] bool is_normal(T v) {
+    return is_finite(v) && glm::abs(v) >= std::numeric_limits<T>::min();
+}
+
+/// The one check of a light's matrices.
+template <real T>
+[[nodiscard]] light_space<T> checked(const light_space<T>& light, const char* function, const char* arguments) {
+    const bool finite = all_finite(light.view) && all_finite(light.projection);
+    require(finite && all_finite(light.projection * light.view), function, arguments,
+            "give a matrix that is not finite");
+    return light;
+}
+
+/// Unit vector; scaled first, so that nothing overflows or underflows. Zero stays zero.
+template <real T>
+[[nodiscard]] glm::vec<3, T> unit(glm::vec<3, T> v) {
+    const T scale = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
+    return scale > T(0) ? glm::normalize(v / scale) : v;
+}
+
+/// look_along in the name of another function, whose argument `position` is; the result is the caller's to check.
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
+                                           handedness hand, const char* function, const char* position_name) {
+    require(all_finite(position), function, position_name, "must be finite");
+    require(all_finite(direction), function, "direction", "must be finite");
+    require(all_finite(up), function, "up", "must be finite");
+    const glm::vec<3, T> forward = unit(direction);
+    require(forward != glm::vec<3, T>(0), function, "direction", "must not be zero");
+
+    glm::vec<3, T> side = glm::cross(forward, unit(up));
+    if (!(glm::length(side) > T(1e-3))) {
+        const glm::vec<3, T> along = glm::abs(forward);
+        const glm::length_t least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
+        glm::vec<3, T> axis(0);
+        axis[least] = T(1);
+        side = glm::cross(forward, axis);
+    }
+    const glm::vec<3, T> above = glm::normalize(glm::cross(side, forward));
+    side = glm::cross(forward, above);  // again: up nearly parallel to forward leaves the first a hundred ulp askew
+    const T towards = hand == handedness::right ? T(1) : T(-1);  // left: half a turn about y
+
+    glm::mat<4, 4, T> view(T(1));
+    for (glm::length_t i = 0; i < 3; ++i) {
+        view[i][0] = towards * side[i];
+        view[i][1] = above[i];
+        view[i][2] = -towards * forward[i];
+    }
+    view[3][0] = -towards * glm::dot(side, position);
+    view[3][1] = -glm::dot(above, position);
+    view[3][2] = towards * glm::dot(forward, position);
+    return view;
+}
+
+}  // namespace detail
+
+/// World to light's view space by a rotation: x to the right, y up.
+///
+/// @param position    of the light, world
+/// @param direction   it looks along, any length > 0
+/// @param up          hint; where it is parallel to direction, or nearly (1e-3), the world axis least along direction
+///                    takes its place, so that any direction works
+/// @param hand        of the world and the view; right: looks down -z, as glm::lookAtRH, left: down +z, as
+/// glm::lookAtLH
+/// @throws std::invalid_argument  zero or non-finite direction or position
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
+                                           handedness hand) {
+    const auto view = detail::look_along(position, direction, up, hand, "look_along", "position");
+    detail::require(detail::all_finite(view), "look_along", "position", "is too far out");
+    return view;
+}
+
+namespace detail {
+
+/// Rows that send view-space distance z_near to the near depth and z_far to the far depth of the convention.
+template <real T>
+struct depth_ends {
+    T at_near, at_far;
+};
+template <real T>
+[[nodiscard]] constexpr depth_ends<T> ends(clip_space clip) {
+    const T low = clip.range == depth_range::zero_to_one ? T(0) : T(-1);
+    return clip.direction == depth_direction::forward ? depth_ends<T>{low, T(1)} : depth_ends<T>{T(1), low};
+}
+
+/// perspective in the name of another function, which has checked the tangents.
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip,
+                                            const char* function) {
+    require(is_normal(z_near) && z_near > T(0), function, "z_near", "must be above 0, finite and no denormal");
+    require(!is_nan(z_far) && z_near < z_far, function, "z_far", "must be above z_near");
+    const auto [at_near, at_far] = ends<T>(clip);
+    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
+    // the formula over powers of two, which keeps its bits and does not overflow; no far plane: z_near is nothing to it
+    const bool bounded = is_finite(z_far);
+    const int far_scale = bounded ? std::ilogb(z_far) : 0, near_scale = std::ilogb(z_near);
+    const T f = bounded ? std::scalbn(z_far, -far_scale) : T(1), n = bounded ? std::scalbn(z_near, -far_scale) : T(0);
+    const T product = std::scalbn(z_near, -near_scale) * f * (at_near - at_far);
+    glm::mat<4, 4, T> m(T(0));
+    m[0][0] = T(1) / tan_half_x;
+    m[1][1] = T(1) / tan_half_y;
+    m[2][2] = forward * (f * at_far - n * at_near) / (f - n);
+    m[3][2] = std::scalbn(product / (f - n), near_scale);
+    m[2][3] = forward;
+    require(is_finite(m[3][2]), function, "z_near and z_far", "are too large and too close together");
+    return m;
+}
+
+/// orthographic in the name of another function, whose arguments give the box and the planes.
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
+                                             clip_space clip, const char* function, const char* box,
+                                             const char* planes) {
+    require(all_finite(low) && all_finite(high), function, box, "must give a finite box");
+    require(low.x < high.x && low.y < high.y, function, box, "must give a box with some width and height");
+    require(is_finite(z_near) && is_finite(z_far), function, planes, "must be finite");
+    require(z_near < z_far, function, planes, "must be in order, some distance apart");
+    const auto [at_near, at_far] = ends<T>(clip);
+    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
+    glm::mat<4, 4, T> m(T(1));
+    for (glm::length_t i = 0; i < 2; ++i) {
+        m[i][i] = T(2) / (high[i] - low[i]);
+        m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
+        require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "give too large or too small a box");
+    }
+    m[2][2] = forward * (at_far - at_near) / (z_far - z_near);
+    m[3][2] = (z_far * at_near - z_near * at_far) / (z_far - z_near);
+    require(is_normal(m[2][2]) && is_finite(m[3][2]), function, planes, "are too far apart or too close together");
+    return m;
+}
+
+}  // namespace detail
+
+/// Perspective projection.
+///
+/// @param tan_half_x, tan_half_y   tangent of half the opening angle, > 0
+/// @param z_near, z_far            0 < z_near < z_far, world units; an infinite z_far is no far plane: depth then nears
+///                                 the far depth with distance, forward or reversed
+/// @throws std::invalid_argument   anything else, and what gives a matrix that is not finite
+/// @formula       z/w = A + B / distance through (z_near, near depth), (z_far, far depth)
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip) {
+    const auto opening = [](T tangent) { return tangent > T(0) && detail::is_normal(T(1) / tangent); };
+    detail::require(opening(tan_half_x), "perspective", "tan_half_x", "must be above 0, and 1 / tan_half_x finite");
+    detail::require(opening(tan_half_y), "perspective", "tan_half_y", "must be above 0, and 1 / tan_half_y finite");
+    return detail::perspective(tan_half_x, tan_half_y, z_near, z_far, clip, "perspective");
+}
+
+/// Orthographic projection of the box between two corners of view space, z given as distances in front of the light.
+///
+/// @param low, high        x and y of the corners, low < high
+/// @param z_near, z_far    z_near < z_far, world units, may be negative (behind the light's position)
+/// @throws std::invalid_argument   an empty or non-finite box, and one that gives a matrix that is not finite
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
+                                             clip_space clip) {
+    return detail::orthographic(low, high, z_near, z_far, clip, "orthographic", "low and high", "z_near and z_far");
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/texture_matrix.hpp
+// From world to the shadow map: the texture matrix, the four tap matrices, and what a vertex shader does with them.
+//
+//     glm::mat4 m = umbrage::texture_matrix(light, {1024, 1024});
+//     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, world));  // texels, texels, depth
+//
+
+namespace umbrage {
+
+/// World to texels and depth, before the division by w.
+///
+/// @param map_size   texels, each >= 1; the first texel's centre is (0.5, 0.5)
+/// @return           (x w, y w, depth w, w); depth in [0, 1] whatever the clip space, reversed stays reversed
+/// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
+///                   [-1, 1] clip space becomes z / 2 + 1 / 2
+/// @throws std::invalid_argument  map_size below 1, or a matrix that is not finite
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
+    detail::require(map_size.x >= 1 && map_size.y >= 1, "texture_matrix", "map_size", "must be above 0");
+    const glm::vec<2, T> half = glm::vec<2, T>(map_size) * T(0.5);
+    glm::mat<4, 4, T> scale_bias(T(1));
+    scale_bias[0][0] = half.x;
+    scale_bias[1][1] = light.clip.origin == texture_origin::bottom ? half.y : -half.y;
+    scale_bias[3][0] = half.x;
+    scale_bias[3][1] = half.y;
+    if (light.clip.range == depth_range::minus_one_to_one) {
+        scale_bias[2][2] = T(0.5);
+        scale_bias[3][2] = T(0.5);
+    }
+    const glm::mat<4, 4, T> m = scale_bias * light.projection * light.view;
+    detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "give a matrix that is not finite");
+    return m;
+}
+
+/// The same to [0, 1]: what texture look-ups with normalised coordinates take.
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> texture_matrix_uv(const light_space<T>& light) {
+    return texture_matrix(light, {1, 1});
+}
+
+/// The taps of the 2002 sample: half a texel off in both directions.
+template <real T>
+inline const std::array<glm::vec<2, T>, 4> default_taps{
+    {{T(-0.5), T(-0.5)}, {T(0.5), T(-0.5)}, {T(-0.5), T(0.5)}, {T(0.5), T(0.5)}}};
+
+/// One texture matrix per tap, for hardware and shaders that cannot move a projective coordinate afterwards.
+///
+/// @param texture_matrix   world to texels
+/// @param offsets          of the taps, in texels
+/// @return                 matrices with the offset applied before the division by w: equal in exact arithmetic to
+///                         adding it afterwards; in binary32 within 6 ulp of (|m0 x| + |m1 y| + |m2 z| + |m3|) / w,
+///                         the magnitudes that add up to a coordinate (worst seen 4.5; tap_coordinate stays closer)
+/// @formula                translate(offset) * texture_matrix
+/// @throws std::invalid_argument  a matrix that is not finite
+/// @cite                   ATI Radeon SDK, ShadowMap sample, 2002
+template <real T>
+[[nodiscard]] std::array<glm::mat<4, 4, T>, 4> tap_matrices(
+    const glm::mat<4, 4, T>& texture_matrix, const std::array<glm::vec<2, T>, 4>& offsets = default_taps<T>) {
+    std::array<glm::mat<4, 4, T>, 4> taps;
+    for (std::size_t tap = 0; tap < 4; ++tap) {
+        taps[tap] = texture_matrix;
+        for (int column = 0; column < 4; ++column) {
+            taps[tap][column][0] += offsets[tap].x * texture_matrix[column][3];
+            taps[tap][column][1] += offsets[tap].y * texture_matrix[column][3];
+        }
+        detail::require(detail::all_finite(taps[tap]), "tap_matrices", "texture_matrix and offsets",
+                        "give a matrix that is not finite");
+    }
+    return taps;
+}
+
+/// A world position through a texture matrix; the vertex shader's part.
+/// @formula       m[3] + m[0] x + m[1] y + m[2] z, sums from left to right: an order that GLSL compilers without
+///                `precise` were seen to keep, where they move m[3] forward from the end
+/// @exactness     B
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
+    glm::vec<4, T> c(0);
+    for (glm::length_t row = 0; row < 4; ++row)
+        c[row] = m[3][row] + m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z;
+    return c;
+}
+
+/// A tap's coordinate from the middle's: what the tap's own matrix would have given.
+/// @param coordinate   as shadow_coordinate returns it, before the division by w;   offset  in texels
+/// @return             after the division within 3 ulp of the offset added afterwards (worst seen 1.9)
+/// @formula            (x + offset.x w, y + offset.y w, z, w)
+/// @exactness          B
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> tap_coordinate(glm::vec<4, T> coordinate, glm::vec<2, T> offset) {
+    return {coordinate.x + offset.x * coordinate.w, coordinate.y + offset.y * coordinate.w, coordinate.z, coordinate.w};
+}
+
+/// The division: what filters take.
+/// @return        (x, y) in texels, z depth; for w <= 0 (not in front of the light) or NaN in w (65536, 65536, 0),
+///                which every filter takes as lit
+/// @exactness     C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> project_coordinate(glm::vec<4, T> coordinate) {
+    if (is_nan(coordinate.w) || !(coordinate.w > T(0))) return {T(65536), T(65536), T(0)};
+    return {coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w};
+}
+
+namespace glsl {
+
+inline constexpr snippet shadow_coordinate{
+    .name = "shadow_coordinate",
+    .summary = "world to texels and depth, before the division",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
+    return c;
+}
+)GLSL",
+};
+
+inline constexpr snippet tap_coordinate{
+    .name = "tap_coordinate",
+    .summary = "a tap's coordinate from the middle's, before the division",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
+UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE_HIGHP vec2 offset) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moved = vec2(coordinate.x, coordinate.y) + offset * coordinate.w;
+    return vec4(moved.x, moved.y, coordinate.z, coordinate.w);
+}
+)GLSL",
+};
+
+inline constexpr snippet project_coordinate{
+    .name = "project_coordinate",
+    .summary = "the division by w, lit behind the light",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
+// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
+UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
+    UMBRAGE_HIGHP vec3 p = vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
+    return coordinate.w > 0.0 ? p : vec3(65536.0, 65536.0, 0.0);
+}
+)GLSL",
+};
+
+inline constexpr auto texture_matrix_snippets = list<&shadow_coordinate, &tap_coordinate, &project_coordinate>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/filter/pcf/four_tap.hpp
 // Percentage-closer filtering over four taps with coordinates of their own, as the Radeon 8500 did it: one texture
 // matrix per tap (tap_matrices), four nearest fetches, four tests, the mean.
@@ -3577,6 +3437,139 @@ struct pcf_2x2_dx_sdk {
 }  // namespace filters
 }  // namespace umbrage
 
+// ---- umbrage/light/directional_light.hpp
+// A directional light's space: the classic course exercise's set-up, and the tight fit to bounds.
+//
+//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024});
+//     auto tight = umbrage::fit_directional_light({.direction = d, .low = scene_low, .high = scene_high});
+//
+
+namespace umbrage {
+
+namespace detail {
+
+/// Length, with the bits of glm::length but where a square overflows or vanishes.
+template <real T>
+[[nodiscard]] T length(glm::vec<3, T> v) {
+    const T greatest = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
+    if (!(greatest > T(0))) return T(0);
+    const int scale = std::ilogb(greatest);
+    return std::scalbn(
+        glm::length(glm::vec<3, T>(std::scalbn(v.x, -scale), std::scalbn(v.y, -scale), std::scalbn(v.z, -scale))),
+        scale);
+}
+
+}  // namespace detail
+
+template <real T = float>
+struct directional_light {
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
+    glm::vec<3, T> target{T(0)};                  ///< what it looks at
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    T offset = T(10);                             ///< from target back to the light, world units
+    int map_size = 1024;                          ///< texels, >= 1
+    T texels_per_unit = T(10);                    ///< across the light, world units; > 0
+    T z_near = T(0.1);                            ///< world units from the light
+    T z_far = T(100);
+    clip_space clip{};
+};
+
+/// The exercise's set-up: position = target - unit direction * offset, width = height = map_size / texels_per_unit.
+/// @throws std::invalid_argument  zero or non-finite direction, map_size or texels_per_unit not above 0, planes out of
+///                                order, and what gives matrices that are not finite
+template <real T = float>
+[[nodiscard]] light_space<T> make_directional_light(const directional_light<T>& light) {
+    constexpr auto function = "make_directional_light";
+    detail::require(light.map_size >= 1, function, "map_size", "must be above 0");
+    detail::require(is_finite(light.texels_per_unit) && light.texels_per_unit > T(0), function, "texels_per_unit",
+                    "must be finite and above 0");
+    detail::require(is_finite(light.offset), function, "offset", "must be finite");
+    // along the normalised direction, moved by the offset: the view's last row holds the light's distance
+    light_space<T> space{
+        detail::look_along(light.target, light.direction, light.up, light.clip.hand, function, "target"),
+        {},
+        light.clip};
+    space.view[3][2] += light.clip.hand == handedness::right ? -light.offset : light.offset;
+    const glm::vec<2, T> half(T(light.map_size) / light.texels_per_unit / T(2));
+    space.projection = detail::orthographic(-half, half, light.z_near, light.z_far, light.clip, function,
+                                            "map_size and texels_per_unit", "z_near and z_far");
+    return detail::checked(space, function, "target, offset, texels_per_unit, z_near and z_far");
+}
+
+template <real T = float>
+struct directional_fit {
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    glm::vec<3, T> low{T(-1)}, high{T(1)};        ///< bounds of all casters and receivers, low <= high
+    T margin = T(0.01);                           ///< added on every side, as a share of the bounds' diagonal, > 0
+    clip_space clip{};
+};
+
+/// The smallest box along the light that holds the bounds, and the margin.
+/// @throws std::invalid_argument  zero or non-finite direction, bounds empty, inverted or of no extent, and what gives
+///                                matrices that are not finite
+template <real T = float>
+[[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
+    constexpr auto function = "fit_directional_light", bounds = "low and high", box = "low, high and margin";
+    detail::require(detail::all_finite(fit.low) && detail::all_finite(fit.high), function, bounds, "must be finite");
+    detail::require(!glm::any(glm::greaterThan(fit.low, fit.high)), function, "low", "must not be above high");
+    detail::require(is_finite(fit.margin) && fit.margin > T(0), function, "margin", "must be finite and above 0");
+    // halved first: the bounds may reach from one end of the numbers to the other
+    const glm::vec<3, T> half = fit.high * T(0.5) - fit.low * T(0.5), centre = fit.low * T(0.5) + fit.high * T(0.5);
+    const T radius = detail::length(half);
+    detail::require(radius > T(0), function, bounds, "must have some extent");
+    light_space<T> space{
+        detail::look_along(centre, fit.direction, fit.up, fit.clip.hand, function, bounds), {}, fit.clip};
+    // the box is centred on the bounds' centre, so it is enough to know how far it reaches
+    glm::vec<3, T> reach(fit.margin * T(2) * radius);
+    for (int row = 0; row < 3; ++row)
+        for (int i = 0; i < 3; ++i) reach[row] += glm::abs(space.view[i][row]) * half[i];
+    const glm::vec<2, T> side(reach);
+    space.projection = detail::orthographic(-side, side, -reach.z, reach.z, fit.clip, function, box, box);
+    return detail::checked(space, function, box);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/spot_light.hpp
+// A spot light's space.
+//
+//     auto light = umbrage::make_spot_light({.position = p, .direction = d, .outer_angle_radians = 0.6f});
+//
+
+namespace umbrage {
+
+template <real T = float>
+struct spot_light {
+    glm::vec<3, T> position{T(0)};
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
+    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
+    T z_near = T(0.1);                                  ///< > 0, world units
+    T z_far = T(100);                                   ///< > z_near; infinite: no far plane
+    clip_space clip{};
+};
+
+/// View and perspective projection around the light's cone, which the square map holds whole.
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), planes out of order, and
+/// what
+///                                gives matrices that are not finite
+template <real T = float>
+[[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
+    constexpr auto function = "make_spot_light";
+    const T angle = light.outer_angle_radians;
+    detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
+                    "outer_angle_radians", "must lie between 0 and pi / 2");
+    const T extent = std::tan(angle);
+    detail::require(detail::is_normal(T(1) / extent), function, "outer_angle_radians", "must have a finite cotangent");
+    return detail::checked<T>(
+        {detail::look_along(light.position, light.direction, light.up, light.clip.hand, function, "position"),
+         detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function), light.clip},
+        function, "position, outer_angle_radians, z_near and z_far");
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/shade/lighting.hpp
 // The lighting of the DirectX SDK's ShadowMap sample: a spot cone, diffuse plus ambient. Enough for whole pictures.
 //
@@ -3663,6 +3656,13 @@ inline constexpr auto lighting_snippets = list<&spot_cone, &diffuse_ambient>;
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/version.hpp
+// The version of umbrage. CMake reads it from here.
+
+#define UMBRAGE_VERSION_MAJOR 0
+#define UMBRAGE_VERSION_MINOR 1
+#define UMBRAGE_VERSION_PATCH 0
+
 // ---- umbrage/view/false_colour.hpp
 // Depth as colour, so that people can see it: blue near, through cyan, green and yellow, to red far.
 //
@@ -3708,8 +3708,8 @@ inline constexpr auto false_colour_snippets = list<&false_colour>;
 }  // namespace umbrage
 
 // ---- umbrage/primitives.hpp
-// The primitives of umbrage alone, for short compile times. Includes only; each header also stands alone. Functions
-// over whole images, the depth pass among them, and the registry of snippets come with <umbrage/umbrage.hpp>.
+// The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them, and
+// the registry of snippets come with <umbrage/umbrage.hpp>. Made by single_include/amalgamate.cmake.
 
 
 // ---- umbrage/simd/blocks/form.hpp
@@ -6995,6 +6995,13 @@ UMBRAGE_END_STRICT_MATH
 // Bit for bit what the filter gives for each receiver alone.
 
 namespace umbrage {
+
+/// What receivers see whose texels lie outside the map.
+enum class outside_map {
+    clamped,  ///< the nearest texel inside: what clamped(map) fetches
+    lit,      ///< the far plane: what bordered(map, cleared_depth(clip)) fetches
+};
+
 namespace detail {
 
 /// Every receiver through a filter's blocks.
@@ -7032,7 +7039,7 @@ template <class Filter, class Fetch>
 struct one_by_one {
     using placed = receiver_block;
     const Filter& filter;
-    const Fetch& fetch;
+    Fetch fetch;
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
@@ -7045,12 +7052,47 @@ struct one_by_one {
     }
 };
 
+/// Once more the receivers whose texels may lie outside the map, now with a border that lights them.
+template <class Receivers, class Filter, class Fetch, class ParallelFor>
+void light_outside(const Receivers& receivers, glm::vec2 map_size, const Filter& filter, const Fetch& bordered_map,
+                   image_view<float> out, ParallelFor&& parallel) {
+    const float margin = filter.reach() + 0.5f;  // weights are in steps of 1/256
+    const glm::vec2 last = map_size - margin, beyond = map_size + margin;
+    parallel(out.size.y, [&](int first, int end) {
+        on_best_isa([&](auto set) UMBRAGE_INLINE {
+            for (block_walk at{0, first, out.size.x}; at.y < end; at.step())
+                use_receivers(receivers, at, set, [&](const auto& r) UMBRAGE_INLINE {
+                    float* const to = out.row(at.y) + at.x;
+                    for (int i = 0; i < at.count(); ++i) {
+                        const float x = r.x(i), y = r.y(i), z = r.z(i);
+                        if (x >= margin && y >= margin && x <= last.x && y <= last.y) continue;
+                        const bool apart = x < -margin || y < -margin || x > beyond.x || y > beyond.y;
+                        to[i] =
+                            apart && !is_nan(z) ? 1.0f : static_cast<float>(filter(bordered_map, glm::vec2(x, y), z));
+                    }
+                });
+        });
+    });
+}
+
 /// A map's texels, decoded, as one type for all encodings: what is seldom used need not be compiled for each.
 struct erased_fetch {
     const void* fetch;
     float (*call)(const void*, glm::ivec2);
     float operator()(glm::ivec2 texel) const { return call(fetch, texel); }
 };
+template <class Fetch>
+[[nodiscard]] erased_fetch erase(const Fetch& fetch) {
+    return {&fetch, [](const void* of, glm::ivec2 texel) { return (*static_cast<const Fetch*>(of))(texel); }};
+}
+
+/// The far plane's depth, as the filter or else the encoding knows it.
+template <class Encoding, class Filter>
+[[nodiscard]] float far_depth(const Encoding& encoding, const Filter& filter) {
+    if constexpr (requires { filter.is_lit.direction; }) return cleared_depth(filter.is_lit.direction);
+    else if constexpr (requires { encoding.direction; }) return cleared_depth(encoding.direction);
+    else return 1.0f;
+}
 
 /// How blocks read maps of an encoding that has a fast form for single texels; others are decoded first.
 [[nodiscard]] inline float_texels texels_of(image_view<const float> map, const depth32f&) { return {map}; }
@@ -7087,13 +7129,17 @@ bool with_map(image_view<const typename Encoding::texel> map, const Encoding& en
 
 template <class Encoding, class Receivers, class Filter, class ParallelFor>
 void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
-                  const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+                  const Filter& filter, image_view<float> out, ParallelFor&& parallel, outside_map outside) {
     static_assert(is_encoding<Encoding>() && is_filter<Filter>());
     if (size_of(receivers) != out.size) fail("umbrage::visibility: sizes differ");
     if (map.empty()) fail("umbrage::visibility: empty map");
     if (out.empty()) return;
     const auto rows = [&](const auto& blocks) { filter_rows(receivers, blocks, out, parallel); };
-    const auto fetch = decoded(map, encoding);
+    const auto clamped_map = decoded(map, encoding);
+    const auto bordered_map = [&, far = far_depth(encoding, filter)](glm::ivec2 texel) {
+        const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
+        return inside ? encoding.decode(map.row(texel.y)[texel.x]) : far;
+    };
     if constexpr (has_block_form<Filter>) {
         using form = block_form<Filter>;
         const bool done = with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
@@ -7101,46 +7147,47 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
                 form::template with_blocks<depth_direction::forward>(texels, filter, parallel, rows);
             else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
         });
-        if (done) return;
-        const erased_fetch erased{
-            &fetch, [](const void* f, glm::ivec2 texel) { return (*static_cast<const decltype(fetch)*>(f))(texel); }};
-        rows(one_by_one<Filter, erased_fetch>{filter, erased});
+        if (!done) rows(one_by_one<Filter, erased_fetch>{filter, erase(clamped_map)});
+        if (outside == outside_map::lit) light_outside(receivers, map.size, filter, erase(bordered_map), out, parallel);
+    } else if (outside == outside_map::lit) {
+        rows(one_by_one<Filter, std::remove_cvref_t<decltype(bordered_map)>>{filter, bordered_map});
     } else {
-        rows(one_by_one<Filter, std::remove_cvref_t<decltype(fetch)>>{filter, fetch});
+        rows(one_by_one<Filter, std::remove_cvref_t<decltype(clamped_map)>>{filter, clamped_map});
     }
 }
 
 }  // namespace detail
 
-/// @param map         shadow map, texels of the encoding; outside, the nearest texel inside counts
+/// @param map         shadow map, texels of the encoding
 /// @param encoding    how the map's texels hold depth; its edge decides ties
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable
 ///                    (fetch, coord, receiver) -> visibility
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
+/// @param outside     what counts outside the map
 /// @throws std::invalid_argument  sizes differ, or the map is empty
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 
 /// Receivers as a structure of arrays.
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const receiver_planes& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 
 /// Receivers from a camera's depth image: visibility of receiver_at for each of its texels.
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const depth_receivers& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 
 }  // namespace umbrage

@@ -14,6 +14,7 @@
 
 #include <type_traits>
 
+#include <umbrage/clip_space.hpp>
 #include <umbrage/depth/depth32f.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/images/encode.hpp>
@@ -24,6 +25,13 @@
 #include <umbrage/simd/blocks/texels.hpp>
 
 namespace umbrage {
+
+/// What receivers see whose texels lie outside the map.
+enum class outside_map {
+    clamped,  ///< the nearest texel inside: what clamped(map) fetches
+    lit,      ///< the far plane: what bordered(map, cleared_depth(clip)) fetches
+};
+
 namespace detail {
 
 /// Every receiver through a filter's blocks.
@@ -61,7 +69,7 @@ template <class Filter, class Fetch>
 struct one_by_one {
     using placed = receiver_block;
     const Filter& filter;
-    const Fetch& fetch;
+    Fetch fetch;
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
@@ -74,12 +82,47 @@ struct one_by_one {
     }
 };
 
+/// Once more the receivers whose texels may lie outside the map, now with a border that lights them.
+template <class Receivers, class Filter, class Fetch, class ParallelFor>
+void light_outside(const Receivers& receivers, glm::vec2 map_size, const Filter& filter, const Fetch& bordered_map,
+                   image_view<float> out, ParallelFor&& parallel) {
+    const float margin = filter.reach() + 0.5f;  // weights are in steps of 1/256
+    const glm::vec2 last = map_size - margin, beyond = map_size + margin;
+    parallel(out.size.y, [&](int first, int end) {
+        on_best_isa([&](auto set) UMBRAGE_INLINE {
+            for (block_walk at{0, first, out.size.x}; at.y < end; at.step())
+                use_receivers(receivers, at, set, [&](const auto& r) UMBRAGE_INLINE {
+                    float* const to = out.row(at.y) + at.x;
+                    for (int i = 0; i < at.count(); ++i) {
+                        const float x = r.x(i), y = r.y(i), z = r.z(i);
+                        if (x >= margin && y >= margin && x <= last.x && y <= last.y) continue;
+                        const bool apart = x < -margin || y < -margin || x > beyond.x || y > beyond.y;
+                        to[i] =
+                            apart && !is_nan(z) ? 1.0f : static_cast<float>(filter(bordered_map, glm::vec2(x, y), z));
+                    }
+                });
+        });
+    });
+}
+
 /// A map's texels, decoded, as one type for all encodings: what is seldom used need not be compiled for each.
 struct erased_fetch {
     const void* fetch;
     float (*call)(const void*, glm::ivec2);
     float operator()(glm::ivec2 texel) const { return call(fetch, texel); }
 };
+template <class Fetch>
+[[nodiscard]] erased_fetch erase(const Fetch& fetch) {
+    return {&fetch, [](const void* of, glm::ivec2 texel) { return (*static_cast<const Fetch*>(of))(texel); }};
+}
+
+/// The far plane's depth, as the filter or else the encoding knows it.
+template <class Encoding, class Filter>
+[[nodiscard]] float far_depth(const Encoding& encoding, const Filter& filter) {
+    if constexpr (requires { filter.is_lit.direction; }) return cleared_depth(filter.is_lit.direction);
+    else if constexpr (requires { encoding.direction; }) return cleared_depth(encoding.direction);
+    else return 1.0f;
+}
 
 /// How blocks read maps of an encoding that has a fast form for single texels; others are decoded first.
 [[nodiscard]] inline float_texels texels_of(image_view<const float> map, const depth32f&) { return {map}; }
@@ -116,13 +159,17 @@ bool with_map(image_view<const typename Encoding::texel> map, const Encoding& en
 
 template <class Encoding, class Receivers, class Filter, class ParallelFor>
 void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
-                  const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+                  const Filter& filter, image_view<float> out, ParallelFor&& parallel, outside_map outside) {
     static_assert(is_encoding<Encoding>() && is_filter<Filter>());
     if (size_of(receivers) != out.size) fail("umbrage::visibility: sizes differ");
     if (map.empty()) fail("umbrage::visibility: empty map");
     if (out.empty()) return;
     const auto rows = [&](const auto& blocks) { filter_rows(receivers, blocks, out, parallel); };
-    const auto fetch = decoded(map, encoding);
+    const auto clamped_map = decoded(map, encoding);
+    const auto bordered_map = [&, far = far_depth(encoding, filter)](glm::ivec2 texel) {
+        const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
+        return inside ? encoding.decode(map.row(texel.y)[texel.x]) : far;
+    };
     if constexpr (has_block_form<Filter>) {
         using form = block_form<Filter>;
         const bool done = with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
@@ -130,46 +177,47 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
                 form::template with_blocks<depth_direction::forward>(texels, filter, parallel, rows);
             else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
         });
-        if (done) return;
-        const erased_fetch erased{
-            &fetch, [](const void* f, glm::ivec2 texel) { return (*static_cast<const decltype(fetch)*>(f))(texel); }};
-        rows(one_by_one<Filter, erased_fetch>{filter, erased});
+        if (!done) rows(one_by_one<Filter, erased_fetch>{filter, erase(clamped_map)});
+        if (outside == outside_map::lit) light_outside(receivers, map.size, filter, erase(bordered_map), out, parallel);
+    } else if (outside == outside_map::lit) {
+        rows(one_by_one<Filter, std::remove_cvref_t<decltype(bordered_map)>>{filter, bordered_map});
     } else {
-        rows(one_by_one<Filter, std::remove_cvref_t<decltype(fetch)>>{filter, fetch});
+        rows(one_by_one<Filter, std::remove_cvref_t<decltype(clamped_map)>>{filter, clamped_map});
     }
 }
 
 }  // namespace detail
 
-/// @param map         shadow map, texels of the encoding; outside, the nearest texel inside counts
+/// @param map         shadow map, texels of the encoding
 /// @param encoding    how the map's texels hold depth; its edge decides ties
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable
 ///                    (fetch, coord, receiver) -> visibility
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
+/// @param outside     what counts outside the map
 /// @throws std::invalid_argument  sizes differ, or the map is empty
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 
 /// Receivers as a structure of arrays.
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const receiver_planes& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 
 /// Receivers from a camera's depth image: visibility of receiver_at for each of its texels.
 template <class Encoding, class Filter, class ParallelFor = serial>
 void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
                 const depth_receivers& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel);
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 
 }  // namespace umbrage

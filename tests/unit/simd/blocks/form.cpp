@@ -44,6 +44,13 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
     const umbrage::depth_receivers seen{depth, matrix, 0.01f};
     const auto fetch = umbrage::decoded(umbrage::image_view<const typename Encoding::texel>(map.view()), encoding);
 
+    float far = 1.0f;
+    if constexpr (requires { filter.is_lit.direction; }) far = umbrage::cleared_depth(filter.is_lit.direction);
+    const auto bordered = [&](glm::ivec2 texel) {
+        const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map_size.x && texel.y < map_size.y;
+        return inside ? encoding.decode(map.view()[texel]) : far;
+    };
+
     for_each_path([&] {
         image<float> from_image(size), from_planes(size), from_depth(size);
         umbrage::visibility(map.view(), encoding, receivers, filter, from_image, bands{7});
@@ -59,6 +66,13 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
                 const glm::vec3 receiver = umbrage::receiver_at(seen, t);
                 different_from_depth +=
                     visibility_bits(filter(fetch, glm::vec2(receiver), receiver.z)) != visibility_bits(from_depth[t]);
+            }
+        umbrage::visibility(map.view(), encoding, receivers, filter, from_image, bands{3}, umbrage::outside_map::lit);
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const glm::vec3 r = receivers[{x, y}];
+                different +=
+                    visibility_bits(filter(bordered, glm::vec2(r), r.z)) != visibility_bits(from_image[{x, y}]);
             }
         CHECK(different == 0);
         CHECK(different_from_depth == 0);  // receiver_at is of tier C: wants -ffp-contract=off
