@@ -207,6 +207,20 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
     return "";
 }
 
+struct snippet;
+
+/// Snippets that lie in a list<>; a span, but for what it costs to compile.
+struct snippet_span {
+    const snippet* const* first = nullptr;
+    std::size_t size = 0;
+
+    constexpr snippet_span() = default;
+    template <std::size_t Size>
+    constexpr snippet_span(const std::array<const snippet*, Size>& snippets) : first(snippets.data()), size(Size) {}
+    [[nodiscard]] constexpr const snippet* const* begin() const { return first; }
+    [[nodiscard]] constexpr const snippet* const* end() const { return first + size; }
+};
+
 /// One GLSL function (with its overloads) and what is known of it.
 struct snippet {
     std::string_view name;     ///< of the C++ twin; the GLSL function is umbrage_<name>
@@ -214,7 +228,7 @@ struct snippet {
     tier exactness = tier::a;
     int ulp = 0;                     ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
     version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
-    std::span<const snippet* const> needs{};  ///< a list<>
+    snippet_span needs{};            ///< a list<>
     std::string_view source;
 };
 
@@ -247,13 +261,11 @@ inline constexpr std::string_view prelude = R"GLSL(
 
 namespace detail {
 
-inline void append(std::string& out, std::vector<std::string_view>& done, const snippet& s) {
-    for (std::string_view name : done)
-        if (name == s.name) return;
-    done.push_back(s.name);
-    for (const snippet* need : s.needs) append(out, done, *need);
+inline void append(std::string& out, const snippet& s) {
     std::string guard = "UMBRAGE_HAS_";
     for (char c : s.name) guard += (c >= 'a' && c <= 'z') ? static_cast<char>(c - 'a' + 'A') : c;
+    if (out.find("\n#define " + guard + '\n') != out.npos) return;
+    for (const snippet* need : s.needs) append(out, *need);
     out += "\n#ifndef " + guard + "\n#define " + guard;
     out += s.source;
     out += "#endif\n";
@@ -264,8 +276,7 @@ inline void append(std::string& out, std::vector<std::string_view>& done, const 
 /// The snippets and all they need, each once and guarded, without a `#version` line: text to paste into any shader.
 [[nodiscard]] inline std::string text(std::span<const snippet> snippets) {
     std::string out(prelude);
-    std::vector<std::string_view> done;
-    for (const snippet& s : snippets) detail::append(out, done, s);
+    for (const snippet& s : snippets) detail::append(out, s);
     return out;
 }
 
