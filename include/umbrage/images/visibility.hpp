@@ -64,23 +64,26 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
     });
 }
 
-/// Any filter, one receiver after the other.
-template <class Filter, class Fetch>
-struct one_by_one {
-    using placed = receiver_block;
-    const Filter& filter;
-    Fetch fetch;
+/// Calls use(visibility, coord, receiver) for one receiver after the other.
+template <class Receivers, class ParallelFor, class Use>
+void for_each_receiver(const Receivers& receivers, image_view<float> out, ParallelFor&& parallel, const Use& use) {
+    parallel(out.size.y, [&](int first, int last) {
+        for (block_walk at{0, first, out.size.x}; at.y < last; at.step())
+            use_receivers(receivers, at, isa_constant<isa::base>{}, [&](const auto& r) {
+                float* const to = out.row(at.y) + at.x;
+                for (int i = 0; i < at.count(); ++i) use(to[i], glm::vec2(r.x(i), r.y(i)), r.z(i));
+            });
+    });
+}
 
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        at.copy(receivers);
-    }
-    template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
-        for (int i = 0; i < count; ++i)
-            visibility[i] = static_cast<float>(filter(fetch, glm::vec2(at.x(i), at.y(i)), at.z(i)));
-    }
-};
+/// Any filter, receiver by receiver.
+template <class Receivers, class Filter, class Fetch, class ParallelFor>
+void filter_each(const Receivers& receivers, const Filter& filter, const Fetch& fetch, image_view<float> out,
+                 ParallelFor&& parallel) {
+    for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 coord, float receiver) {
+        visibility = static_cast<float>(filter(fetch, coord, receiver));
+    });
+}
 
 /// Once more the receivers whose texels may lie outside the map, now with a border that lights them.
 template <class Receivers, class Filter, class Fetch, class ParallelFor>
@@ -88,20 +91,10 @@ void light_outside(const Receivers& receivers, glm::vec2 map_size, const Filter&
                    image_view<float> out, ParallelFor&& parallel) {
     const float margin = filter.reach() + 0.5f;  // weights are in steps of 1/256
     const glm::vec2 last = map_size - margin, beyond = map_size + margin;
-    parallel(out.size.y, [&](int first, int end) {
-        on_best_isa([&](auto set) UMBRAGE_INLINE {
-            for (block_walk at{0, first, out.size.x}; at.y < end; at.step())
-                use_receivers(receivers, at, set, [&](const auto& r) UMBRAGE_INLINE {
-                    float* const to = out.row(at.y) + at.x;
-                    for (int i = 0; i < at.count(); ++i) {
-                        const float x = r.x(i), y = r.y(i), z = r.z(i);
-                        if (x >= margin && y >= margin && x <= last.x && y <= last.y) continue;
-                        const bool apart = x < -margin || y < -margin || x > beyond.x || y > beyond.y;
-                        to[i] =
-                            apart && !is_nan(z) ? 1.0f : static_cast<float>(filter(bordered_map, glm::vec2(x, y), z));
-                    }
-                });
-        });
+    for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 c, float receiver) {
+        if (c.x >= margin && c.y >= margin && c.x <= last.x && c.y <= last.y) return;
+        const bool apart = c.x < -margin || c.y < -margin || c.x > beyond.x || c.y > beyond.y;
+        visibility = apart && !is_nan(receiver) ? 1.0f : static_cast<float>(filter(bordered_map, c, receiver));
     });
 }
 
@@ -177,12 +170,12 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
                 form::template with_blocks<depth_direction::forward>(texels, filter, parallel, rows);
             else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
         });
-        if (!done) rows(one_by_one<Filter, erased_fetch>{filter, erase(clamped_map)});
+        if (!done) filter_each(receivers, filter, erase(clamped_map), out, parallel);
         if (outside == outside_map::lit) light_outside(receivers, map.size, filter, erase(bordered_map), out, parallel);
     } else if (outside == outside_map::lit) {
-        rows(one_by_one<Filter, std::remove_cvref_t<decltype(bordered_map)>>{filter, bordered_map});
+        filter_each(receivers, filter, bordered_map, out, parallel);
     } else {
-        rows(one_by_one<Filter, std::remove_cvref_t<decltype(clamped_map)>>{filter, clamped_map});
+        filter_each(receivers, filter, clamped_map, out, parallel);
     }
 }
 

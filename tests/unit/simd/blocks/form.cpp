@@ -16,7 +16,7 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
     CAPTURE(map_size.x);
     CAPTURE(map_size.y);
     values v;
-    const glm::ivec2 size(131, 29);
+    const glm::ivec2 size(131, 9);
     gapped<typename Encoding::texel> map(map_size);
     for (int y = 0; y < map_size.y; ++y)
         for (int x = 0; x < map_size.x; ++x) {
@@ -203,13 +203,12 @@ TEST_CASE("encode, visibility: large images, which bypass the cache, rows on and
 }
 
 TEST_CASE("visibility: maps that reach beyond texel space, up to its last texels") {
-    for (const glm::ivec2 map_size : {glm::ivec2(32769, 2), glm::ivec2(2, 32770), glm::ivec2(32768, 2)}) {
+    for (const glm::ivec2 map_size : {glm::ivec2(32769, 2), glm::ivec2(2, 32770)}) {
         const bool wide = map_size.x > map_size.y;
-        const glm::vec2 along = wide ? glm::vec2(1, 0) : glm::vec2(0, 1),
-                        across = wide ? glm::vec2(0, 1) : glm::vec2(1, 0);
-        for_each_setting([&](const auto& filter) {
-            check_coherent(umbrage::depth32f{}, filter, map_size, 32762.0f * along + 0.4f * across, 0.03125f * along);
+        const glm::vec2 along = wide ? glm::vec2(1, 0) : glm::vec2(0, 1), start = 32762.0f * along + glm::vec2(0.4f);
+        umbrage::for_each_filter([&](const auto& filter) {
+            check_coherent(umbrage::depth32f{}, filter, map_size, start, 0.03125f * along);
         });
-        check_coherent(umbrage::rg<11>{}, umbrage::filters::pcf_2x2{}, map_size, 32762.0f * along, 0.03125f * along);
+        check_coherent(umbrage::rg<11>{}, umbrage::filters::pcf_2x2{}, map_size, start, 0.03125f * along);
     }
 }
