@@ -11,10 +11,9 @@
 
 #include <CLI/CLI.hpp>
 
-namespace example {
+#include "names.hpp"
 
-[[nodiscard]] const std::vector<std::string>& encoding_names();
-[[nodiscard]] const std::vector<std::string>& filter_names();
+namespace example {
 
 /// --encoding and --filter; Text is a std::string, or an optional one.
 template <class Text>

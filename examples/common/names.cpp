@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "choices.hpp"
+#include "names.hpp"
 
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/filter/filters.hpp>
