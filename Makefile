@@ -96,10 +96,12 @@ gallery:
 prove:
 	$(call install,$(test_packages))
 	$(browser)
-	cmake --preset dev
+	cmake --preset dev -D UMBRAGE_ALL_HOSTILE_BUILDS=ON
 	cmake --build --preset dev --target prove
 	cmake --build --preset dev --target prove_glsl
 	cmake --build --preset dev --target mutate
+	cmake --build --preset dev --target hostile hostile_images
+	ctest --preset dev -R "^hostile/images$$"
 
 # The peers' shaders come from npm; the table goes to build/bench-packing/packing.tsv too.
 bench-packing:

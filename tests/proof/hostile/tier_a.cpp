@@ -14,7 +14,7 @@
 #include <umbrage/depth/rgb24.hpp>
 #include <umbrage/depth/foreign/threejs.hpp>
 #include <umbrage/depth/foreign/threejs_legacy.hpp>
-#include <umbrage/filter/pcf/box.hpp>
+#include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 
@@ -64,7 +64,8 @@ struct suite : setting {
             return s.replace(s.find('$'), 1, std::to_string(Bits));
         };
         run(
-            name("encode_rg$").c_str(), inputs, [](source& s) { return s.depth(); }, encode_rg<Bits, float>);
+            name("encode_rg$").c_str(), inputs, [](source& s) { return s.depth(); },
+            [](float d) { return encode_rg<Bits>(d); });
         run(
             name("encode_rg$_table").c_str(), inputs, [](source& s) { return s.depth(); },
             [&](float d) { return encode_rg_table<Bits>([&](int x) { return table[std::size_t(x)]; }, d); });
@@ -90,7 +91,7 @@ void suite::all() const {
 
     run("is_nan", inputs, any, [](float v) { return is_nan(v); });
     run("is_finite", inputs, any, [](float v) { return is_finite(v); });
-    run("saturate", inputs, depth, saturate<float>);
+    run("saturate", inputs, depth, [](float v) { return glm::vec2(saturate(v), saturate(v, 0.0f)); });
     run(
         "to_unorm", inputs, [](source& s) { return float(s.below(256)); }, [](float k) { return to_unorm(k); });
     run(
@@ -98,18 +99,18 @@ void suite::all() const {
 
     rg<9>(), rg<10>(), rg<11>(), rg<12>(), rg<13>(), rg<14>(), rg<15>(), rg<16>();
 
-    run("encode_rgb24", inputs, depth, encode_rgb24<float>);
+    run("encode_rgb24", inputs, depth, [](float d) { return encode_rgb24(d); });
     run(
         "decode_rgb24", inputs,
         [](source& s) {
             return std::pair{s.reads<3>(), float(s.below(2))};
         },
         [](const auto& in) { return decode_rgb24(in.first, in.second); });
-    run("encode_float_bits", inputs, any, encode_float_bits);
+    run("encode_float_bits", inputs, any, [](float v) { return encode_float_bits(v); });
     run(
         "decode_float_bits", inputs, [](source& s) { return s.reads<4>(); },
         [](glm::vec4 c) { return decode_float_bits(c); });
-    run("encode_threejs_legacy_repaired", inputs, depth, encode_threejs_legacy_repaired<float>);
+    run("encode_threejs_legacy_repaired", inputs, depth, [](float d) { return encode_threejs_legacy_repaired(d); });
 
     image<float> map({8, 8});
     source levels{what, flush, 1};
@@ -134,9 +135,18 @@ void suite::all() const {
         l.radius = int(s.below(11)) - 1;
         return l;
     };
-    run("hard", inputs, draw, [&](const look_up& l) { return hard(fetch, l.a, l.receiver); });
-    run("four_tap", inputs, draw, [&](const look_up& l) { return four_tap(fetch, l.a, l.b, l.c, l.d, l.receiver); });
-    run("pcf_2x2", inputs, draw, [&](const look_up& l) { return pcf_2x2(fetch, l.a, l.receiver); });
+    run("is_compared", inputs, draw, [](const look_up& l) { return is_compared(l.a, l.receiver); });
+    for_each_filter([&]<class Filter>(Filter filter) {
+        if constexpr (Filter::snippet->exactness == glsl::tier::a) {
+            const std::string name(Filter::name);
+            const auto filtered = [&](const look_up& l) { return filter(fetch, l.a, l.receiver); };
+            run(name.c_str(), inputs, draw, filtered);
+            filter.is_lit.direction = depth_direction::reversed;
+            run((name + "_reversed").c_str(), inputs, draw, filtered);
+        }
+    });
+    run("four_tap_apart", inputs, draw,
+        [&](const look_up& l) { return four_tap(fetch, l.a, l.b, l.c, l.d, l.receiver); });
     run("box_count", few_inputs, draw, [&](const look_up& l) { return box_count(fetch, l.a, l.receiver, l.radius); });
     run("box_scale", few_inputs, draw, [](const look_up& l) { return box_scale<float>(l.radius); });
 
