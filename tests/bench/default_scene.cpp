@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include <umbrage/images/parallel.hpp>
 #include <umbrage/images/rasterize.hpp>
 
 #include <view.hpp>
@@ -24,7 +25,14 @@ shadowed_scene default_scene(int radius) {
     umbrage::rasterize_depth(map, example::view_of(scene.geometry), view.lamp.world_to_clip(), view.lamp.space.clip);
     for (float& depth : map.texels()) depth = view.lamp.even_depth(depth);
     const float bias = shadow_render::automatic_bias(static_cast<float>(radius) + 0.5f);
-    return {std::move(map), receivers_of(view, o.map_size, bias, 0.0f, [] {})};
+    const auto planes = receivers_of(view, o.map_size, bias, 0.0f, umbrage::serial{});
+    umbrage::image<glm::vec3> receivers(screen);
+    for (int y = 0; y < screen.y; ++y)
+        for (int x = 0; x < screen.x; ++x) {
+            const glm::ivec2 t(x, y);
+            receivers[t] = {planes.x[t], planes.y[t], planes.depth[t]};
+        }
+    return {std::move(map), std::move(receivers)};
 }
 
 }  // namespace bench
