@@ -42,8 +42,9 @@ public:
         const detail::projection project(world_to_clip, clip, size);
         for (glm::length_t i = 0; i < 3; ++i)
             vertices_[static_cast<std::size_t>(i)] = project.homogeneous(mesh.positions[mesh.triangles[triangle][i]]);
-        const bool finite = std::ranges::all_of(
-            vertices_, [](const glm::dvec4& v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.w); });
+        const bool finite = std::all_of(vertices_.begin(), vertices_.end(), [](const glm::dvec4& v) {
+            return is_finite(v.x) && is_finite(v.y) && is_finite(v.w);
+        });
         if (!finite) vertices_.fill(glm::dvec4(0));
     }
 
