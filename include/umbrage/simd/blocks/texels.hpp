@@ -122,7 +122,7 @@ struct loaded_texels<rg_texels> {
     static constexpr std::uint32_t low_bytes = 0x00FF00FF;
     alignas(64) std::uint32_t words[block];
     float edge, scale;
-    int up;  ///< the bits of R and of what G holds of the code's overlap by so many
+    int up;  ///< bits - 8: the code is R + 2^up G
     std::uint32_t high_bytes;
 
     explicit UMBRAGE_INLINE loaded_texels(const rg_texels& map)
