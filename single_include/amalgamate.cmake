@@ -21,9 +21,9 @@ function(made name new old)
     endif()
 endfunction()
 
-# The primitives: every header but those of whole images, which bring simd/ along, and the registry's.
+# The primitives: every header but those of whole images, which bring simd/ along, of other languages, and the registry's.
 file(GLOB_RECURSE primitives RELATIVE ${root}/include ${root}/include/*.hpp)
-list(FILTER primitives EXCLUDE REGEX "/(images|simd)/|/(umbrage|primitives|filters|registry)\\.hpp$")
+list(FILTER primitives EXCLUDE REGEX "/(images|simd|translate)/|/(umbrage|primitives|filters|registry|hlsl|msl|wgsl)\\.hpp$")
 list(SORT primitives)
 list(TRANSFORM primitives REPLACE "(.+)" "#include <\\1>\n")
 list(JOIN primitives "" primitives)

@@ -18,3 +18,5 @@
 #include <umbrage/images/visibility.hpp>
 
 #include <umbrage/shader/registry.hpp>
+#include <umbrage/shader/translate/tokens.hpp>
+#include <umbrage/shader/translate/words.hpp>

@@ -7272,6 +7272,190 @@ inline constexpr auto registry = [] {
 
 }  // namespace umbrage::glsl
 
+// ---- umbrage/shader/translate/tokens.hpp
+// GLSL text in pieces, for what prints it in other languages. Nothing is lost: space and text of all, in a row, are the
+// text that went in.
+//
+
+namespace umbrage::glsl::detail {
+
+enum class piece { word, number, sign, comment, directive, end };
+
+struct token {
+    piece kind = piece::end;
+    std::string_view space;  ///< white space before it
+    std::string_view text;   ///< a comment's or a directive's is the rest of the line, without its end
+
+    [[nodiscard]] bool operator==(std::string_view other) const { return text == other; }
+};
+
+[[nodiscard]] constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+[[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The longest sign that `text` begins with; empty where it begins with none.
+[[nodiscard]] inline std::string_view sign_at(std::string_view text) {
+    static constexpr std::array<std::string_view, 16> two{"++", "--", "<=", ">=", "==", "!=", "&&", "||",
+                                                          "<<", ">>", "+=", "-=", "*=", "/=", "|=", "&="};
+    for (std::string_view sign : two)
+        if (text.starts_with(sign)) return text.substr(0, 2);
+    static constexpr std::string_view one = "+-*/%<>=!&|^~?:;,.()[]{}";
+    return one.find(text.front()) == one.npos ? std::string_view() : text.substr(0, 1);
+}
+
+/// Where a number that begins at text[i] ends.
+[[nodiscard]] inline std::size_t end_of_number(std::string_view text, std::size_t i) {
+    const bool hexadecimal = text.substr(i, 2) == "0x";
+    for (char last = '0'; i < text.size(); last = text[i++]) {
+        const bool of_exponent = !hexadecimal && (last == 'e' || last == 'E') && (text[i] == '+' || text[i] == '-');
+        if (!is_letter(text[i]) && !is_digit(text[i]) && text[i] != '.' && !of_exponent) break;
+    }
+    return i;
+}
+
+/// The pieces of `text`, which must outlive them; the last is an end, whose space is what is left.
+/// @throws std::invalid_argument   for a character that is none of GLSL's
+[[nodiscard]] inline std::vector<token> tokens(std::string_view text) {
+    std::vector<token> all;
+    for (std::size_t i = 0;;) {
+        const std::size_t from = i;
+        while (i < text.size() && (text[i] == ' ' || text[i] == '\n')) ++i;
+        const std::size_t at = i;
+        token t{piece::end, text.substr(from, at - from), {}};
+        if (at < text.size()) {
+            const std::string_view rest = text.substr(at);
+            if (rest.starts_with("//") || rest[0] == '#') {
+                t.kind = rest[0] == '#' ? piece::directive : piece::comment;
+                i = text.find('\n', at) == text.npos ? text.size() : text.find('\n', at);
+            } else if (is_letter(rest[0])) {
+                t.kind = piece::word;
+                while (i < text.size() && (is_letter(text[i]) || is_digit(text[i]))) ++i;
+            } else if (is_digit(rest[0]) || (rest[0] == '.' && rest.size() > 1 && is_digit(rest[1]))) {
+                t.kind = piece::number;
+                i = end_of_number(text, at);
+            } else {
+                t.kind = piece::sign;
+                i += sign_at(rest).size();
+                if (i == at)
+                    umbrage::detail::fail("umbrage: not a character of GLSL: " + std::string(rest.substr(0, 1)));
+            }
+            t.text = text.substr(at, i - at);
+        }
+        all.push_back(t);
+        if (t.kind == piece::end) return all;
+    }
+}
+
+/// The bracket that closes the one at all[i].
+/// @throws std::invalid_argument   where none does
+[[nodiscard]] inline std::size_t closing(std::span<const token> all, std::size_t i) {
+    std::size_t depth = 0;
+    for (std::size_t k = i; k < all.size(); ++k) {
+        if (all[k].kind != piece::sign) continue;
+        const char c = all[k].text[0];
+        if (c == '(' || c == '[' || c == '{') ++depth;
+        if ((c == ')' || c == ']' || c == '}') && --depth == 0) return k;
+    }
+    umbrage::detail::fail("umbrage: a bracket is not closed");
+}
+
+}  // namespace umbrage::glsl::detail
+
+// ---- umbrage/shader/translate/words.hpp
+// The part of GLSL that snippets are written in, and its words in the other languages. A word that is not here is the
+// text's own, or an error.
+//
+
+namespace umbrage::glsl::detail {
+
+enum class word_kind { type, function, keyword };
+
+struct word {
+    word_kind kind;
+    std::string_view glsl, hlsl, msl, wgsl;
+};
+
+// clang-format off
+inline constexpr word words[]{
+    {word_kind::type, "float", "float", "float", "f32"},
+    {word_kind::type, "int", "int", "int", "i32"},
+    {word_kind::type, "uint", "uint", "uint", "u32"},
+    {word_kind::type, "bool", "bool", "bool", "bool"},
+    {word_kind::type, "vec2", "float2", "float2", "vec2f"},
+    {word_kind::type, "vec3", "float3", "float3", "vec3f"},
+    {word_kind::type, "vec4", "float4", "float4", "vec4f"},
+    {word_kind::type, "ivec2", "int2", "int2", "vec2i"},
+    {word_kind::type, "ivec3", "int3", "int3", "vec3i"},
+    {word_kind::type, "ivec4", "int4", "int4", "vec4i"},
+    {word_kind::type, "uvec2", "uint2", "uint2", "vec2u"},
+    {word_kind::type, "uvec3", "uint3", "uint3", "vec3u"},
+    {word_kind::type, "uvec4", "uint4", "uint4", "vec4u"},
+    {word_kind::type, "mat3", "float3x3", "float3x3", "mat3x3f"},
+    {word_kind::type, "mat4", "float4x4", "float4x4", "mat4x4f"},
+
+    {word_kind::function, "abs", "abs", "metal::abs", "abs"},
+    {word_kind::function, "ceil", "ceil", "metal::ceil", "ceil"},
+    {word_kind::function, "clamp", "clamp", "metal::clamp", "clamp"},
+    {word_kind::function, "cos", "cos", "metal::cos", "cos"},
+    {word_kind::function, "cross", "cross", "metal::cross", "cross"},
+    {word_kind::function, "dot", "dot", "metal::dot", "dot"},
+    {word_kind::function, "exp", "exp", "metal::exp", "exp"},
+    {word_kind::function, "exp2", "exp2", "metal::exp2", "exp2"},
+    {word_kind::function, "floatBitsToInt", "asint", "as_type<int>", "bitcast<i32>"},
+    {word_kind::function, "floatBitsToUint", "asuint", "as_type<uint>", "bitcast<u32>"},
+    {word_kind::function, "floor", "floor", "metal::floor", "floor"},
+    {word_kind::function, "fract", "frac", "metal::fract", "fract"},
+    {word_kind::function, "intBitsToFloat", "asfloat", "as_type<float>", "bitcast<f32>"},
+    {word_kind::function, "inversesqrt", "rsqrt", "metal::rsqrt", "inverseSqrt"},
+    {word_kind::function, "length", "length", "metal::length", "length"},
+    {word_kind::function, "log", "log", "metal::log", "log"},
+    {word_kind::function, "log2", "log2", "metal::log2", "log2"},
+    {word_kind::function, "max", "max", "metal::max", "max"},
+    {word_kind::function, "min", "min", "metal::min", "min"},
+    {word_kind::function, "mix", "lerp", "metal::mix", "mix"},
+    {word_kind::function, "normalize", "normalize", "metal::normalize", "normalize"},
+    {word_kind::function, "pow", "pow", "metal::pow", "pow"},
+    {word_kind::function, "sign", "sign", "metal::sign", "sign"},
+    {word_kind::function, "sin", "sin", "metal::sin", "sin"},
+    {word_kind::function, "sqrt", "sqrt", "metal::sqrt", "sqrt"},
+    {word_kind::function, "step", "step", "metal::step", "step"},
+    {word_kind::function, "tan", "tan", "metal::tan", "tan"},
+    {word_kind::function, "uintBitsToFloat", "asfloat", "as_type<float>", "bitcast<f32>"},
+
+    {word_kind::keyword, "break", "break", "break", "break"},
+    {word_kind::keyword, "continue", "continue", "continue", "continue"},
+    {word_kind::keyword, "else", "else", "else", "else"},
+    {word_kind::keyword, "false", "false", "false", "false"},
+    {word_kind::keyword, "for", "for", "for", "for"},
+    {word_kind::keyword, "if", "if", "if", "if"},
+    {word_kind::keyword, "return", "return", "return", "return"},
+    {word_kind::keyword, "true", "true", "true", "true"},
+};
+// clang-format on
+
+/// The row of a word of GLSL; nullptr: it is not one, or none that snippets may use.
+[[nodiscard]] inline const word* find_word(std::string_view glsl) {
+    for (const word& w : words)
+        if (w.glsl == glsl) return &w;
+    return nullptr;
+}
+
+[[nodiscard]] inline bool is_type(std::string_view glsl) {
+    const word* w = find_word(glsl);
+    return w && w->kind == word_kind::type;
+}
+
+/// Qualifiers of the snippets; a printer keeps or drops them.
+[[nodiscard]] constexpr bool is_qualifier(std::string_view glsl) {
+    return glsl == "UMBRAGE_HIGHP" || glsl == "UMBRAGE_PRECISE";
+}
+
+/// @throws std::invalid_argument, naming the word
+[[noreturn]] inline void unknown(std::string_view language, std::string_view word) {
+    umbrage::detail::fail("umbrage::" + std::string(language) + "::text: no word for " + std::string(word));
+}
+
+}  // namespace umbrage::glsl::detail
+
 // ---- umbrage/umbrage.hpp
 // All of umbrage: the primitives, functions over whole images, the registry of snippets. Includes only.
 

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+//
+// GLSL text in pieces, for what prints it in other languages. Nothing is lost: space and text of all, in a row, are the
+// text that went in.
+//
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <umbrage/config.hpp>
+
+namespace umbrage::glsl::detail {
+
+enum class piece { word, number, sign, comment, directive, end };
+
+struct token {
+    piece kind = piece::end;
+    std::string_view space;  ///< white space before it
+    std::string_view text;   ///< a comment's or a directive's is the rest of the line, without its end
+
+    [[nodiscard]] bool operator==(std::string_view other) const { return text == other; }
+};
+
+[[nodiscard]] constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+[[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The longest sign that `text` begins with; empty where it begins with none.
+[[nodiscard]] inline std::string_view sign_at(std::string_view text) {
+    static constexpr std::array<std::string_view, 16> two{"++", "--", "<=", ">=", "==", "!=", "&&", "||",
+                                                          "<<", ">>", "+=", "-=", "*=", "/=", "|=", "&="};
+    for (std::string_view sign : two)
+        if (text.starts_with(sign)) return text.substr(0, 2);
+    static constexpr std::string_view one = "+-*/%<>=!&|^~?:;,.()[]{}";
+    return one.find(text.front()) == one.npos ? std::string_view() : text.substr(0, 1);
+}
+
+/// Where a number that begins at text[i] ends.
+[[nodiscard]] inline std::size_t end_of_number(std::string_view text, std::size_t i) {
+    const bool hexadecimal = text.substr(i, 2) == "0x";
+    for (char last = '0'; i < text.size(); last = text[i++]) {
+        const bool of_exponent = !hexadecimal && (last == 'e' || last == 'E') && (text[i] == '+' || text[i] == '-');
+        if (!is_letter(text[i]) && !is_digit(text[i]) && text[i] != '.' && !of_exponent) break;
+    }
+    return i;
+}
+
+/// The pieces of `text`, which must outlive them; the last is an end, whose space is what is left.
+/// @throws std::invalid_argument   for a character that is none of GLSL's
+[[nodiscard]] inline std::vector<token> tokens(std::string_view text) {
+    std::vector<token> all;
+    for (std::size_t i = 0;;) {
+        const std::size_t from = i;
+        while (i < text.size() && (text[i] == ' ' || text[i] == '\n')) ++i;
+        const std::size_t at = i;
+        token t{piece::end, text.substr(from, at - from), {}};
+        if (at < text.size()) {
+            const std::string_view rest = text.substr(at);
+            if (rest.starts_with("//") || rest[0] == '#') {
+                t.kind = rest[0] == '#' ? piece::directive : piece::comment;
+                i = text.find('\n', at) == text.npos ? text.size() : text.find('\n', at);
+            } else if (is_letter(rest[0])) {
+                t.kind = piece::word;
+                while (i < text.size() && (is_letter(text[i]) || is_digit(text[i]))) ++i;
+            } else if (is_digit(rest[0]) || (rest[0] == '.' && rest.size() > 1 && is_digit(rest[1]))) {
+                t.kind = piece::number;
+                i = end_of_number(text, at);
+            } else {
+                t.kind = piece::sign;
+                i += sign_at(rest).size();
+                if (i == at)
+                    umbrage::detail::fail("umbrage: not a character of GLSL: " + std::string(rest.substr(0, 1)));
+            }
+            t.text = text.substr(at, i - at);
+        }
+        all.push_back(t);
+        if (t.kind == piece::end) return all;
+    }
+}
+
+/// The bracket that closes the one at all[i].
+/// @throws std::invalid_argument   where none does
+[[nodiscard]] inline std::size_t closing(std::span<const token> all, std::size_t i) {
+    std::size_t depth = 0;
+    for (std::size_t k = i; k < all.size(); ++k) {
+        if (all[k].kind != piece::sign) continue;
+        const char c = all[k].text[0];
+        if (c == '(' || c == '[' || c == '{') ++depth;
+        if ((c == ')' || c == ']' || c == '}') && --depth == 0) return k;
+    }
+    umbrage::detail::fail("umbrage: a bracket is not closed");
+}
+
+}  // namespace umbrage::glsl::detail
