@@ -42,15 +42,15 @@ public:
     virtual ~backend() = default;
 
     [[nodiscard]] virtual std::string name() const = 0;  ///< of the implementation, as it calls itself
-    [[nodiscard]] virtual std::vector<version> versions() const = 0;
-    [[nodiscard]] virtual std::string label(version v) const { return std::string(directive(v)); }
+    [[nodiscard]] virtual std::vector<dialect> dialects() const = 0;
+    [[nodiscard]] virtual std::string label(dialect d) const { return parity::name(d); }
 
     /// Why this entry cannot run here, e.g. a texture that is too large; empty when it can.
     [[nodiscard]] virtual std::string obstacle(const entry&) const { return {}; }
 
     /// The first `count` results.
     /// @throws std::runtime_error   with the compiler's words
-    [[nodiscard]] virtual std::vector<vec4> run(version v, const job& j, std::size_t count) = 0;
+    [[nodiscard]] virtual std::vector<vec4> run(dialect d, const job& j, std::size_t count) = 0;
 };
 
 using backends = std::vector<std::unique_ptr<backend>>;

@@ -82,8 +82,8 @@ void compare(const job& j, const expectation& expected, const std::vector<vec4>&
         for (int k = 0; k < max_inputs; ++k)
             if (e.uses(k)) print(log, ("x" + std::to_string(k) + "   ").c_str(), s.x[static_cast<std::size_t>(k)]);
         if (j.map) log << "    map   " << j.map->size().x << " x " << j.map->size().y << '\n';
-        print(log, "C++  ", want);
-        print(log, "GLSL ", is);
+        print(log, "C++   ", want);
+        print(log, "shader ", is);
     }
     const std::size_t kinds = j.classes.size();
     for (std::size_t k = 0; k < kinds; ++k)

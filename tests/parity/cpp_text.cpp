@@ -13,9 +13,9 @@ namespace {
 class cpp_text final : public backend {
 public:
     [[nodiscard]] std::string name() const override { return "text as C++"; }
-    [[nodiscard]] std::vector<version> versions() const override { return {version::v330}; }
-    [[nodiscard]] std::string label(version) const override { return "C++"; }
-    [[nodiscard]] std::vector<vec4> run(parity::version, const job& j, std::size_t count) override {
+    [[nodiscard]] std::vector<dialect> dialects() const override { return {version::v330}; }
+    [[nodiscard]] std::string label(dialect) const override { return "C++"; }
+    [[nodiscard]] std::vector<vec4> run(dialect, const job& j, std::size_t count) override {
         using namespace umbrage;
         const auto call = glsl_as_cpp::functions.at(static_cast<std::size_t>(j.what - entries().data()));
         std::vector<vec4> results;

@@ -53,8 +53,8 @@ public:
 
     [[nodiscard]] bool empty() const { return dialects_.empty(); }
     [[nodiscard]] std::string name() const override { return contexts_.front()->renderer(); }
-    [[nodiscard]] std::vector<version> versions() const override {
-        std::vector<version> all;
+    [[nodiscard]] std::vector<dialect> dialects() const override {
+        std::vector<dialect> all;
         for (const auto& [v, c] : dialects_) all.push_back(v);
         return all;
     }
@@ -64,10 +64,10 @@ public:
         return "its table of " + std::to_string(e.table.size().x) + " texels is wider than a texture here, " +
                std::to_string(limit);
     }
-    [[nodiscard]] std::vector<vec4> run(version v, const job& j, std::size_t count) override {
-        for (const auto& [dialect, c] : dialects_)
-            if (dialect == v) return c->run(v, j, count);
-        throw std::runtime_error("no context for " + label(v));
+    [[nodiscard]] std::vector<vec4> run(dialect d, const job& j, std::size_t count) override {
+        for (const auto& [v, c] : dialects_)
+            if (d == v) return c->run(v, j, count);
+        throw std::runtime_error("no context for " + label(d));
     }
 
 private:

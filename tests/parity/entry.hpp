@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -31,6 +32,23 @@ using umbrage::glsl::version;
 using texels = umbrage::image<vec4>;
 
 inline constexpr int max_inputs = 6;
+
+/// What a shader is written in: a dialect of GLSL, or a language that the snippets are printed in.
+struct dialect {
+    enum language { glsl, hlsl, msl, wgsl };
+
+    language in = glsl;
+    version of_glsl = version::v330;
+
+    constexpr dialect(version v) : of_glsl(v) {}
+    constexpr dialect(language other) : in(other) {}
+    bool operator==(const dialect&) const = default;
+};
+
+[[nodiscard]] inline std::string name(dialect d) {
+    constexpr std::string_view languages[]{"", "HLSL", "MSL", "WGSL"};
+    return std::string(d.in == dialect::glsl ? directive(d.of_glsl) : languages[d.in]);
+}
 
 /// One call: the values of x0 .. x5 and the textures.
 struct sample {
@@ -87,9 +105,9 @@ struct entry {
         for (const snippet* s : also) all.push_back(*s);
         return all;
     }
-    [[nodiscard]] bool runs_in(version v) const {
+    [[nodiscard]] bool runs_in(dialect d) const {
         for (const snippet& s : snippets())
-            if (!supports(s, v)) return false;
+            if (!supports(s, d.of_glsl)) return false;
         return true;
     }
 };

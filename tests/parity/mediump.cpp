@@ -121,7 +121,8 @@ int look_at_all() {
     }
     backend& b = *all.front();
     int wrong = 0;
-    for (version v : b.versions()) {
+    for (const dialect d : b.dialects()) {
+        const version v = d.of_glsl;
         if (directive(v) != "100" && directive(v).find("es") == std::string_view::npos) continue;
         if (!computes_at_16_bits(b, v)) {
             ++wrong;

@@ -31,14 +31,14 @@ struct options {
 
     std::size_t whole = std::size_t(1) << 16;  ///< of an enumeration, in the last of the main dialects
 
-    [[nodiscard]] bool wants(const backend& b, version v) const {
-        return versions.empty() || ("," + versions + ",").find("," + b.label(v) + ",") != std::string::npos;
+    [[nodiscard]] bool wants(const backend& b, dialect d) const {
+        return versions.empty() || ("," + versions + ",").find("," + b.label(d) + ",") != std::string::npos;
     }
-    [[nodiscard]] static bool main(version v) {
-        return v == version::v100 || v == version::v300_es || v == version::v450 || v == version::vulkan;
+    [[nodiscard]] static bool main(dialect d) {
+        return d == version::v100 || d == version::v300_es || d == version::v450 || d == version::vulkan;
     }
-    [[nodiscard]] std::size_t inputs(version v, bool only) const {
-        return only || main(v) ? count : std::min(count, other_count);
+    [[nodiscard]] std::size_t inputs(dialect d, bool only) const {
+        return only || main(d) ? count : std::min(count, other_count);
     }
 };
 
@@ -63,7 +63,7 @@ options parse(int argc, char** argv) {
 constexpr std::size_t at_most = std::size_t(1) << 20;  // inputs of one draw
 
 struct row {
-    std::string primitive, exactness, implementation, dialect, obstacle;
+    std::string primitive, exactness, implementation, language, obstacle;
     tally t;
 };
 
@@ -80,24 +80,24 @@ std::vector<vec4> twins(const job& j) {
 }
 
 std::vector<row> run(const entry& e, backend& b, const options& o) {
-    const bool only = b.versions().size() == 1;
-    std::vector<version> dialects;
-    for (version v : b.versions())
-        if (e.runs_in(v) && o.wants(b, v) && o.inputs(v, only) > 0) dialects.push_back(v);
+    const bool only = b.dialects().size() == 1;
+    std::vector<dialect> dialects;
+    for (dialect d : b.dialects())
+        if (e.runs_in(d) && o.wants(b, d) && o.inputs(d, only) > 0) dialects.push_back(d);
     std::vector<row> rows;
-    for (version v : dialects)
-        rows.push_back({e.name(), tier_name(*e.primitive), b.name(), b.label(v), b.obstacle(e), {}});
+    for (dialect d : dialects)
+        rows.push_back({e.name(), tier_name(*e.primitive), b.name(), b.label(d), b.obstacle(e), {}});
     if (rows.empty() || !rows.front().obstacle.empty()) return rows;
 
     std::size_t most = 0;
-    for (version v : dialects) most = std::max(most, o.inputs(v, only));
+    for (dialect d : dialects) most = std::max(most, o.inputs(d, only));
     static std::uint64_t serial = 0;
     bool told = false;  // one dialect's differences in full are enough
     const auto judge = [&](const job& j, const expectation& expected, std::size_t d, std::size_t count) {
         std::ostringstream log;
         compare(j, expected, b.run(dialects[d], j, count), rows[d].t, log);
         if (log.str().empty()) return;
-        std::cout << "GLSL " << rows[d].dialect << '\n';
+        std::cout << "in " << rows[d].language << '\n';
         std::cout << (std::exchange(told, true) ? "  differs: " + e.name() + '\n' : log.str());
     };
 
@@ -136,9 +136,9 @@ void write(const std::vector<row>& rows, const std::string& path) {
     std::ofstream file(path);
     file << "primitive\ttier\timplementation\tdialect\tinputs\tdiffering\tworst_ulp\tflushed\tclasses\tobstacle\n";
     for (const row& r : rows)
-        file << r.primitive << '\t' << r.exactness << '\t' << r.implementation << '\t' << r.dialect << '\t' << r.t.total
-             << '\t' << r.t.different << '\t' << r.t.worst_ulp << '\t' << r.t.flushed << '\t' << per_class(r.t) << '\t'
-             << r.obstacle << '\n';
+        file << r.primitive << '\t' << r.exactness << '\t' << r.implementation << '\t' << r.language << '\t'
+             << r.t.total << '\t' << r.t.different << '\t' << r.t.worst_ulp << '\t' << r.t.flushed << '\t'
+             << per_class(r.t) << '\t' << r.obstacle << '\n';
     if (!file) throw std::runtime_error("cannot write " + path);
 }
 
@@ -159,7 +159,7 @@ void print(const std::vector<row>& rows) {
             sum.flushed += rows[k].t.flushed;
             sum.worst_ulp = std::max(sum.worst_ulp, rows[k].t.worst_ulp);
             for (const auto& [name, n] : rows[k].t.inputs) sum.inputs[name] += n;
-            dialects += (dialects.empty() ? "" : ", ") + rows[k].dialect;
+            dialects += (dialects.empty() ? "" : ", ") + rows[k].language;
         }
         std::cout << std::left << std::setw(34) << rows[i].primitive << std::setw(9) << rows[i].exactness << std::right
                   << std::setw(11) << sum.total << std::setw(10) << sum.different << std::setw(9) << sum.worst_ulp

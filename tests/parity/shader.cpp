@@ -12,7 +12,8 @@ std::array<std::string, max_inputs + 2> samplers(const entry& e) {
     return names;
 }
 
-shader make_shader(const entry& e, version v) {
+shader make_shader(const entry& e, dialect d) {
+    const version v = d.of_glsl;
     const bool old = v == version::v100 || v == version::v110 || v == version::v120;
     const bool es = v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;
     const bool vulkan = v == version::vulkan;

@@ -15,7 +15,7 @@ struct shader {
     std::string vertex, fragment;
 };
 
-[[nodiscard]] shader make_shader(const entry& e, version v);
+[[nodiscard]] shader make_shader(const entry& e, dialect d);
 
 /// Samplers of an entry in order of their bindings, empty where unused.
 [[nodiscard]] std::array<std::string, max_inputs + 2> samplers(const entry& e);

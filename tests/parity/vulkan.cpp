@@ -83,8 +83,8 @@ public:
         return device.starts_with("llvmpipe") ? "lavapipe (" + device + ")"
                                               : "Vulkan on " + device;  // not OpenGL's own
     }
-    [[nodiscard]] std::vector<version> versions() const override { return {version::vulkan}; }
-    [[nodiscard]] std::string label(version) const override { return "Vulkan"; }
+    [[nodiscard]] std::vector<dialect> dialects() const override { return {version::vulkan}; }
+    [[nodiscard]] std::string label(dialect) const override { return "Vulkan"; }
     [[nodiscard]] std::string obstacle(const entry& e) const override {
         const auto limit = physical_.getProperties().limits.maxImageDimension2D;
         return e.table.size().x <= static_cast<int>(limit)
@@ -92,7 +92,7 @@ public:
                    : "its table is wider than " + std::to_string(limit) + " texels";
     }
 
-    [[nodiscard]] std::vector<vec4> run(version, const job& j, std::size_t count) override {
+    [[nodiscard]] std::vector<vec4> run(dialect, const job& j, std::size_t count) override {
         const int height = static_cast<int>((j.count + width - 1) / width);
         const bool bytes = j.what->output == target::rgba8;
         render_target& t = targets_[bytes ? 1 : 0];

@@ -84,19 +84,19 @@ public:
     [[nodiscard]] std::string name() const override {
         return name_.find("SwiftShader") == std::string::npos ? "WebGL on " + name_ : "SwiftShader (" + name_ + ")";
     }
-    [[nodiscard]] std::vector<version> versions() const override { return {version::v100, version::v300_es}; }
-    [[nodiscard]] std::string label(version v) const override { return "WebGL " + number(v); }
+    [[nodiscard]] std::vector<dialect> dialects() const override { return {version::v100, version::v300_es}; }
+    [[nodiscard]] std::string label(dialect d) const override { return "WebGL " + number(d); }
 
-    [[nodiscard]] std::vector<vec4> run(version v, const job& j, std::size_t count) override {
+    [[nodiscard]] std::vector<vec4> run(dialect d, const job& j, std::size_t count) override {
         const int height = static_cast<int>((j.count + width - 1) / width);
         const int rows = static_cast<int>((count + width - 1) / width);
         const bool bytes = j.what->output == target::rgba8;
         const vec2 map_size(j.map ? j.map->size() : ivec2(0));
-        const shader text = make_shader(*j.what, v);
+        const shader text = make_shader(*j.what, d);
 
         std::ostringstream head;
         std::vector<std::string> parts{"", text.vertex, text.fragment};
-        head << "{\"version\": " << number(v) << ", \"bytes\": " << (bytes ? "true" : "false") << ", \"size\": ["
+        head << "{\"version\": " << number(d) << ", \"bytes\": " << (bytes ? "true" : "false") << ", \"size\": ["
              << width << ", " << height << "], \"rows\": " << rows << ", \"map_size\": [" << map_size.x << ", "
              << map_size.y << "], \"spare_unit\": " << max_inputs + 2;
         if (serial_ != j.serial) {
@@ -131,7 +131,7 @@ public:
     }
 
 private:
-    static std::string number(version v) { return v == version::v100 ? "1" : "2"; }
+    static std::string number(dialect d) { return d == version::v100 ? "1" : "2"; }
 
     /// Sends parts as webgl.js wants them.
     std::string ask(const std::vector<std::string>& parts) {
