@@ -18,5 +18,6 @@
 #include <umbrage/images/visibility.hpp>
 
 #include <umbrage/shader/registry.hpp>
+#include <umbrage/shader/translate/layout.hpp>
 #include <umbrage/shader/translate/tokens.hpp>
 #include <umbrage/shader/translate/words.hpp>
