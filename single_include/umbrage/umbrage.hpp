@@ -7278,50 +7278,33 @@ inline constexpr auto registry = [] {
 
 namespace umbrage::glsl::detail {
 
-/// A statement over several lines, each at most 120 columns where a comma, a sum or a break of old allows it; what goes on
-/// stands below the bracket that it is in, or four columns in.
-class statement {
-public:
-    /// One more of its lines; the first one's indentation is the statement's.
-    void append(std::string_view line) {
-        const std::size_t code = line.find_first_not_of(' ');
-        if (out_.empty()) indent_ = code, out_.assign(code, ' ');
-        else if (out_.back() != '(') out_ += ' ';
-        line.remove_prefix(code);
-        while (!line.empty()) {
-            const std::string_view piece = line.substr(0, end_of_piece(line));
-            const std::size_t width = piece.size() - (piece.back() == ' ' ? 1 : 0);
-            if (out_.size() > indent_ && out_.size() - begin_ + width > 120) break_line();
-            out_ += piece;
-            line.remove_prefix(piece.size());
+/// One statement, or a function's head, in lines of at most 120 columns. Lines end behind a comma or an operator, as far
+/// out of brackets as may be; what goes on stands below the bracket that it is in, or four columns in.
+[[nodiscard]] inline std::string broken(std::string statement) {
+    const std::size_t margin = statement.find_first_not_of(' ');
+    std::string out;
+    std::vector<std::size_t> brackets;  // columns behind those that are open where the line at work begins
+    for (std::size_t begin = margin; statement.size() > 120;) {
+        std::vector<std::size_t> open = brackets, open_at_end;
+        std::size_t end = 0;
+        for (std::size_t i = begin; i <= 120; ++i) {
+            const char c = statement[i];
+            if (c == '(' || c == '[') open.push_back(i + 1);
+            if ((c == ')' || c == ']') && !open.empty()) open.pop_back();
+            const bool can_end =
+                c == ' ' && i > begin && std::string_view(",=+*/&|").find(statement[i - 1]) != std::string_view::npos;
+            if (!can_end || (end > 0 && open.size() > open_at_end.size())) continue;
+            end = i;
+            open_at_end = open;
         }
+        if (end == 0) break;
+        brackets = open_at_end;
+        begin = brackets.empty() ? margin + 4 : brackets.back();
+        out += statement.substr(0, end) + '\n';
+        statement.replace(0, end + 1, begin, ' ');
     }
-    [[nodiscard]] const std::string& text() const { return out_; }
-
-private:
-    /// Behind the first comma or sum.
-    [[nodiscard]] static std::size_t end_of_piece(std::string_view line) {
-        const std::size_t comma = line.find(", "), plus = line.find(" + ");
-        return comma < plus ? comma + 2 : (plus == line.npos ? plus : plus + 3);
-    }
-
-    void break_line() {
-        while (out_.back() == ' ') out_.pop_back();
-        std::size_t column = indent_ + 4, closed = 0;
-        for (std::size_t i = out_.size(); i-- > 0;) {
-            if (out_[i] == ')') ++closed;
-            if (out_[i] != '(' || closed-- > 0) continue;
-            column = i - out_.rfind('\n', i);  // one after the bracket
-            break;
-        }
-        out_ += '\n';
-        begin_ = out_.size();
-        out_.append(column, ' ');
-    }
-
-    std::string out_;
-    std::size_t indent_ = 0, begin_ = 0;  ///< `begin`: of the line at work
-};
+    return out + statement;
+}
 
 /// The text with the lines of each statement joined and broken again; a comment or a directive stays as it is.
 [[nodiscard]] inline std::string laid_out(std::string_view text) {
@@ -7341,10 +7324,15 @@ private:
     while (!text.empty()) {
         std::string_view line = next_line();
         if (is_code(line)) {
-            statement whole;
-            whole.append(line);
-            while (!ends_statement(line) && is_code(text.substr(0, text.find('\n')))) whole.append(line = next_line());
-            out += whole.text();
+            std::string statement(line.substr(0, line.find("//")));
+            while (!ends_statement(line) && is_code(text.substr(0, text.find('\n')))) {
+                line = next_line();
+                std::string_view code = line.substr(0, line.find("//"));
+                code.remove_prefix(code.find_first_not_of(' '));
+                statement += (statement.back() == '(' ? "" : " ") + std::string(code);
+            }
+            out += broken(std::move(statement));
+            if (line.find("//") != line.npos) out += line.substr(line.find("//"));
         } else {
             out += line;
         }

@@ -15,15 +15,21 @@ TEST_CASE("laid_out: lines that have room for the next take it") {
     CHECK(laid_out("    f(\n        a);\n") == "    f(a);\n");
 }
 
-TEST_CASE("laid_out: lines that have not are broken after a comma, below their bracket") {
+TEST_CASE("laid_out: lines that have not are broken after a comma or an operator, below their bracket") {
     const std::string a(50, 'a'), b(60, 'b'), c(8, 'c');
     CHECK(laid_out("    f(" + a + ", g(" + c + "), " + b + ");\n") ==
           "    f(" + a + ", g(" + c + "),\n      " + b + ");\n");
     const std::string d(52, 'd');
     CHECK(laid_out("    x = g(" + a + ", h(" + c + ",\n" + d + "));\n") ==
-          "    x = g(" + a + ", h(" + c + ",\n" + std::string(64, ' ') + d + "));\n");
+          "    x =\n        g(" + a + ",\n          h(" + c + ", " + d + "));\n");
     CHECK(laid_out("    " + a + " =\n    " + b + " +\n    " + c + ";\n") ==
           "    " + a + " = " + b + " +\n        " + c + ";\n");
+}
+
+TEST_CASE("laid_out: lines are broken as far out of brackets as may be, and comments behind them are not") {
+    const std::string a(30, 'a'), b(30, 'b');
+    CHECK(laid_out("    return (f(" + a + ", " + b + ") + f(" + a + ", " + b + ")) * 0.25;  // a, " + a + "\n") ==
+          "    return (f(" + a + ", " + b + ") +\n            f(" + a + ", " + b + ")) * 0.25;  // a, " + a + "\n");
 }
 
 TEST_CASE("laid_out: what fills a line to the last column stays whole") {
