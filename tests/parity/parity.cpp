@@ -2,8 +2,8 @@
 //
 // Every entry on one implementation, in all its dialects, against C++.
 //
-//     parity --backend llvmpipe|softpipe|lavapipe|swiftshader|hardware|c++ [--count N] [--other-count N]
-//            [--whole N] [--versions "100,300 es,450"] [--filter TEXT] [--out FOLDER]
+//     parity --backend llvmpipe|softpipe|lavapipe|swiftshader|swiftshader_vulkan|hardware|c++ [--count N]
+//            [--other-count N] [--whole N] [--versions "100,300 es,450"] [--filter TEXT] [--out FOLDER]
 //
 // --whole: as many of each enumeration, in one dialect; 16777216 is all of every one.
 //
@@ -172,7 +172,7 @@ void print(const std::vector<row>& rows) {
 
 backends find(const std::string& driver) {
     if (driver == "c++") return cpp_backends();
-    if (driver == "lavapipe") return vulkan_backends(driver);
+    if (driver == "lavapipe" || driver == "swiftshader_vulkan") return vulkan_backends(driver);
     if (driver == "swiftshader") return webgl_backends();
     backends all = egl_backends(driver);
     if (driver == "hardware")

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -81,7 +82,7 @@ public:
     [[nodiscard]] std::string name() const override {
         const std::string device = physical_.getProperties().deviceName.data();
         return device.starts_with("llvmpipe") ? "lavapipe (" + device + ")"
-                                              : "Vulkan on " + device;  // not OpenGL's own
+                                              : "Vulkan on " + device;  // not OpenGL's own, nor WebGL's
     }
     [[nodiscard]] std::vector<dialect> dialects() const override { return {version::vulkan}; }
     [[nodiscard]] std::string label(dialect) const override { return "Vulkan"; }
@@ -234,6 +235,10 @@ private:
 backends vulkan_backends(std::string_view driver) {
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     backends all;
+    if (driver == "swiftshader_vulkan") {
+        if (!std::filesystem::exists(UMBRAGE_SWIFTSHADER)) return all;
+        setenv("VK_ICD_FILENAMES", UMBRAGE_SWIFTSHADER, 1);
+    }
     try {
         static const vk::raii::Context context;  // devices need it and the instance to the end
         static const vk::raii::Instance instance(context, vk::InstanceCreateInfo{});
