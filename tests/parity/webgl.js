@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Draws for webgl.cpp in a headless browser:  node webgl.js CHROMIUM NODE_MODULES
+// Draws for remote.cpp in a headless browser:  node webgl.js CHROMIUM NODE_MODULES
 //
 // On standard input come jobs, on standard output go results, each a length in four bytes and that many bytes. This
-// program passes them on to the page without a look; what is in them is between webgl.cpp and draw() below.
+// program passes them on to the page without a look; what is in them is between remote.cpp and draw() below.
 'use strict';
 const http = require('http');
 const path = require('path');
+const { collect, parts_of, send } = require('./frames.js');
 const [browser_path, modules] = process.argv.slice(2);
 const { chromium } = require(path.join(modules, 'playwright-core'));
 
@@ -108,12 +109,7 @@ async function draw() {
     for (;;) {
         const reply = await fetch('/job');
         if (!reply.ok) return;
-        const data = await reply.arrayBuffer(), view = new DataView(data), parts = [];
-        for (let at = 0; at < data.byteLength;) {
-            const length = view.getUint32(at, true);
-            parts.push(new Uint8Array(data, at + 4, length));
-            at += 4 + length + (4 - length % 4) % 4;
-        }
+        const parts = parts_of(new Uint8Array(await reply.arrayBuffer()));
         let status = 0, result;
         try {
             result = run(parts);
@@ -135,24 +131,6 @@ function hand_out() {
     }
 }
 
-async function collect(stream, take) {  // frames of a stream
-    let chunks = [], held = 0;
-    for await (const chunk of stream) {
-        chunks.push(chunk);
-        held += chunk.length;
-        for (;;) {
-            if (held < 4) break;
-            if (chunks[0].length < 4) chunks = [Buffer.concat(chunks)];
-            const length = chunks[0].readUInt32LE(0);
-            if (held < 4 + length) break;
-            const all = Buffer.concat(chunks);
-            take(all.subarray(4, 4 + length));
-            chunks = [all.subarray(4 + length)];
-            held -= 4 + length;
-        }
-    }
-}
-
 const server = http.createServer((request, reply) => {
     if (request.url === '/job') {
         readers.push(reply);
@@ -161,10 +139,7 @@ const server = http.createServer((request, reply) => {
         const chunks = [];
         request.on('data', chunk => chunks.push(chunk));
         request.on('end', () => {
-            const result = Buffer.concat(chunks), length = Buffer.alloc(4);
-            length.writeUInt32LE(result.length);
-            process.stdout.write(length);
-            process.stdout.write(result, () => reply.end());
+            send(Buffer.concat(chunks), () => reply.end());
         });
     } else {
         reply.setHeader('Content-Type', 'text/html');
@@ -183,6 +158,7 @@ server.listen(0, '127.0.0.1', async () => {
         });
         const page = await browser.newPage();
         await page.goto('http://127.0.0.1:' + server.address().port + '/');
+        await page.addScriptTag({ content: parts_of.toString() });
         const drawing = page.evaluate(draw);
         collect(process.stdin, job => { jobs.push(job); hand_out(); }).then(() => { ended = true; hand_out(); });
         await drawing;

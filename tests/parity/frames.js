@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Blocks of bytes on standard input and output, each with its length in four bytes before it; see child.hpp.
+'use strict';
+
+/// Calls take(block) for each.
+async function collect(stream, take) {
+    let chunks = [], held = 0;
+    for await (const chunk of stream) {
+        chunks.push(chunk);
+        held += chunk.length;
+        for (;;) {
+            if (held < 4) break;
+            if (chunks[0].length < 4) chunks = [Buffer.concat(chunks)];
+            const length = chunks[0].readUInt32LE(0);
+            if (held < 4 + length) break;
+            const all = Buffer.concat(chunks);
+            await take(all.subarray(4, 4 + length));
+            chunks = [all.subarray(4 + length)];
+            held -= 4 + length;
+        }
+    }
+}
+
+function send(block, then) {
+    const length = Buffer.alloc(4);
+    length.writeUInt32LE(block.length);
+    process.stdout.write(length);
+    process.stdout.write(block, then);
+}
+
+/// Of a block: each with its length before it and padded to four bytes.
+function parts_of(block) {
+    const view = new DataView(block.buffer, block.byteOffset, block.byteLength), parts = [];
+    for (let at = 0; at < block.byteLength;) {
+        const length = view.getUint32(at, true);
+        parts.push(block.subarray(at + 4, at + 4 + length));
+        at += 4 + length + (4 - length % 4) % 4;
+    }
+    return parts;
+}
+
+module.exports = { collect, parts_of, send };
