@@ -21,9 +21,9 @@ function(made name new old)
     endif()
 endfunction()
 
-# The primitives: every header but those of whole images, which bring simd/ along, of other languages, and the registry's.
+# The primitives: every header but those of whole images, which bring simd/ along, and those that make texts.
 file(GLOB_RECURSE primitives RELATIVE ${root}/include ${root}/include/*.hpp)
-list(FILTER primitives EXCLUDE REGEX "/(images|simd|translate)/|/(umbrage|primitives|filters|registry|hlsl|msl|wgsl)\\.hpp$")
+list(FILTER primitives EXCLUDE REGEX "/(images|simd|shader)/|/(umbrage|primitives|filters)\\.hpp$")
 list(SORT primitives)
 list(TRANSFORM primitives REPLACE "(.+)" "#include <\\1>\n")
 list(JOIN primitives "" primitives)
@@ -34,7 +34,7 @@ endif()
 file(WRITE ${folder}/primitives.hpp "// SPDX-License-Identifier: MIT
 //
 // The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them, and
-// the registry of snippets come with <umbrage/umbrage.hpp>. Made by single_include/amalgamate.cmake.
+// the texts of snippets come with <umbrage/umbrage.hpp>. Made by single_include/amalgamate.cmake.
 #pragma once
 
 ${primitives}")

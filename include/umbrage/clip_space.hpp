@@ -7,6 +7,8 @@
 //
 #pragma once
 
+#include <umbrage/shader/snippet.hpp>
+
 namespace umbrage {
 
 /// Of the world and of view space alike, as in lookAtRH and lookAtLH: the view is a rotation, never a mirror.
@@ -46,4 +48,26 @@ inline constexpr clip_space metal_clip_space = webgpu_clip_space;
 }
 [[nodiscard]] constexpr float cleared_depth(clip_space clip) { return cleared_depth(clip.direction); }
 
+namespace glsl {
+
+inline constexpr snippet cleared_depth{
+    .name = "cleared_depth",
+    .summary = "depth of the far plane",
+    .exactness = tier::a,
+    .role = hook::cleared_depth,
+    .source = R"GLSL(
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+)GLSL",
+};
+
+inline constexpr auto clip_space_snippets = list<&cleared_depth>;
+
+}  // namespace glsl
 }  // namespace umbrage

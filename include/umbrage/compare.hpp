@@ -11,7 +11,7 @@
 #pragma once
 
 #include <umbrage/clip_space.hpp>
-#include <umbrage/shader/glsl.hpp>
+#include <umbrage/shader/snippet.hpp>
 #include <umbrage/scalar.hpp>
 
 namespace umbrage {
@@ -66,6 +66,14 @@ struct comparison {
     }
 };
 
+/// True for receivers behind the far plane, where no map reaches; never for a comparison on a scale of its own.
+/// @exactness     A
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr bool beyond_far(T receiver, const Compare& is_lit = {}) {
+    if constexpr (requires { is_lit.beyond_far(receiver); }) return is_lit.beyond_far(receiver);
+    else return false;
+}
+
 /// Visibility of one comparison.
 /// @param receiver   depth, biased;   stored  depth from the map
 /// @return           1 when lit, 0 in shadow
@@ -98,10 +106,32 @@ template <real T>
 
 namespace glsl {
 
+inline constexpr snippet beyond_far{
+    .name = "beyond_far",
+    .summary = "receivers behind the far plane",
+    .exactness = tier::a,
+    .role = hook::beyond_far,
+    .source = R"GLSL(
+// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
+#ifndef UMBRAGE_BEYOND_FAR
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
+#else
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
+#endif
+#endif
+// umbrage_beyond_far: whether a receiver is behind the far plane
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_BEYOND_FAR(receiver);
+}
+)GLSL",
+};
+
 inline constexpr snippet compare{
     .name = "compare",
-    .summary = "one comparison, as a macro to redefine",
+    .summary = "one comparison",
     .exactness = tier::a,
+    .role = hook::compare,
     .source = R"GLSL(
 // UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
 #ifndef UMBRAGE_LIT
@@ -146,7 +176,7 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
 )GLSL",
 };
 
-inline constexpr auto compare_snippets = list<&compare, &compare_dx_sdk, &compare_exercise>;
+inline constexpr auto compare_snippets = list<&beyond_far, &compare, &compare_dx_sdk, &compare_exercise>;
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -20,7 +20,7 @@
 #include <glm/vec4.hpp>
 
 #include <umbrage/config.hpp>
-#include <umbrage/shader/glsl.hpp>
+#include <umbrage/shader/snippet.hpp>
 
 namespace umbrage {
 
@@ -69,6 +69,16 @@ struct image_view {
     [[nodiscard]] T& operator[](glm::ivec2 texel) const {
         assert(texel.x >= 0 && texel.x < size.x);
         return row(texel.y)[texel.x];
+    }
+
+    /// The texels from `first` on, `extent` of them, as a map of their own: a tile of an atlas, clamped at its own edges.
+    /// @throws std::invalid_argument  not inside the image
+    [[nodiscard]] image_view region(glm::ivec2 first, glm::ivec2 extent) const {
+        const bool inside = first.x >= 0 && first.y >= 0 && extent.x >= 0 && extent.y >= 0 &&
+                            extent.x <= size.x - first.x && extent.y <= size.y - first.y;
+        if (!inside) detail::fail("umbrage::image_view: region is not inside the image");
+        const bool none = extent.x == 0 || extent.y == 0;
+        return {none ? data : row(first.y) + first.x, extent, stride};
     }
 
     /// Rows first <= y < last as a view of their own: the unit of work for a thread.
@@ -152,6 +162,19 @@ concept some_image = (is_image<std::remove_cvref_t<Any>> || ...);
 
 }  // namespace detail
 
+/// Texel inside the map.
+/// @exactness   A
+template <class T>
+[[nodiscard]] std::remove_const_t<T> texel(image_view<T> map, glm::ivec2 at) {
+    return map[at];
+}
+
+/// @param size    of a map, in texels
+/// @exactness     A
+[[nodiscard]] constexpr bool inside_map(glm::ivec2 size, glm::ivec2 at) {
+    return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
+}
+
 /// Texel of the map, coordinates outside moved to the nearest one inside. The map must not be empty.
 /// @exactness   A
 template <class T>
@@ -167,8 +190,7 @@ template <class T>
 template <class T>
 [[nodiscard]] std::remove_const_t<T> fetch_bordered(image_view<T> map, glm::ivec2 texel,
                                                     std::remove_const_t<T> border) {
-    const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
-    return inside ? map.row(texel.y)[texel.x] : border;
+    return inside_map(map.size, texel) ? map.row(texel.y)[texel.x] : border;
 }
 
 /// fetch_clamped as the callable that filters take.
@@ -196,24 +218,49 @@ template <class T>
 
 namespace glsl {
 
-inline constexpr snippet fetch_clamped{
-    .name = "fetch_clamped",
-    .summary = "texel of a map, outside the nearest one inside",
+inline constexpr snippet texel{
+    .name = "texel",
+    .summary = "texel inside a map",
     .exactness = tier::a,
+    .role = hook::texel,
     .source = R"GLSL(
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_texel: value of a texel inside the map
 //   map    2D sampler; before GLSL 1.30 its filter must be nearest
 //   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
 #ifndef UMBRAGE_MAP
 #define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
 #endif
-UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #if __VERSION__ >= 130
-    return texelFetch(map, ivec2(inside), 0);
+    return texelFetch(map, ivec2(texel), 0);
 #else
-    return texture2D(map, (inside + 0.5) / size);
+    return texture2D(map, (texel + 0.5) / size);
 #endif
+}
+)GLSL",
+};
+
+inline constexpr snippet inside_map{
+    .name = "inside_map",
+    .summary = "whether a texel is one of the map's",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+)GLSL",
+};
+
+inline constexpr snippet fetch_clamped{
+    .name = "fetch_clamped",
+    .summary = "texel of a map, outside the nearest one inside",
+    .exactness = tier::a,
+    .needs = list<&texel>,
+    .source = R"GLSL(
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
 }
 )GLSL",
 };
@@ -222,18 +269,18 @@ inline constexpr snippet fetch_bordered{
     .name = "fetch_bordered",
     .summary = "texel of a map, outside a border value",
     .exactness = tier::a,
-    .needs = list<&fetch_clamped>,
+    .needs = list<&fetch_clamped, &inside_map>,
     .source = R"GLSL(
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP vec4 border) {
     UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
-    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y ? value : border;
+    return umbrage_inside_map(size, texel) ? value : border;
 }
 )GLSL",
 };
 
-inline constexpr auto image_snippets = list<&fetch_clamped, &fetch_bordered>;
+inline constexpr auto image_snippets = list<&texel, &inside_map, &fetch_clamped, &fetch_bordered>;
 
 }  // namespace glsl
 }  // namespace umbrage

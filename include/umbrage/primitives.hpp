@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them, and
-// the registry of snippets come with <umbrage/umbrage.hpp>. Made by single_include/amalgamate.cmake.
+// the texts of snippets come with <umbrage/umbrage.hpp>. Made by single_include/amalgamate.cmake.
 #pragma once
 
 #include <umbrage/clip_space.hpp>
@@ -28,6 +28,7 @@
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/image.hpp>
+#include <umbrage/light/cube_map.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/spot_light.hpp>
@@ -35,7 +36,6 @@
 #include <umbrage/list.hpp>
 #include <umbrage/scalar.hpp>
 #include <umbrage/shade/lighting.hpp>
-#include <umbrage/shader/glsl.hpp>
 #include <umbrage/unorm.hpp>
 #include <umbrage/version.hpp>
 #include <umbrage/view/false_colour.hpp>

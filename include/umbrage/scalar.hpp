@@ -12,7 +12,8 @@
 #include <type_traits>
 
 #include <umbrage/config.hpp>
-#include <umbrage/shader/glsl.hpp>
+#include <umbrage/clip_space.hpp>
+#include <umbrage/shader/snippet.hpp>
 
 namespace umbrage {
 
@@ -72,18 +73,12 @@ inline constexpr snippet saturate{
     .name = "saturate",
     .summary = "clamp to [0, 1], NaN to far",
     .exactness = tier::a,
+    .needs = list<&cleared_depth>,
     .source = R"GLSL(
-// umbrage_saturate: v clamped to [0, 1]; NaN becomes UMBRAGE_FAR: 1.0, or 0.0 after #define UMBRAGE_REVERSED
-#ifndef UMBRAGE_FAR
-#ifdef UMBRAGE_REVERSED
-#define UMBRAGE_FAR 0.0
-#else
-#define UMBRAGE_FAR 1.0
-#endif
-#endif
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
     // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
-    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : UMBRAGE_FAR));
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 )GLSL",
 };

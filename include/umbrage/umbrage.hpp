@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// All of umbrage: the primitives, functions over whole images, the registry of snippets. Includes only.
+// All of umbrage: the primitives, functions over whole images, the texts of snippets. Includes only.
 #pragma once
 
 #include <umbrage/primitives.hpp>
@@ -17,6 +17,7 @@
 #include <umbrage/images/summed_area.hpp>
 #include <umbrage/images/visibility.hpp>
 
+#include <umbrage/shader/glsl.hpp>
 #include <umbrage/shader/registry.hpp>
 #include <umbrage/shader/translate/layout.hpp>
 #include <umbrage/shader/translate/tokens.hpp>

@@ -60,54 +60,6 @@
 #include <utility>
 #include <vector>
 
-// ---- umbrage/clip_space.hpp
-// Conventions as values: which way the camera looks, what depth means, where the first texel is.
-// Passed explicitly everywhere; GLM's configuration macros are neither read nor needed.
-//
-//     auto light = umbrage::make_spot_light({.position = p, .direction = d, .clip = umbrage::vulkan_clip_space});
-//
-
-namespace umbrage {
-
-/// Of the world and of view space alike, as in lookAtRH and lookAtLH: the view is a rotation, never a mirror.
-/// Seen from the light, x is to the right and y up; right looks down -z, left down +z. A mesh keeps its winding: what
-/// goes clockwise for the light goes clockwise in NDC, y up.
-enum class handedness { right, left };
-enum class depth_range { zero_to_one, minus_one_to_one };  ///< of z/w between the planes
-enum class depth_direction { forward, reversed };          ///< reversed: the near plane has the greater depth
-enum class texture_origin { bottom, top };                 ///< where texel (0, 0) is: at NDC y = -1, or y = +1
-
-struct clip_space {
-    handedness hand = handedness::right;
-    depth_range range = depth_range::zero_to_one;
-    depth_direction direction = depth_direction::forward;
-    texture_origin origin = texture_origin::bottom;
-
-    friend constexpr bool operator==(const clip_space&, const clip_space&) = default;
-};
-
-/// Right-handed world, z/w in [-1, 1], texels from the bottom. With glClipControl: vulkan_clip_space.
-inline constexpr clip_space opengl_clip_space{.range = depth_range::minus_one_to_one};
-
-/// Right-handed world, z/w in [0, 1]; the first texel is at NDC y = -1, which Vulkan draws at the top.
-inline constexpr clip_space vulkan_clip_space{};
-
-/// Left-handed world, as D3DXMatrixLookAtLH has it, z/w in [0, 1], texels from the top.
-inline constexpr clip_space direct3d_clip_space{.hand = handedness::left, .origin = texture_origin::top};
-
-/// Right-handed world, z/w in [0, 1], texels from the top: WebGPU as three.js and glTF viewers use it, and right-handed
-/// worlds under Direct3D. WebGPU and Metal have no hand of their own: for a left-handed world take direct3d_clip_space.
-inline constexpr clip_space webgpu_clip_space{.origin = texture_origin::top};
-inline constexpr clip_space metal_clip_space = webgpu_clip_space;
-
-/// The depth of the far plane, to which a map is cleared.
-[[nodiscard]] constexpr float cleared_depth(depth_direction direction) {
-    return direction == depth_direction::forward ? 1.0f : 0.0f;
-}
-[[nodiscard]] constexpr float cleared_depth(clip_space clip) { return cleared_depth(clip.direction); }
-
-}  // namespace umbrage
-
 // ---- umbrage/config.hpp
 // What depends on the compiler or its flags, outside of simd/: how errors are reported, and how bits are read.
 //
@@ -166,10 +118,8 @@ inline error_handler set_error_handler(error_handler handler) {
 
 }  // namespace umbrage
 
-// ---- umbrage/shader/glsl.hpp
-// GLSL twins: what a snippet is, and how to put snippets into a shader.
-//
-//     std::string shader = umbrage::glsl::source(umbrage::glsl::version::v330, {umbrage::glsl::pcf_2x2}) + my_main;
+// ---- umbrage/shader/snippet.hpp
+// GLSL twins: what a snippet is. Texts are made of them in glsl.hpp.
 //
 
 namespace umbrage::glsl {
@@ -207,6 +157,10 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
     return "";
 }
 
+/// What of a snippet is a map's own affair. The text of such a snippet is what holds for a shader's one map, with macros
+/// to change it; bind() puts another in its place.
+enum class hook { none, cleared_depth, beyond_far, compare, texel, fetch_depth, lit, lit_2x2, gather_lit, chosen };
+
 struct snippet;
 
 /// Snippets that lie in a list<>; a span, but for what it costs to compile.
@@ -223,13 +177,18 @@ struct snippet_span {
 
 /// One GLSL function (with its overloads) and what is known of it.
 struct snippet {
-    std::string_view name;     ///< of the C++ twin; the GLSL function is umbrage_<name>
-    std::string_view summary;  ///< one line
+    std::string_view name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
+    std::string_view summary{};  ///< one line
     tier exactness = tier::a;
     int ulp = 0;                     ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
     version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
     snippet_span needs{};            ///< a list<>
+    hook role = hook::none;
+    bool scaled = false;  ///< makes depths on a scale of their own, on which 1.0 is not the far plane
     std::string_view source;
+
+    /// No two have one name.
+    friend constexpr bool operator==(const snippet& a, const snippet& b) { return a.name == b.name; }
 };
 
 /// Snippets in a row: those that one needs, a header's, a room's.
@@ -239,68 +198,6 @@ inline constexpr std::array<const snippet*, sizeof...(Snippets)> list{Snippets..
 /// True when `s` compiles in dialect `v`.
 [[nodiscard]] constexpr bool supports(const snippet& s, version v) {
     return s.lowest == version::v100 || v >= version::v300_es;
-}
-
-/// Macros every snippet relies on; each can be defined beforehand to something else.
-inline constexpr std::string_view prelude = R"GLSL(
-#ifndef UMBRAGE_HIGHP
-#ifdef GL_ES
-#define UMBRAGE_HIGHP highp
-#else
-#define UMBRAGE_HIGHP
-#endif
-#endif
-#ifndef UMBRAGE_PRECISE
-#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
-#define UMBRAGE_PRECISE precise
-#else
-#define UMBRAGE_PRECISE
-#endif
-#endif
-)GLSL";
-
-namespace detail {
-
-inline void append(std::string& out, const snippet& s) {
-    std::string guard = "UMBRAGE_HAS_";
-    for (char c : s.name) guard += (c >= 'a' && c <= 'z') ? static_cast<char>(c - 'a' + 'A') : c;
-    if (out.find("\n#define " + guard + '\n') != out.npos) return;
-    for (const snippet* need : s.needs) append(out, *need);
-    out += "\n#ifndef " + guard + "\n#define " + guard;
-    out += s.source;
-    out += "#endif\n";
-}
-
-}  // namespace detail
-
-/// The snippets and all they need, each once and guarded, without a `#version` line: text to paste into any shader.
-[[nodiscard]] inline std::string text(std::span<const snippet> snippets) {
-    std::string out(prelude);
-    for (const snippet& s : snippets) detail::append(out, s);
-    return out;
-}
-
-[[nodiscard]] inline std::string text(std::initializer_list<snippet> snippets) {
-    return text(std::span(snippets.begin(), snippets.size()));
-}
-
-/// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
-/// @throws std::invalid_argument when a snippet does not support the dialect
-[[nodiscard]] inline std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
-    for (const snippet& s : snippets)
-        if (!supports(s, v))
-            umbrage::detail::fail("umbrage::glsl::source: " + std::string(s.name) + " needs GLSL 330 or 300 es");
-    std::string out = "#version ";
-    out += directive(v);
-    out += '\n';
-    out += preamble;
-    if (!preamble.empty() && preamble.back() != '\n') out += '\n';
-    return out + text(snippets);
-}
-
-[[nodiscard]] inline std::string source(version v, std::initializer_list<snippet> snippets,
-                                        std::string_view preamble = {}) {
-    return source(v, std::span(snippets.begin(), snippets.size()), preamble);
 }
 
 namespace detail {
@@ -342,6 +239,76 @@ constexpr filled_text<Capacity> fill(const char (&text)[Length], std::initialize
 
 }  // namespace detail
 }  // namespace umbrage::glsl
+
+// ---- umbrage/clip_space.hpp
+// Conventions as values: which way the camera looks, what depth means, where the first texel is.
+// Passed explicitly everywhere; GLM's configuration macros are neither read nor needed.
+//
+//     auto light = umbrage::make_spot_light({.position = p, .direction = d, .clip = umbrage::vulkan_clip_space});
+//
+
+namespace umbrage {
+
+/// Of the world and of view space alike, as in lookAtRH and lookAtLH: the view is a rotation, never a mirror.
+/// Seen from the light, x is to the right and y up; right looks down -z, left down +z. A mesh keeps its winding: what
+/// goes clockwise for the light goes clockwise in NDC, y up.
+enum class handedness { right, left };
+enum class depth_range { zero_to_one, minus_one_to_one };  ///< of z/w between the planes
+enum class depth_direction { forward, reversed };          ///< reversed: the near plane has the greater depth
+enum class texture_origin { bottom, top };                 ///< where texel (0, 0) is: at NDC y = -1, or y = +1
+
+struct clip_space {
+    handedness hand = handedness::right;
+    depth_range range = depth_range::zero_to_one;
+    depth_direction direction = depth_direction::forward;
+    texture_origin origin = texture_origin::bottom;
+
+    friend constexpr bool operator==(const clip_space&, const clip_space&) = default;
+};
+
+/// Right-handed world, z/w in [-1, 1], texels from the bottom. With glClipControl: vulkan_clip_space.
+inline constexpr clip_space opengl_clip_space{.range = depth_range::minus_one_to_one};
+
+/// Right-handed world, z/w in [0, 1]; the first texel is at NDC y = -1, which Vulkan draws at the top.
+inline constexpr clip_space vulkan_clip_space{};
+
+/// Left-handed world, as D3DXMatrixLookAtLH has it, z/w in [0, 1], texels from the top.
+inline constexpr clip_space direct3d_clip_space{.hand = handedness::left, .origin = texture_origin::top};
+
+/// Right-handed world, z/w in [0, 1], texels from the top: WebGPU as three.js and glTF viewers use it, and right-handed
+/// worlds under Direct3D. WebGPU and Metal have no hand of their own: for a left-handed world take direct3d_clip_space.
+inline constexpr clip_space webgpu_clip_space{.origin = texture_origin::top};
+inline constexpr clip_space metal_clip_space = webgpu_clip_space;
+
+/// The depth of the far plane, to which a map is cleared.
+[[nodiscard]] constexpr float cleared_depth(depth_direction direction) {
+    return direction == depth_direction::forward ? 1.0f : 0.0f;
+}
+[[nodiscard]] constexpr float cleared_depth(clip_space clip) { return cleared_depth(clip.direction); }
+
+namespace glsl {
+
+inline constexpr snippet cleared_depth{
+    .name = "cleared_depth",
+    .summary = "depth of the far plane",
+    .exactness = tier::a,
+    .role = hook::cleared_depth,
+    .source = R"GLSL(
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+)GLSL",
+};
+
+inline constexpr auto clip_space_snippets = list<&cleared_depth>;
+
+}  // namespace glsl
+}  // namespace umbrage
 
 // ---- umbrage/scalar.hpp
 // The scalar ground rules: which types are depths, what NaN means, what clamping does.
@@ -407,18 +374,12 @@ inline constexpr snippet saturate{
     .name = "saturate",
     .summary = "clamp to [0, 1], NaN to far",
     .exactness = tier::a,
+    .needs = list<&cleared_depth>,
     .source = R"GLSL(
-// umbrage_saturate: v clamped to [0, 1]; NaN becomes UMBRAGE_FAR: 1.0, or 0.0 after #define UMBRAGE_REVERSED
-#ifndef UMBRAGE_FAR
-#ifdef UMBRAGE_REVERSED
-#define UMBRAGE_FAR 0.0
-#else
-#define UMBRAGE_FAR 1.0
-#endif
-#endif
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
 UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
     // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
-    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : UMBRAGE_FAR));
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 )GLSL",
 };
@@ -490,6 +451,14 @@ struct comparison {
     }
 };
 
+/// True for receivers behind the far plane, where no map reaches; never for a comparison on a scale of its own.
+/// @exactness     A
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr bool beyond_far(T receiver, const Compare& is_lit = {}) {
+    if constexpr (requires { is_lit.beyond_far(receiver); }) return is_lit.beyond_far(receiver);
+    else return false;
+}
+
 /// Visibility of one comparison.
 /// @param receiver   depth, biased;   stored  depth from the map
 /// @return           1 when lit, 0 in shadow
@@ -522,10 +491,32 @@ template <real T>
 
 namespace glsl {
 
+inline constexpr snippet beyond_far{
+    .name = "beyond_far",
+    .summary = "receivers behind the far plane",
+    .exactness = tier::a,
+    .role = hook::beyond_far,
+    .source = R"GLSL(
+// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
+#ifndef UMBRAGE_BEYOND_FAR
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
+#else
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
+#endif
+#endif
+// umbrage_beyond_far: whether a receiver is behind the far plane
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_BEYOND_FAR(receiver);
+}
+)GLSL",
+};
+
 inline constexpr snippet compare{
     .name = "compare",
-    .summary = "one comparison, as a macro to redefine",
+    .summary = "one comparison",
     .exactness = tier::a,
+    .role = hook::compare,
     .source = R"GLSL(
 // UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
 #ifndef UMBRAGE_LIT
@@ -570,7 +561,7 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
 )GLSL",
 };
 
-inline constexpr auto compare_snippets = list<&compare, &compare_dx_sdk, &compare_exercise>;
+inline constexpr auto compare_snippets = list<&beyond_far, &compare, &compare_dx_sdk, &compare_exercise>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -1546,6 +1537,16 @@ struct image_view {
         return row(texel.y)[texel.x];
     }
 
+    /// The texels from `first` on, `extent` of them, as a map of their own: a tile of an atlas, clamped at its own edges.
+    /// @throws std::invalid_argument  not inside the image
+    [[nodiscard]] image_view region(glm::ivec2 first, glm::ivec2 extent) const {
+        const bool inside = first.x >= 0 && first.y >= 0 && extent.x >= 0 && extent.y >= 0 &&
+                            extent.x <= size.x - first.x && extent.y <= size.y - first.y;
+        if (!inside) detail::fail("umbrage::image_view: region is not inside the image");
+        const bool none = extent.x == 0 || extent.y == 0;
+        return {none ? data : row(first.y) + first.x, extent, stride};
+    }
+
     /// Rows first <= y < last as a view of their own: the unit of work for a thread.
     [[nodiscard]] image_view rows(int first, int last) const {
         assert(0 <= first && first <= last && last <= size.y);
@@ -1627,6 +1628,19 @@ concept some_image = (is_image<std::remove_cvref_t<Any>> || ...);
 
 }  // namespace detail
 
+/// Texel inside the map.
+/// @exactness   A
+template <class T>
+[[nodiscard]] std::remove_const_t<T> texel(image_view<T> map, glm::ivec2 at) {
+    return map[at];
+}
+
+/// @param size    of a map, in texels
+/// @exactness     A
+[[nodiscard]] constexpr bool inside_map(glm::ivec2 size, glm::ivec2 at) {
+    return at.x >= 0 && at.y >= 0 && at.x < size.x && at.y < size.y;
+}
+
 /// Texel of the map, coordinates outside moved to the nearest one inside. The map must not be empty.
 /// @exactness   A
 template <class T>
@@ -1642,8 +1656,7 @@ template <class T>
 template <class T>
 [[nodiscard]] std::remove_const_t<T> fetch_bordered(image_view<T> map, glm::ivec2 texel,
                                                     std::remove_const_t<T> border) {
-    const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
-    return inside ? map.row(texel.y)[texel.x] : border;
+    return inside_map(map.size, texel) ? map.row(texel.y)[texel.x] : border;
 }
 
 /// fetch_clamped as the callable that filters take.
@@ -1671,24 +1684,49 @@ template <class T>
 
 namespace glsl {
 
-inline constexpr snippet fetch_clamped{
-    .name = "fetch_clamped",
-    .summary = "texel of a map, outside the nearest one inside",
+inline constexpr snippet texel{
+    .name = "texel",
+    .summary = "texel inside a map",
     .exactness = tier::a,
+    .role = hook::texel,
     .source = R"GLSL(
-// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+// umbrage_texel: value of a texel inside the map
 //   map    2D sampler; before GLSL 1.30 its filter must be nearest
 //   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
 #ifndef UMBRAGE_MAP
 #define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
 #endif
-UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-    UMBRAGE_HIGHP vec2 inside = clamp(texel, vec2(0.0, 0.0), size - 1.0);
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
 #if __VERSION__ >= 130
-    return texelFetch(map, ivec2(inside), 0);
+    return texelFetch(map, ivec2(texel), 0);
 #else
-    return texture2D(map, (inside + 0.5) / size);
+    return texture2D(map, (texel + 0.5) / size);
 #endif
+}
+)GLSL",
+};
+
+inline constexpr snippet inside_map{
+    .name = "inside_map",
+    .summary = "whether a texel is one of the map's",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+)GLSL",
+};
+
+inline constexpr snippet fetch_clamped{
+    .name = "fetch_clamped",
+    .summary = "texel of a map, outside the nearest one inside",
+    .exactness = tier::a,
+    .needs = list<&texel>,
+    .source = R"GLSL(
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
 }
 )GLSL",
 };
@@ -1697,18 +1735,18 @@ inline constexpr snippet fetch_bordered{
     .name = "fetch_bordered",
     .summary = "texel of a map, outside a border value",
     .exactness = tier::a,
-    .needs = list<&fetch_clamped>,
+    .needs = list<&fetch_clamped, &inside_map>,
     .source = R"GLSL(
 // umbrage_fetch_bordered: texel of a map, or border outside of it
 UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                           UMBRAGE_HIGHP vec4 border) {
     UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
-    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y ? value : border;
+    return umbrage_inside_map(size, texel) ? value : border;
 }
 )GLSL",
 };
 
-inline constexpr auto image_snippets = list<&fetch_clamped, &fetch_bordered>;
+inline constexpr auto image_snippets = list<&texel, &inside_map, &fetch_clamped, &fetch_bordered>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -1767,7 +1805,7 @@ template <int Bits>
 inline constexpr auto encode_rg_text =
     detail::fill<1024>(R"GLSL(
 // umbrage_encode_rg$b: depth to the two channels of a $b-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
+//   depth   clamped to [0, 1], NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
@@ -1876,7 +1914,7 @@ inline constexpr snippet encode_rgb24{
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
-//   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
+//   depth   clamped to [0, 1], NaN counts as far
 UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
@@ -2018,12 +2056,10 @@ inline constexpr snippet decode_ps14{
     .name = "decode_ps14",
     .summary = "r / 8 + g as the Radeon 8500 computed it",
     .exactness = tier::b,
+    .scaled = true,
     .source = R"GLSL(
 // umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
 //   1.0 is not the far plane on this scale
-#ifndef UMBRAGE_BEYOND_FAR
-#define UMBRAGE_BEYOND_FAR(receiver) false
-#endif
 UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
     return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
 }
@@ -2380,9 +2416,6 @@ template <int Bits>
 inline constexpr auto level_rg_text = detail::fill<512>(R"GLSL(
 // umbrage_level_rg$b: two channels of a $b-bit code, as sampled, to the scale of umbrage_receiver_rg$b, on which 1.0 is
 //   not the far plane
-#ifndef UMBRAGE_BEYOND_FAR
-#define UMBRAGE_BEYOND_FAR(receiver) false
-#endif
 UMBRAGE_HIGHP float umbrage_level_rg$b(UMBRAGE_HIGHP vec2 c) {
     return c.x + c.y * $g.0;  // an exact product: fused or not, it rounds once
 }
@@ -2392,6 +2425,7 @@ template <int Bits>
 inline constexpr snippet level_rg{.name = level_rg_name<Bits>.view(),
                                   .summary = "two channels to a level to compare with",
                                   .exactness = tier::b,
+                                  .scaled = true,
                                   .source = level_rg_text<Bits>.view()};
 
 template <int Bits>
@@ -2469,7 +2503,7 @@ inline constexpr auto encode_rg_table_name = detail::fill<24>("encode_rg$b_table
 template <int Bits>
 inline constexpr auto encode_rg_table_text = detail::fill<1024>(R"GLSL(
 // umbrage_encode_rg$b_table: depth to the two channels of a $b-bit code through a look-up table, whole numbers 0..255
-//   table   $w x $h texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
+//   table   $w x $h texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
     UMBRAGE_HIGHP float row = floor(x * (1.0 / $w.0));
@@ -2545,7 +2579,7 @@ consteval bool is_filter() {
 }  // namespace umbrage
 
 // ---- umbrage/filter/texel_space.hpp
-// What every filter over a map shares: the range of its coordinates and its macros in GLSL.
+// What every filter over a map shares: the range of its coordinates, and the comparison with a texel.
 //
 //     if (!umbrage::inside_texel_space(coord)) return 1;  // NaN, infinite or absurd: lit
 //
@@ -2567,9 +2601,7 @@ template <real T>
 /// @exactness      A
 template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr bool is_compared(glm::vec<2, T> coord, T receiver, const Compare& is_lit = {}) {
-    if constexpr (requires { is_lit.beyond_far(receiver); })
-        return inside_texel_space(coord) && !is_lit.beyond_far(receiver);
-    else return inside_texel_space(coord);
+    return inside_texel_space(coord) && !beyond_far(receiver, is_lit);
 }
 
 /// Stored depth of a texel: the fetch callable of every filter, by name.
@@ -2577,6 +2609,23 @@ template <real T, class Compare = less_equal>
 template <class Fetch>
 [[nodiscard]] constexpr auto fetch_depth(Fetch&& fetch, glm::ivec2 texel) {
     return fetch(texel);
+}
+
+/// Visibility of one comparison with a texel.
+/// @param fetch   ivec2 texel -> stored depth
+/// @return        1 when lit, 0 in shadow
+/// @exactness     A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] constexpr T lit(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
+    return compare(receiver, T(fetch(texel)), is_lit);
+}
+
+/// Visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1): what one gather gives.
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] constexpr glm::vec<4, T> lit_2x2(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
+    const T a = lit(fetch, texel, receiver, is_lit), b = lit(fetch, texel + glm::ivec2(1, 0), receiver, is_lit);
+    const T c = lit(fetch, texel + glm::ivec2(0, 1), receiver, is_lit);
+    return {a, b, c, lit(fetch, texel + glm::ivec2(1, 1), receiver, is_lit)};
 }
 
 /// A packed map as the fetch callable that filters take.
@@ -2615,19 +2664,11 @@ inline constexpr snippet is_compared{
     .name = "is_compared",
     .summary = "receivers that a filter compares; it takes the others as lit",
     .exactness = tier::a,
-    .needs = list<&inside_texel_space>,
+    .needs = list<&inside_texel_space, &beyond_far>,
     .source = R"GLSL(
-// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
-#ifndef UMBRAGE_BEYOND_FAR
-#ifdef UMBRAGE_REVERSED
-#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
-#else
-#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
-#endif
-#endif
 // umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
 bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
-    return umbrage_inside_texel_space(coord) && !UMBRAGE_BEYOND_FAR(receiver);
+    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
 }
 )GLSL",
 };
@@ -2636,9 +2677,10 @@ bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver)
 /// beforehand, makes it bordered(map, cleared_depth(clip)) instead of clamped(map).
 inline constexpr snippet fetch_depth{
     .name = "fetch_depth",
-    .summary = "stored depth of a texel, as a macro to redefine",
+    .summary = "stored depth of a texel",
     .exactness = tier::a,
-    .needs = list<&fetch_clamped, &fetch_bordered, &saturate>,
+    .needs = list<&fetch_clamped, &fetch_bordered, &cleared_depth>,
+    .role = hook::fetch_depth,
     .source = R"GLSL(
 // UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
 // UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
@@ -2646,7 +2688,7 @@ inline constexpr snippet fetch_depth{
 #ifndef UMBRAGE_OUTSIDE_LIT
 #define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
 #else
-#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(UMBRAGE_FAR)).x
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
 #endif
 #endif
 // umbrage_fetch_depth: stored depth of a texel
@@ -2656,7 +2698,41 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 )GLSL",
 };
 
-inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_space, &is_compared>;
+inline constexpr snippet lit{
+    .name = "lit",
+    .summary = "one comparison with a texel",
+    .exactness = tier::a,
+    .needs = list<&compare, &fetch_depth>,
+    .role = hook::lit,
+    .source = R"GLSL(
+// umbrage_lit: visibility of one comparison with a texel
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+)GLSL",
+};
+
+inline constexpr snippet lit_2x2{
+    .name = "lit_2x2",
+    .summary = "comparisons with the 2x2 texels from one on",
+    .exactness = tier::a,
+    .needs = list<&lit>,
+    .role = hook::lit_2x2,
+    .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float a = umbrage_lit(map, size, texel, receiver);
+    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
+    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
+    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
+    return vec4(a, b, c, d);
+}
+)GLSL",
+};
+
+inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_space, &is_compared, &lit, &lit_2x2>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -2724,7 +2800,7 @@ inline constexpr snippet box_count{
     .name = "box_count",
     .summary = "lit texels in a box of radius 0..8",
     .exactness = tier::a,
-    .needs = list<&compare, &is_compared, &fetch_depth>,
+    .needs = list<&is_compared, &lit>,
     .source = R"GLSL(
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -2740,7 +2816,7 @@ UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
         if (j >= width) break;
         for (int i = 0; i < 17; i++) {
             if (i >= width) break;
-            count += UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, first + vec2(float(i), float(j))));
+            count += umbrage_lit(map, size, first + vec2(float(i), float(j)), receiver);
         }
     }
     return compared ? count : float(width * width);
@@ -2842,7 +2918,7 @@ namespace umbrage {
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T hard(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     if (!is_compared(coord, receiver, is_lit)) return T(1);
-    return compare(receiver, T(fetch(glm::ivec2(glm::floor(coord)))), is_lit);
+    return lit(fetch, glm::ivec2(glm::floor(coord)), receiver, is_lit);
 }
 
 namespace glsl {
@@ -2851,7 +2927,7 @@ inline constexpr snippet hard{
     .name = "hard",
     .summary = "nearest texel, one test",
     .exactness = tier::a,
-    .needs = list<&compare, &is_compared, &fetch_depth>,
+    .needs = list<&is_compared, &lit>,
     .source = R"GLSL(
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -2860,7 +2936,7 @@ UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
                                  UMBRAGE_HIGHP float receiver) {
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 texel = compared ? floor(coord) : vec2(0.0, 0.0);  // no branch: fetches of several taps overlap
-    UMBRAGE_HIGHP float lit = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel));
+    UMBRAGE_HIGHP float lit = umbrage_lit(map, size, texel, receiver);
     return compared ? lit : 1.0;
 }
 )GLSL",
@@ -3323,11 +3399,8 @@ template <real T, class Fetch, class Compare = less_equal>
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
     const glm::vec<2, T> hi = x - texel * T(256);  // weight of the farther texel, 0..255
     const glm::vec<2, T> lo = T(256) - hi;
-    const auto lit = [&](int i, int j) {
-        return compare(receiver, T(fetch(glm::ivec2(texel) + glm::ivec2(i, j))), is_lit);
-    };
-    return (lo.y * (lo.x * lit(0, 0) + hi.x * lit(1, 0)) + hi.y * (lo.x * lit(0, 1) + hi.x * lit(1, 1))) *
-           T(1.0 / 65536.0);
+    const glm::vec<4, T> lit = lit_2x2(fetch, glm::ivec2(texel), receiver, is_lit);
+    return (lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w)) * T(1.0 / 65536.0);
 }
 
 /// The DirectX SDK's form: weights in full floats, linear interpolation, the epsilon inside. The sample relies on
@@ -3363,7 +3436,7 @@ inline constexpr snippet pcf_2x2{
     .name = "pcf_2x2",
     .summary = "bilinear 2x2, weights in steps of 1/256",
     .exactness = tier::a,
-    .needs = list<&compare, &is_compared, &fetch_depth>,
+    .needs = list<&is_compared, &lit_2x2>,
     .source = R"GLSL(
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -3375,11 +3448,9 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
     UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
-    UMBRAGE_HIGHP float a = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel));
-    UMBRAGE_HIGHP float b = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 0.0)));
-    UMBRAGE_HIGHP float c = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(0.0, 1.0)));
-    UMBRAGE_HIGHP float d = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 1.0)));
-    UMBRAGE_HIGHP float visibility = (lo.y * (lo.x * a + hi.x * b) + hi.y * (lo.x * c + hi.x * d)) * (1.0 / 65536.0);
+    UMBRAGE_HIGHP vec4 lit = umbrage_lit_2x2(map, size, texel, receiver);
+    UMBRAGE_HIGHP float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
+    UMBRAGE_HIGHP float visibility = sum * (1.0 / 65536.0);
     return compared ? visibility : 1.0;
 }
 )GLSL",
@@ -3400,10 +3471,13 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 s
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;
-    UMBRAGE_HIGHP float a = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel), epsilon);
-    UMBRAGE_HIGHP float b = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 0.0)), epsilon);
-    UMBRAGE_HIGHP float c = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel + vec2(0.0, 1.0)), epsilon);
-    UMBRAGE_HIGHP float d = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 1.0)), epsilon);
+    UMBRAGE_HIGHP float a = umbrage_compare_dx_sdk(receiver, umbrage_fetch_depth(map, size, texel), epsilon);
+    UMBRAGE_HIGHP float right = umbrage_fetch_depth(map, size, texel + vec2(1.0, 0.0));
+    UMBRAGE_HIGHP float above = umbrage_fetch_depth(map, size, texel + vec2(0.0, 1.0));
+    UMBRAGE_HIGHP float beyond = umbrage_fetch_depth(map, size, texel + vec2(1.0, 1.0));
+    UMBRAGE_HIGHP float b = umbrage_compare_dx_sdk(receiver, right, epsilon);
+    UMBRAGE_HIGHP float c = umbrage_compare_dx_sdk(receiver, above, epsilon);
+    UMBRAGE_HIGHP float d = umbrage_compare_dx_sdk(receiver, beyond, epsilon);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float low = a + weight.x * (b - a);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float high = c + weight.x * (d - c);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float visibility = low + weight.y * (high - low);
@@ -3446,6 +3520,158 @@ struct pcf_2x2_dx_sdk {
 };
 
 }  // namespace filters
+}  // namespace umbrage
+
+// ---- umbrage/light/cube_map.hpp
+// Six square maps around a point light: which of them a direction meets and where, as textures of cubes have it, or as
+// six tiles of an atlas.
+//
+//     glm::vec3 at = umbrage::cube_coordinate(world - light);                      // (s, t, face)
+//     auto face = atlas.view().region(umbrage::cube_tile(int(at.z), size), {size, size});
+//     float visibility = umbrage::pcf_2x2(umbrage::clamped(face), glm::vec2(at) * float(size), depth);
+//
+
+namespace umbrage {
+
+/// Which way a face's camera looks and what is up for it, NDC y = -1 in its first row.
+struct cube_axes {
+    glm::ivec3 forward, up;
+};
+
+/// Faces in the order of their numbers: +x, -x, +y, -y, +z, -z. A right-handed view along them with 90 degrees each way
+/// has its NDC x and y where cube_coordinate has 2 s - 1 and 2 t - 1.
+/// @cite   OpenGL 4.6 specification, table 8.19: selection of cube map images
+inline constexpr std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
+                                                      {{-1, 0, 0}, {0, -1, 0}},
+                                                      {{0, 1, 0}, {0, 0, 1}},
+                                                      {{0, -1, 0}, {0, 0, -1}},
+                                                      {{0, 0, 1}, {0, -1, 0}},
+                                                      {{0, 0, -1}, {0, -1, 0}}}};
+
+/// The face that a direction from the cube's middle meets.
+/// @param direction   of any length; where two faces meet, x goes before y and y before z
+/// @return            0 .. 5; where a NaN leaves no greatest component, 4 or 5
+/// @exactness         A: comparisons
+template <real T>
+[[nodiscard]] constexpr int cube_face(glm::vec<3, T> direction) {
+    const auto magnitude = [](T v) { return v < T(0) ? -v : v; };
+    const auto at_least = [](T a, T b) { return !is_nan(a) && !is_nan(b) && a >= b; };
+    const T x = magnitude(direction.x), y = magnitude(direction.y), z = magnitude(direction.z);
+    const int axis = at_least(x, y) ? (at_least(x, z) ? 0 : 2) : (at_least(y, z) ? 1 : 2);
+    return 2 * axis + (!is_nan(direction[axis]) && direction[axis] < T(0) ? 1 : 0);
+}
+
+/// Where on its face a direction meets the cube.
+/// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
+/// @return            (s, t, face): s and t from 0 to 1 over the face, times its size a filter's coordinate
+/// @formula           s = (sc + |m|) / 2|m|, t = (tc + |m|) / 2|m|, m the greatest component
+/// @exactness         C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @cite              OpenGL 4.6 specification, table 8.19
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_coordinate(glm::vec<3, T> direction) {
+    const int face = cube_face(direction), axis = face / 2;
+    const T m = direction[axis] < T(0) ? -direction[axis] : direction[axis];
+    const T flip = face % 2 == 0 ? T(1) : T(-1);
+    const T sc = axis == 0 ? direction.z * -flip : axis == 1 ? direction.x : direction.x * flip;
+    const T tc = axis == 1 ? direction.z * flip : -direction.y;
+    return {(sc + m) / (m + m), (tc + m) / (m + m), T(face)};
+}
+
+/// The direction to a point of a face: cube_coordinate's inverse.
+/// @param face   0 .. 5;   st  from 0 to 1 over the face
+/// @return       its greatest component is 1 or -1
+/// @exactness    B: 2 s - 1 rounds once
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_direction(T face, glm::vec<2, T> st) {
+    const T u = st.x * T(2) - T(1), v = st.y * T(2) - T(1);
+    if (face < T(0.5)) return {T(1), -v, -u};
+    if (face < T(1.5)) return {T(-1), -v, u};
+    if (face < T(2.5)) return {u, T(1), v};
+    if (face < T(3.5)) return {u, T(-1), -v};
+    if (face < T(4.5)) return {u, -v, T(1)};
+    return {-u, -v, T(-1)};
+}
+
+/// First texel of a face in an atlas of 3 x 2 tiles: +x, -x, +y in the first row.
+/// @param face   0 .. 5;   size  of a tile, in texels
+/// @exactness    A
+[[nodiscard]] constexpr glm::ivec2 cube_tile(int face, int size) { return {face % 3 * size, face / 3 * size}; }
+
+namespace glsl {
+
+inline constexpr snippet cube_face{
+    .name = "cube_face",
+    .summary = "face of a cube that a direction meets",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 m = abs(direction);
+    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float y = direction.y < 0.0 ? 3.0 : 2.0;
+    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 5.0 : 4.0;
+    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_coordinate{
+    .name = "cube_coordinate",
+    .summary = "face, and where on it, that a direction meets",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&cube_face>,
+    .source = R"GLSL(
+// umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
+UMBRAGE_HIGHP vec3 umbrage_cube_coordinate(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    bool on_x = face < 1.5;
+    bool on_y = face > 1.5 && face < 3.5;
+    UMBRAGE_HIGHP float along = on_x ? direction.x : (on_y ? direction.y : direction.z);
+    UMBRAGE_HIGHP float m = abs(along);
+    UMBRAGE_HIGHP float z = along < 0.0 ? -direction.z : direction.z;
+    UMBRAGE_HIGHP float x = along < 0.0 ? -direction.x : direction.x;
+    UMBRAGE_HIGHP float sc = on_x ? -z : (on_y ? direction.x : x);
+    UMBRAGE_HIGHP float tc = on_y ? z : -direction.y;
+    return vec3((sc + m) / (m + m), (tc + m) / (m + m), face);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_direction{
+    .name = "cube_direction",
+    .summary = "direction to a point of a cube's face",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
+UMBRAGE_HIGHP vec3 umbrage_cube_direction(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 st) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float u = st.x * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float v = st.y * 2.0 - 1.0;
+    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(1.0, -v, -u) : vec3(-1.0, -v, u);
+    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(u, 1.0, v) : vec3(u, -1.0, -v);
+    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(u, -v, 1.0) : vec3(-u, -v, -1.0);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_tile{
+    .name = "cube_tile",
+    .summary = "first texel of a face in an atlas",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cube_tile: first texel of a face, 0.0 to 5.0, in an atlas of 3 x 2 tiles of size texels
+UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP float row = face < 2.5 ? 0.0 : 1.0;
+    return vec2((face - row * 3.0) * size, row * size);
+}
+)GLSL",
+};
+
+inline constexpr auto cube_map_snippets = list<&cube_face, &cube_coordinate, &cube_direction, &cube_tile>;
+
+}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/light/directional_light.hpp
@@ -3720,7 +3946,7 @@ inline constexpr auto false_colour_snippets = list<&false_colour>;
 
 // ---- umbrage/primitives.hpp
 // The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them, and
-// the registry of snippets come with <umbrage/umbrage.hpp>. Made by single_include/amalgamate.cmake.
+// the texts of snippets come with <umbrage/umbrage.hpp>. Made by single_include/amalgamate.cmake.
 
 
 // ---- umbrage/simd/blocks/form.hpp
@@ -7197,6 +7423,670 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
 
 }  // namespace umbrage
 
+// ---- umbrage/shader/bind.hpp
+// Snippets bound to maps, so that one shader holds maps of several kinds: functions under a suffix of each map's own.
+//
+//     using namespace umbrage::glsl;
+//     std::string shader = source(version::v330, {bind(pcf_2x2, "sun", {.texture = texture::array}),
+//                                                 bind(box, "lamp", stored_as(umbrage::rg<11>{}))});
+//     // umbrage_pcf_2x2_sun(sampler2DArray map, float layer, vec2 size, ...), umbrage_box_lamp(sampler2D map, ...)
+//
+
+namespace umbrage::glsl {
+
+/// What a map's texels lie in, and so what functions that take a map are called with first; here in GLSL's words:
+///   texture_2d             sampler2D map: depths, or values that `depth` makes depths of
+///   atlas                  sampler2D map, vec2 origin: a region, whose first texel the caller gives
+///   array                  sampler2DArray map, float layer
+///   cube                   samplerCube map, float face: one face of cube_map.hpp, filtered within itself
+///   integer                usampler2D map: the value is the whole number, exact up to 2^24
+///   depth, depth_array     depth textures that are read as they are; in GLSL texture_2d and array
+///   shadow, shadow_array   comparison samplers, sampler2DShadow map: they compare themselves, in the direction that
+///                          they were set to; a filter that needs depths cannot be bound to them
+enum class texture { texture_2d, atlas, array, cube, integer, depth, depth_array, shadow, shadow_array };
+
+/// A map for shaders: where its texels are, and how they compare. Texts in it are in the shader's own language.
+struct binding {
+    glsl::texture texture = glsl::texture::texture_2d;
+    depth_direction direction = depth_direction::forward;
+    bool outside_lit = false;      ///< outside the map all is lit; else the nearest texel inside counts
+    bool gather = false;           ///< 2x2 texels at once; the sampler must clamp to the edge, but for regions
+    std::string depth{};           ///< of vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x
+    int channels = 1;              ///< how many of `value` it reads
+    std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
+    std::string texture_size{};    ///< vec2: for regions of textures that are read by coordinates
+    std::string parameters{};      ///< in place of the kind's: what stands for the map in declarations,
+    std::string arguments{};       ///< in calls,
+    std::string texel{};           ///< and as value, a vec4, of the texture at `at`, a vec2 of whole numbers
+    std::vector<snippet> needs{};  ///< what these texts call
+
+    friend bool operator==(const binding&, const binding&) = default;
+};
+
+/// The map that an encoding's texels make, in place of `map`'s depth and direction.
+template <known_encoding Encoding>
+[[nodiscard]] binding stored_as(const Encoding& encoding, binding map = {}) {
+    map.direction = encoding.direction;
+    if constexpr (Encoding::reader != nullptr) {
+        map.channels = static_cast<int>(Encoding::texel::length());
+        map.depth = "umbrage_" + std::string(Encoding::reader->name) + "(value." +
+                    std::string("xyzw").substr(0, static_cast<std::size_t>(map.channels));
+        if constexpr (has_edge<Encoding>) {
+            std::string edge = std::to_string(encoding.edge);
+            edge.resize(std::max(edge.find_last_not_of('0') + 1, edge.find('.') + 2));
+            map.depth += ", " + edge;
+        }
+        map.depth += ')';
+        map.needs.push_back(*Encoding::reader);
+    }
+    return map;
+}
+
+/// A snippet and the map that it is for; a snippet alone is for the shader's one map.
+struct bound {
+    snippet what;
+    std::string suffix{};
+    binding map{};
+    bool by_macros = true;  ///< in GLSL the hooks are macros of the shader's
+
+    bound(const snippet& s) : what(s) {}
+    bound(const snippet& s, std::string_view name, binding b)
+        : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)), by_macros(false) {}
+};
+
+/// The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
+/// @param name   letters, digits, single underscores between them
+/// @throws std::invalid_argument  another name
+[[nodiscard]] inline bound bind(const snippet& what, std::string_view name, binding map = {}) {
+    char before = '_';
+    for (const char c : name) {
+        const bool word = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        if (!word && (c != '_' || before == '_'))
+            umbrage::detail::fail("umbrage::glsl::bind: name is not a part of an identifier: " + std::string(name));
+        before = c;
+    }
+    if (!name.empty() && before == '_')
+        umbrage::detail::fail("umbrage::glsl::bind: name ends in _: " + std::string(name));
+    return {what, name, std::move(map)};
+}
+
+}  // namespace umbrage::glsl
+
+// ---- umbrage/shader/hooks.hpp
+// What a map can be, as functions: bind() puts these in place of the hooks' texts for a shader's one map. Words that a
+// map fills in: UMBRAGE_MAP map, what it is called with; UMBRAGE_ORIGIN, its first texel in the texture; UMBRAGE_DEPTH,
+// the depth of a `value`; and those that read the texture at `at`.
+//
+
+namespace umbrage::glsl::hooks {
+
+inline constexpr snippet forward_cleared_depth{.name = "cleared_depth", .role = hook::chosen, .source = R"GLSL(
+// umbrage_cleared_depth: depth of the far plane
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+    return 1.0;
+}
+)GLSL"};
+
+inline constexpr snippet reversed_cleared_depth{.name = "cleared_depth", .role = hook::chosen, .source = R"GLSL(
+// umbrage_cleared_depth: depth of the far plane
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+    return 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet forward_beyond_far{.name = "beyond_far", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far: whether a receiver is behind the far plane
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return receiver > 1.0;
+}
+)GLSL"};
+
+inline constexpr snippet reversed_beyond_far{.name = "beyond_far", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far: whether a receiver is behind the far plane
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return receiver < 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet scaled_beyond_far{.name = "beyond_far", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return false;
+}
+)GLSL"};
+
+inline constexpr snippet forward_compare{.name = "compare", .role = hook::chosen, .source = R"GLSL(
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet reversed_compare{.name = "compare", .role = hook::chosen, .source = R"GLSL(
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth, near is 1.0
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return receiver >= stored ? 1.0 : 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet texel{.name = "texel", .role = hook::chosen, .source = R"GLSL(
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
+}
+)GLSL"};
+
+inline constexpr snippet decode{.name = "decode", .role = hook::chosen, .source = R"GLSL(
+// umbrage_decode: depth of a texel's value
+UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
+    return UMBRAGE_DEPTH;
+}
+)GLSL"};
+
+inline constexpr snippet clamped_depth{
+    .name = "fetch_depth", .needs = list<&fetch_clamped, &decode>, .role = hook::chosen, .source = R"GLSL(
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+)GLSL"};
+
+inline constexpr snippet bordered_depth{.name = "fetch_depth",
+                                        .needs = list<&fetch_clamped, &decode, &inside_map, &cleared_depth>,
+                                        .role = hook::chosen,
+                                        .source = R"GLSL(
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP float depth = umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+    return umbrage_inside_map(size, texel) ? depth : umbrage_cleared_depth();
+}
+)GLSL"};
+
+inline constexpr snippet lit_texel{.name = "lit_texel", .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map; a NaN is in shadow
+UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_TEXEL;
+    return receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet clamped_lit{.name = "lit", .needs = list<&lit_texel>, .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit: visibility of one comparison with a texel, outside the map with the nearest one inside
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0), receiver);
+}
+)GLSL"};
+
+inline constexpr snippet bordered_lit{.name = "lit",
+                                      .needs = list<&lit_texel, &inside_map, &compare, &cleared_depth>,
+                                      .role = hook::chosen,
+                                      .source = R"GLSL(
+// umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0), receiver);
+    return umbrage_inside_map(size, texel) ? lit : umbrage_compare(receiver, umbrage_cleared_depth());
+}
+)GLSL"};
+
+// Four texels at once: a gather gives those at (0, 1), (1, 1), (1, 0) and (0, 0), in this order.
+
+inline constexpr snippet gather_compared{.name = "gather_lit", .role = hook::gather_lit, .source = R"GLSL(
+// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); a NaN is in shadow
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 lit = UMBRAGE_GATHER_LIT;
+    return receiver > 0.0 || receiver <= 0.0 ? vec4(lit.w, lit.z, lit.x, lit.y) : vec4(0.0, 0.0, 0.0, 0.0);
+}
+)GLSL"};
+
+inline constexpr snippet gather_one_channel{
+    .name = "gather_lit", .needs = list<&decode, &compare>, .role = hook::chosen, .source = R"GLSL(
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
+    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, 0.0, 0.0, 0.0)));
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
+inline constexpr snippet gather_two_channels{
+    .name = "gather_lit", .needs = list<&decode, &compare>, .role = hook::chosen, .source = R"GLSL(
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
+    UMBRAGE_HIGHP vec4 g = UMBRAGE_GATHER_GREEN;
+    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, g.w, 0.0, 0.0)));
+    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, g.z, 0.0, 0.0)));
+    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, g.x, 0.0, 0.0)));
+    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, g.y, 0.0, 0.0)));
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
+inline constexpr snippet gathered{
+    .name = "lit_2x2", .needs = list<&gather_compared>, .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); the sampler clamps
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    return umbrage_gather_lit(map, size, texel, receiver);
+}
+)GLSL"};
+
+inline constexpr snippet gathered_region{
+    .name = "lit_2x2", .needs = list<&gather_compared>, .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with the
+//   nearest texel inside: the gather stays inside, and each comparison is taken from its row and column
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
+    UMBRAGE_HIGHP vec2 low = clamp(texel, vec2(0.0, 0.0), size - 1.0) - first;
+    UMBRAGE_HIGHP vec2 high = clamp(texel + 1.0, vec2(0.0, 0.0), size - 1.0) - first;
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
+    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 right = high.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    UMBRAGE_HIGHP vec2 top = high.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    return vec4(bottom.x, bottom.y, top.x, top.y);
+}
+)GLSL"};
+
+inline constexpr snippet gathered_bordered{.name = "lit_2x2",
+                                           .needs = list<&gather_compared, &inside_map, &compare, &cleared_depth>,
+                                           .role = hook::chosen,
+                                           .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with the
+//   far plane: the gather stays inside
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
+    UMBRAGE_HIGHP vec2 low = texel - first;
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
+    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 right = low.x < -0.5 ? vec2(lit.x, lit.z) : vec2(lit.y, lit.w);
+    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    UMBRAGE_HIGHP vec2 top = low.y < -0.5 ? vec2(left.x, right.x) : vec2(left.y, right.y);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
+    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? bottom.y : outside;
+    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? top.x : outside;
+    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? top.y : outside;
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
+/// Every one of them, for printers and packages.
+inline constexpr auto all =
+    list<&forward_cleared_depth, &reversed_cleared_depth, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far,
+         &forward_compare, &reversed_compare, &texel, &decode, &clamped_depth, &bordered_depth, &lit_texel,
+         &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels, &gathered,
+         &gathered_region, &gathered_bordered>;
+
+}  // namespace umbrage::glsl::hooks
+
+// ---- umbrage/shader/compose.hpp
+// How bound snippets become one text, in any language: the hooks that a map chooses in place of the snippets' own, the
+// words that it fills in, everything once and after what it needs.
+//
+
+namespace umbrage::glsl::detail {
+
+/// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers.
+struct texture_words {
+    std::string_view parameters, arguments;
+    std::string_view texel{};                       ///< vec4; lines that begin with # stand for the whole statement
+    std::string_view lit{};                         ///< the sampler's comparison with `receiver`: float
+    std::string_view gather_red{}, gather_green{};  ///< vec4
+    std::string_view gather_lit{};                  ///< the sampler's comparisons with `receiver`: vec4
+    std::string_view size{};                        ///< of the texture: vec2
+};
+
+/// What there is to know of a language.
+struct language {
+    std::string_view prelude;  ///< what every text begins with
+    texture_words (*words)(texture kind);
+    std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
+    bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
+    bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
+};
+
+[[nodiscard]] constexpr bool is_word(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// The text with each word replaced by replacement(word, in_comment).
+template <class Replacement>
+[[nodiscard]] std::string replace_words(std::string_view text, const Replacement& replacement) {
+    std::string out;
+    bool comment = false;
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i;
+        while (end < text.size() && is_word(text[end])) ++end;
+        if (end > i) {
+            out += replacement(text.substr(i, end - i), comment);
+            i = end;
+            continue;
+        }
+        comment = text[i] == '\n' ? false : comment || text.substr(i, 2) == "//";
+        out += text[i++];
+    }
+    return out;
+}
+
+[[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
+[[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
+
+/// The function that a map has in place of a hook's own text; other snippets as they are.
+/// @throws std::invalid_argument  the map cannot have what is asked of it
+[[nodiscard]] inline const snippet& chosen(const snippet& s, const binding& b) {
+    const bool forward = b.direction == depth_direction::forward;
+    const bool scaled = std::any_of(b.needs.begin(), b.needs.end(), [](const snippet& n) { return n.scaled; });
+    switch (s.role) {
+        case hook::none:
+        case hook::chosen: return s;
+        case hook::cleared_depth: return forward ? hooks::forward_cleared_depth : hooks::reversed_cleared_depth;
+        case hook::beyond_far:
+            return scaled ? hooks::scaled_beyond_far : forward ? hooks::forward_beyond_far : hooks::reversed_beyond_far;
+        case hook::compare: return forward ? hooks::forward_compare : hooks::reversed_compare;
+        case hook::texel:
+        case hook::fetch_depth:
+            if (compares(b.texture))
+                umbrage::detail::fail("umbrage::glsl::bind: a comparison sampler compares, it gives no depths");
+            if (s.role == hook::texel) return hooks::texel;
+            return b.outside_lit ? hooks::bordered_depth : hooks::clamped_depth;
+        case hook::lit:
+            if (!compares(b.texture)) return s;
+            return b.outside_lit ? hooks::bordered_lit : hooks::clamped_lit;
+        case hook::lit_2x2:
+            if (!b.gather) return s;
+            if (b.outside_lit) return hooks::gathered_bordered;
+            return has_region(b) ? hooks::gathered_region : hooks::gathered;
+        case hook::gather_lit:
+            if (b.texture == texture::cube || b.texture == texture::integer)
+                umbrage::detail::fail("umbrage::glsl::bind: no gather from a cube or from whole numbers");
+            if (compares(b.texture)) return hooks::gather_compared;
+            if (b.channels > 2) umbrage::detail::fail("umbrage::glsl::bind: a gather of more than two channels");
+            return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
+    }
+    return s;
+}
+
+/// Whether a snippet's functions are a map's own: they are hooks, or call some.
+[[nodiscard]] inline bool is_of_map(const snippet& s) {
+    return s.role != hook::none ||
+           std::any_of(s.needs.begin(), s.needs.end(), [](const snippet* need) { return is_of_map(*need); });
+}
+
+/// A snippet's text with what a map fills in.
+[[nodiscard]] inline std::string for_map(std::string text, const snippet& s, const bound& item,
+                                         const texture_words& words) {
+    const binding& map = item.map;
+    const auto one_of = [](const std::string& own, std::string_view ordinary) {
+        return own.empty() ? std::string(ordinary) : own;
+    };
+    const std::string origin = map.texture == texture::atlas ? one_of(map.origin, "origin") : map.origin;
+    const std::string texture_size = one_of(map.texture_size, origin.empty() ? "size" : words.size);
+    const auto replace = [&](std::string_view what, std::string_view with) {
+        for (auto at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
+            text.replace(at, what.size(), with);
+    };
+    const std::string texel = one_of(map.texel, words.texel);
+    if (texel.starts_with('#')) replace("    return UMBRAGE_TEXEL;\n", "UMBRAGE_TEXEL");
+    if (const auto at = text.find("UMBRAGE_ORIGIN"); at != text.npos && origin.empty()) {
+        const auto begin = text.rfind('\n', at);
+        text.erase(begin, text.find('\n', at) - begin);
+    }
+    replace("UMBRAGE_MAP map", "UMBRAGE_PARAMETERS");
+
+    const auto of_texture = [&](std::string_view expression) {
+        return replace_words(expression, [&](std::string_view word, bool) -> std::string {
+            if (word == "at" && origin.empty()) return "texel";
+            if (word == "UMBRAGE_TEXTURE_SIZE") return texture_size;
+            return std::string(word);
+        });
+    };
+    return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
+        if (word.starts_with("umbrage_")) {
+            const std::string_view name = word.substr(8);
+            const bool own = name == s.name || std::any_of(s.needs.begin(), s.needs.end(), [&](const snippet* need) {
+                                 return need->name == name && is_of_map(*need);
+                             });
+            return std::string(word) + (own ? item.suffix : std::string());
+        }
+        if (word == "map" && !comment) return one_of(map.arguments, words.arguments);
+        if (word == "UMBRAGE_PARAMETERS") return one_of(map.parameters, words.parameters);
+        if (word == "UMBRAGE_DEPTH") return one_of(map.depth, "value.x");
+        if (word == "UMBRAGE_ORIGIN") return origin;
+        if (word == "UMBRAGE_TEXEL") return of_texture(texel);
+        if (word == "UMBRAGE_LIT_TEXEL") return of_texture(words.lit);
+        if (word == "UMBRAGE_GATHER_RED") return of_texture(words.gather_red);
+        if (word == "UMBRAGE_GATHER_GREEN") return of_texture(words.gather_green);
+        if (word == "UMBRAGE_GATHER_LIT") return of_texture(words.gather_lit);
+        return std::string(word);
+    });
+}
+
+/// One text in the making.
+class composition {
+public:
+    composition(const language& l, std::span<const bound> items) : language_(l), items_(items.begin(), items.end()) {
+        binding one;  // the shader's one map compares on a scale of its own if anything here makes such depths
+        for (const bound& item : items_)
+            if (item.by_macros && item.what.scaled) one.needs.push_back(item.what);
+        for (bound& item : items_) {
+            if (item.by_macros) item.map = one;
+            for (const bound& other : items)
+                if (!item.by_macros && item.suffix == other.suffix && !(item.map == other.map))
+                    umbrage::detail::fail("umbrage::glsl::text: two maps have one name:" + item.suffix);
+        }
+        if (language_.macros && !one.needs.empty()) text_ += scaled_macro;
+    }
+
+    /// What belongs to no map comes first: hooks may call it, whatever the order of the items.
+    [[nodiscard]] std::string text() && {
+        for (const bool of_map : {false, true})
+            for (const bound& item : items_) {
+                for (const snippet& need : item.map.needs) add(need, item, of_map);
+                if (item.map.texture == texture::cube) add(cube_direction, item, of_map);
+                add(item.what, item, of_map);
+            }
+        return std::move(text_);
+    }
+
+private:
+    static constexpr std::string_view scaled_macro = R"GLSL(
+// depths here are on a scale of their own, on which 1.0 is not the far plane
+#ifndef UMBRAGE_BEYOND_FAR
+#define UMBRAGE_BEYOND_FAR(receiver) false
+#endif
+)GLSL";
+
+    void add(const snippet& asked, const bound& item, bool of_map) {
+        const bool by_macros = language_.macros && item.by_macros;
+        const snippet& s = by_macros ? asked : chosen(asked, item.map);
+        for (const snippet* need : s.needs) add(*need, item, of_map);
+        if (is_of_map(s) != of_map) return;
+        std::string guard = "UMBRAGE_HAS_" + std::string(s.name) + (of_map ? item.suffix : std::string());
+        for (char& c : guard) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        if (std::find(done_.begin(), done_.end(), guard) != done_.end()) return;
+        const std::string body = language_.translate(s);
+        if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
+        text_ += of_map && !by_macros ? for_map(body, s, item, language_.words(item.map.texture)) : body;
+        if (language_.preprocessor) text_ += "#endif\n";
+        done_.push_back(std::move(guard));
+    }
+
+    const language& language_;
+    std::vector<bound> items_;
+    std::string text_;
+    std::vector<std::string> done_;
+};
+
+/// A line that names what follows, then it.
+[[nodiscard]] inline std::string compose(const language& l, std::span<const bound> items) {
+    std::string title = "// umbrage " + std::to_string(UMBRAGE_VERSION_MAJOR) + '.' +
+                        std::to_string(UMBRAGE_VERSION_MINOR) + '.' + std::to_string(UMBRAGE_VERSION_PATCH) +
+                        ", MIT License";
+    for (const bound& item : items)
+        title += (&item == items.data() ? ": " : ", ") + std::string(item.what.name) + item.suffix;
+    return title + '\n' + std::string(l.prelude) + composition(l, items).text();
+}
+
+}  // namespace umbrage::glsl::detail
+
+// ---- umbrage/shader/glsl.hpp
+// Snippets as GLSL: text to paste, or the beginning of a shader.
+//
+//     std::string shader = umbrage::glsl::source(umbrage::glsl::version::v330, {umbrage::glsl::pcf_2x2}) + my_main;
+//
+
+namespace umbrage::glsl {
+
+/// Macros that every text relies on; each can be defined beforehand to something else.
+inline constexpr std::string_view prelude = R"GLSL(
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+)GLSL";
+
+namespace detail {
+
+[[nodiscard]] constexpr texture_words words(texture kind) {
+    switch (kind) {
+        case texture::texture_2d:
+        case texture::depth:
+        case texture::atlas:
+            return {.parameters = kind == texture::atlas ? "UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 origin"
+                                                         : "UMBRAGE_HIGHP sampler2D map",
+                    .arguments = kind == texture::atlas ? "map, origin" : "map",
+                    .texel = R"GLSL(#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(at), 0);
+#else
+    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);
+#endif
+)GLSL",
+                    .gather_red = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)",
+                    .gather_green = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)",
+                    .size = "vec2(textureSize(map, 0))"};
+        case texture::array:
+        case texture::depth_array:
+            return {.parameters = "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer",
+                    .arguments = "map, layer",
+                    .texel = "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)",
+                    .gather_red = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)",
+                    .gather_green = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)",
+                    .size = "vec2(textureSize(map, 0))"};
+        case texture::cube:
+            return {.parameters = "UMBRAGE_HIGHP samplerCube map, UMBRAGE_HIGHP float face",
+                    .arguments = "map, face",
+                    .texel = R"GLSL(#if __VERSION__ >= 130
+    return textureLod(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0);
+#else
+    return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));
+#endif
+)GLSL",
+                    .size = "vec2(textureSize(map, 0))"};
+        case texture::integer:
+            return {.parameters = "UMBRAGE_HIGHP usampler2D map",
+                    .arguments = "map",
+                    .texel = "vec4(texelFetch(map, ivec2(at), 0))",
+                    .size = "vec2(textureSize(map, 0))"};
+        case texture::shadow:
+            return {.parameters = "UMBRAGE_HIGHP sampler2DShadow map",
+                    .arguments = "map",
+                    .lit = "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)",
+                    .gather_lit = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .size = "vec2(textureSize(map, 0))"};
+        case texture::shadow_array:
+            return {.parameters = "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer",
+                    .arguments = "map, layer",
+                    .lit =
+                        "textureGrad(map, vec4((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), "
+                        "vec2(0.0, 0.0))",
+                    .gather_lit = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
+                    .size = "vec2(textureSize(map, 0))"};
+    }
+    return {};
+}
+
+inline constexpr language glsl{.prelude = prelude,
+                               .words = words,
+                               .translate = [](const snippet& s) { return std::string(s.source); },
+                               .macros = true};
+
+[[nodiscard]] inline std::vector<bound> unbound(std::span<const snippet> snippets) {
+    return {snippets.begin(), snippets.end()};
+}
+
+}  // namespace detail
+
+/// True when the snippet bound to its map compiles in dialect `v`.
+[[nodiscard]] constexpr bool supports(const bound& item, version v) {
+    if (!supports(item.what, v)) return false;
+    if (item.by_macros) return true;
+    for (const snippet& need : item.map.needs)
+        if (!supports(need, v)) return false;
+    const bool gathers = v == version::v310_es || v == version::v320_es || v >= version::v430;
+    if (item.map.gather) return gathers;
+    const texture kind = item.map.texture;
+    return kind == texture::texture_2d || kind == texture::depth || kind == texture::atlas || kind == texture::cube ||
+           v >= version::v300_es;
+}
+
+/// The snippets and all they need, each once and guarded, without a `#version` line: text to paste into any shader.
+/// @throws std::invalid_argument   a map that cannot have what is asked of it; two maps of one name
+[[nodiscard]] inline std::string text(std::span<const bound> items) { return detail::compose(detail::glsl, items); }
+[[nodiscard]] inline std::string text(std::span<const snippet> snippets) { return text(detail::unbound(snippets)); }
+[[nodiscard]] inline std::string text(std::initializer_list<bound> items) {
+    return text(std::span(items.begin(), items.size()));
+}
+
+/// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
+/// @throws std::invalid_argument   as text; when the dialect has not what a snippet or a map needs
+[[nodiscard]] inline std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
+    for (const bound& item : items)
+        if (!supports(item, v))
+            umbrage::detail::fail("umbrage::glsl::source: GLSL " + std::string(directive(v)) + " is too old for " +
+                                  std::string(item.what.name) + item.suffix);
+    std::string out = "#version ";
+    out += directive(v);
+    out += '\n';
+    out += preamble;
+    if (!preamble.empty() && preamble.back() != '\n') out += '\n';
+    return out + text(items);
+}
+[[nodiscard]] inline std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
+    return source(v, detail::unbound(snippets), preamble);
+}
+[[nodiscard]] inline std::string source(version v, std::initializer_list<bound> items, std::string_view preamble = {}) {
+    return source(v, std::span(items.begin(), items.size()), preamble);
+}
+
+}  // namespace umbrage::glsl
+
 // ---- umbrage/shader/registry.hpp
 // Every snippet there is, in the order of the data's way: what tests, tables and tools walk through.
 //
@@ -7252,12 +8142,13 @@ inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr
 inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::all*>(nullptr));
 
 // The rooms.
-inline constexpr auto light = collect(texture_matrix_snippets);
+inline constexpr auto light = collect(texture_matrix_snippets, cube_map_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes =
     collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
-inline constexpr auto maps = collect(image_snippets, texel_space_snippets, compare_snippets, filters);
+inline constexpr auto maps =
+    collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, filters);
 inline constexpr auto shade = collect(lighting_snippets);
 inline constexpr auto view = collect(false_colour_snippets);
 inline constexpr auto everything = collect(light, kinds, codes, levels, maps, shade, view);
@@ -7528,5 +8419,5 @@ inline constexpr word words[]{
 }  // namespace umbrage::glsl::detail
 
 // ---- umbrage/umbrage.hpp
-// All of umbrage: the primitives, functions over whole images, the registry of snippets. Includes only.
+// All of umbrage: the primitives, functions over whole images, the texts of snippets. Includes only.
 

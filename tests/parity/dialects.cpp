@@ -12,6 +12,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include <umbrage/shader/glsl.hpp>
 #include <umbrage/shader/registry.hpp>
 
 #include "shader.hpp"

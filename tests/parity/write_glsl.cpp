@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iostream>
 
+#include <umbrage/shader/glsl.hpp>
 #include <umbrage/shader/registry.hpp>
 
 int main(int argc, char** argv) try {

@@ -14,7 +14,7 @@
 #include <type_traits>
 
 #include <umbrage/clip_space.hpp>
-#include <umbrage/shader/glsl.hpp>
+#include <umbrage/shader/snippet.hpp>
 #include <umbrage/unorm.hpp>
 
 namespace umbrage {

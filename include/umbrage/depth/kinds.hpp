@@ -14,7 +14,7 @@
 
 #include <glm/vec3.hpp>
 
-#include <umbrage/shader/glsl.hpp>
+#include <umbrage/shader/snippet.hpp>
 #include <umbrage/scalar.hpp>
 
 namespace umbrage {

@@ -66,7 +66,7 @@ template <int Bits>
 inline constexpr auto encode_rg_text =
     detail::fill<1024>(R"GLSL(
 // umbrage_encode_rg$b: depth to the two channels of a $b-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
-//   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
+//   depth   clamped to [0, 1], NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));

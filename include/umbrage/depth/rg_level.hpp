@@ -50,9 +50,6 @@ template <int Bits>
 inline constexpr auto level_rg_text = detail::fill<512>(R"GLSL(
 // umbrage_level_rg$b: two channels of a $b-bit code, as sampled, to the scale of umbrage_receiver_rg$b, on which 1.0 is
 //   not the far plane
-#ifndef UMBRAGE_BEYOND_FAR
-#define UMBRAGE_BEYOND_FAR(receiver) false
-#endif
 UMBRAGE_HIGHP float umbrage_level_rg$b(UMBRAGE_HIGHP vec2 c) {
     return c.x + c.y * $g.0;  // an exact product: fused or not, it rounds once
 }
@@ -62,6 +59,7 @@ template <int Bits>
 inline constexpr snippet level_rg{.name = level_rg_name<Bits>.view(),
                                   .summary = "two channels to a level to compare with",
                                   .exactness = tier::b,
+                                  .scaled = true,
                                   .source = level_rg_text<Bits>.view()};
 
 template <int Bits>

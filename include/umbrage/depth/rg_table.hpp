@@ -55,7 +55,7 @@ inline constexpr auto encode_rg_table_name = detail::fill<24>("encode_rg$b_table
 template <int Bits>
 inline constexpr auto encode_rg_table_text = detail::fill<1024>(R"GLSL(
 // umbrage_encode_rg$b_table: depth to the two channels of a $b-bit code through a look-up table, whole numbers 0..255
-//   table   $w x $h texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
+//   table   $w x $h texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * $n.0), $l.0);
     UMBRAGE_HIGHP float row = floor(x * (1.0 / $w.0));

@@ -55,7 +55,7 @@ inline constexpr snippet encode_rgb24{
     .needs = list<&saturate>,
     .source = R"GLSL(
 // umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
-//   depth   clamped to [0, 1], NaN counts as UMBRAGE_FAR
+//   depth   clamped to [0, 1], NaN counts as far
 UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
     UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
     UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));

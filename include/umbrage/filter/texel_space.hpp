@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What every filter over a map shares: the range of its coordinates and its macros in GLSL.
+// What every filter over a map shares: the range of its coordinates, and the comparison with a texel.
 //
 //     if (!umbrage::inside_texel_space(coord)) return 1;  // NaN, infinite or absurd: lit
 //
@@ -10,6 +10,7 @@
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 
 #include <umbrage/compare.hpp>
 #include <umbrage/image.hpp>
@@ -32,9 +33,7 @@ template <real T>
 /// @exactness      A
 template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr bool is_compared(glm::vec<2, T> coord, T receiver, const Compare& is_lit = {}) {
-    if constexpr (requires { is_lit.beyond_far(receiver); })
-        return inside_texel_space(coord) && !is_lit.beyond_far(receiver);
-    else return inside_texel_space(coord);
+    return inside_texel_space(coord) && !beyond_far(receiver, is_lit);
 }
 
 /// Stored depth of a texel: the fetch callable of every filter, by name.
@@ -42,6 +41,23 @@ template <real T, class Compare = less_equal>
 template <class Fetch>
 [[nodiscard]] constexpr auto fetch_depth(Fetch&& fetch, glm::ivec2 texel) {
     return fetch(texel);
+}
+
+/// Visibility of one comparison with a texel.
+/// @param fetch   ivec2 texel -> stored depth
+/// @return        1 when lit, 0 in shadow
+/// @exactness     A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] constexpr T lit(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
+    return compare(receiver, T(fetch(texel)), is_lit);
+}
+
+/// Visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1): what one gather gives.
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] constexpr glm::vec<4, T> lit_2x2(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
+    const T a = lit(fetch, texel, receiver, is_lit), b = lit(fetch, texel + glm::ivec2(1, 0), receiver, is_lit);
+    const T c = lit(fetch, texel + glm::ivec2(0, 1), receiver, is_lit);
+    return {a, b, c, lit(fetch, texel + glm::ivec2(1, 1), receiver, is_lit)};
 }
 
 /// A packed map as the fetch callable that filters take.
@@ -80,19 +96,11 @@ inline constexpr snippet is_compared{
     .name = "is_compared",
     .summary = "receivers that a filter compares; it takes the others as lit",
     .exactness = tier::a,
-    .needs = list<&inside_texel_space>,
+    .needs = list<&inside_texel_space, &beyond_far>,
     .source = R"GLSL(
-// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
-#ifndef UMBRAGE_BEYOND_FAR
-#ifdef UMBRAGE_REVERSED
-#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
-#else
-#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
-#endif
-#endif
 // umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
 bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
-    return umbrage_inside_texel_space(coord) && !UMBRAGE_BEYOND_FAR(receiver);
+    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
 }
 )GLSL",
 };
@@ -101,9 +109,10 @@ bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver)
 /// beforehand, makes it bordered(map, cleared_depth(clip)) instead of clamped(map).
 inline constexpr snippet fetch_depth{
     .name = "fetch_depth",
-    .summary = "stored depth of a texel, as a macro to redefine",
+    .summary = "stored depth of a texel",
     .exactness = tier::a,
-    .needs = list<&fetch_clamped, &fetch_bordered, &saturate>,
+    .needs = list<&fetch_clamped, &fetch_bordered, &cleared_depth>,
+    .role = hook::fetch_depth,
     .source = R"GLSL(
 // UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
 // UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
@@ -111,7 +120,7 @@ inline constexpr snippet fetch_depth{
 #ifndef UMBRAGE_OUTSIDE_LIT
 #define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
 #else
-#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(UMBRAGE_FAR)).x
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
 #endif
 #endif
 // umbrage_fetch_depth: stored depth of a texel
@@ -121,7 +130,41 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 )GLSL",
 };
 
-inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_space, &is_compared>;
+inline constexpr snippet lit{
+    .name = "lit",
+    .summary = "one comparison with a texel",
+    .exactness = tier::a,
+    .needs = list<&compare, &fetch_depth>,
+    .role = hook::lit,
+    .source = R"GLSL(
+// umbrage_lit: visibility of one comparison with a texel
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+)GLSL",
+};
+
+inline constexpr snippet lit_2x2{
+    .name = "lit_2x2",
+    .summary = "comparisons with the 2x2 texels from one on",
+    .exactness = tier::a,
+    .needs = list<&lit>,
+    .role = hook::lit_2x2,
+    .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float a = umbrage_lit(map, size, texel, receiver);
+    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
+    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
+    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
+    return vec4(a, b, c, d);
+}
+)GLSL",
+};
+
+inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_space, &is_compared, &lit, &lit_2x2>;
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -15,7 +15,7 @@
 #include <glm/vec4.hpp>
 
 #include <umbrage/light/light_space.hpp>
-#include <umbrage/shader/glsl.hpp>
+#include <umbrage/shader/snippet.hpp>
 
 namespace umbrage {
 

@@ -1,90 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
-// GLSL twins: what a snippet is, and how to put snippets into a shader.
+// Snippets as GLSL: text to paste, or the beginning of a shader.
 //
 //     std::string shader = umbrage::glsl::source(umbrage::glsl::version::v330, {umbrage::glsl::pcf_2x2}) + my_main;
 //
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <umbrage/config.hpp>
+#include <umbrage/shader/compose.hpp>
 
 namespace umbrage::glsl {
 
-/// How exactly a snippet and its C++ twin agree.
-///   a  bit for bit on every implementation: every intermediate is representable, so nothing can round
-///   b  bit for bit where + - * round to nearest in written order; a few ulp elsewhere
-///   c  within snippet::ulp units in the last place on every implementation tried: division, square root
-enum class tier { a, b, c };
-
-/// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
-enum class version { v100, v110, v120, v130, v150, v300_es, v310_es, v320_es, v330, v430, v450, v460, vulkan };
-
-inline constexpr std::array versions{version::v100,    version::v110,    version::v120,    version::v130, version::v150,
-                                     version::v300_es, version::v310_es, version::v320_es, version::v330, version::v430,
-                                     version::v450,    version::v460,    version::vulkan};
-
-/// What follows `#version`, e.g. "300 es".
-[[nodiscard]] constexpr std::string_view directive(version v) {
-    switch (v) {
-        case version::v100: return "100";
-        case version::v110: return "110";
-        case version::v120: return "120";
-        case version::v130: return "130";
-        case version::v150: return "150";
-        case version::v300_es: return "300 es";
-        case version::v310_es: return "310 es";
-        case version::v320_es: return "320 es";
-        case version::v330: return "330";
-        case version::v430: return "430";
-        case version::v450: return "450";
-        case version::v460: return "460";
-        case version::vulkan: return "450";
-    }
-    return "";
-}
-
-struct snippet;
-
-/// Snippets that lie in a list<>; a span, but for what it costs to compile.
-struct snippet_span {
-    const snippet* const* first = nullptr;
-    std::size_t size = 0;
-
-    constexpr snippet_span() = default;
-    template <std::size_t Size>
-    constexpr snippet_span(const std::array<const snippet*, Size>& snippets) : first(snippets.data()), size(Size) {}
-    [[nodiscard]] constexpr const snippet* const* begin() const { return first; }
-    [[nodiscard]] constexpr const snippet* const* end() const { return first + size; }
-};
-
-/// One GLSL function (with its overloads) and what is known of it.
-struct snippet {
-    std::string_view name;     ///< of the C++ twin; the GLSL function is umbrage_<name>
-    std::string_view summary;  ///< one line
-    tier exactness = tier::a;
-    int ulp = 0;                     ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
-    version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
-    snippet_span needs{};            ///< a list<>
-    std::string_view source;
-};
-
-/// Snippets in a row: those that one needs, a header's, a room's.
-template <const snippet*... Snippets>
-inline constexpr std::array<const snippet*, sizeof...(Snippets)> list{Snippets...};
-
-/// True when `s` compiles in dialect `v`.
-[[nodiscard]] constexpr bool supports(const snippet& s, version v) {
-    return s.lowest == version::v100 || v >= version::v300_es;
-}
-
-/// Macros every snippet relies on; each can be defined beforehand to something else.
+/// Macros that every text relies on; each can be defined beforehand to something else.
 inline constexpr std::string_view prelude = R"GLSL(
 #ifndef UMBRAGE_HIGHP
 #ifdef GL_ES
@@ -104,84 +37,115 @@ inline constexpr std::string_view prelude = R"GLSL(
 
 namespace detail {
 
-inline void append(std::string& out, const snippet& s) {
-    std::string guard = "UMBRAGE_HAS_";
-    for (char c : s.name) guard += (c >= 'a' && c <= 'z') ? static_cast<char>(c - 'a' + 'A') : c;
-    if (out.find("\n#define " + guard + '\n') != out.npos) return;
-    for (const snippet* need : s.needs) append(out, *need);
-    out += "\n#ifndef " + guard + "\n#define " + guard;
-    out += s.source;
-    out += "#endif\n";
+[[nodiscard]] constexpr texture_words words(texture kind) {
+    switch (kind) {
+        case texture::texture_2d:
+        case texture::depth:
+        case texture::atlas:
+            return {.parameters = kind == texture::atlas ? "UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 origin"
+                                                         : "UMBRAGE_HIGHP sampler2D map",
+                    .arguments = kind == texture::atlas ? "map, origin" : "map",
+                    .texel = R"GLSL(#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(at), 0);
+#else
+    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);
+#endif
+)GLSL",
+                    .gather_red = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)",
+                    .gather_green = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)",
+                    .size = "vec2(textureSize(map, 0))"};
+        case texture::array:
+        case texture::depth_array:
+            return {.parameters = "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer",
+                    .arguments = "map, layer",
+                    .texel = "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)",
+                    .gather_red = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)",
+                    .gather_green = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)",
+                    .size = "vec2(textureSize(map, 0))"};
+        case texture::cube:
+            return {.parameters = "UMBRAGE_HIGHP samplerCube map, UMBRAGE_HIGHP float face",
+                    .arguments = "map, face",
+                    .texel = R"GLSL(#if __VERSION__ >= 130
+    return textureLod(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0);
+#else
+    return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));
+#endif
+)GLSL",
+                    .size = "vec2(textureSize(map, 0))"};
+        case texture::integer:
+            return {.parameters = "UMBRAGE_HIGHP usampler2D map",
+                    .arguments = "map",
+                    .texel = "vec4(texelFetch(map, ivec2(at), 0))",
+                    .size = "vec2(textureSize(map, 0))"};
+        case texture::shadow:
+            return {.parameters = "UMBRAGE_HIGHP sampler2DShadow map",
+                    .arguments = "map",
+                    .lit = "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)",
+                    .gather_lit = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .size = "vec2(textureSize(map, 0))"};
+        case texture::shadow_array:
+            return {.parameters = "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer",
+                    .arguments = "map, layer",
+                    .lit =
+                        "textureGrad(map, vec4((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), "
+                        "vec2(0.0, 0.0))",
+                    .gather_lit = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
+                    .size = "vec2(textureSize(map, 0))"};
+    }
+    return {};
+}
+
+inline constexpr language glsl{.prelude = prelude,
+                               .words = words,
+                               .translate = [](const snippet& s) { return std::string(s.source); },
+                               .macros = true};
+
+[[nodiscard]] inline std::vector<bound> unbound(std::span<const snippet> snippets) {
+    return {snippets.begin(), snippets.end()};
 }
 
 }  // namespace detail
 
-/// The snippets and all they need, each once and guarded, without a `#version` line: text to paste into any shader.
-[[nodiscard]] inline std::string text(std::span<const snippet> snippets) {
-    std::string out(prelude);
-    for (const snippet& s : snippets) detail::append(out, s);
-    return out;
+/// True when the snippet bound to its map compiles in dialect `v`.
+[[nodiscard]] constexpr bool supports(const bound& item, version v) {
+    if (!supports(item.what, v)) return false;
+    if (item.by_macros) return true;
+    for (const snippet& need : item.map.needs)
+        if (!supports(need, v)) return false;
+    const bool gathers = v == version::v310_es || v == version::v320_es || v >= version::v430;
+    if (item.map.gather) return gathers;
+    const texture kind = item.map.texture;
+    return kind == texture::texture_2d || kind == texture::depth || kind == texture::atlas || kind == texture::cube ||
+           v >= version::v300_es;
 }
 
-[[nodiscard]] inline std::string text(std::initializer_list<snippet> snippets) {
-    return text(std::span(snippets.begin(), snippets.size()));
+/// The snippets and all they need, each once and guarded, without a `#version` line: text to paste into any shader.
+/// @throws std::invalid_argument   a map that cannot have what is asked of it; two maps of one name
+[[nodiscard]] inline std::string text(std::span<const bound> items) { return detail::compose(detail::glsl, items); }
+[[nodiscard]] inline std::string text(std::span<const snippet> snippets) { return text(detail::unbound(snippets)); }
+[[nodiscard]] inline std::string text(std::initializer_list<bound> items) {
+    return text(std::span(items.begin(), items.size()));
 }
 
 /// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
-/// @throws std::invalid_argument when a snippet does not support the dialect
-[[nodiscard]] inline std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
-    for (const snippet& s : snippets)
-        if (!supports(s, v))
-            umbrage::detail::fail("umbrage::glsl::source: " + std::string(s.name) + " needs GLSL 330 or 300 es");
+/// @throws std::invalid_argument   as text; when the dialect has not what a snippet or a map needs
+[[nodiscard]] inline std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
+    for (const bound& item : items)
+        if (!supports(item, v))
+            umbrage::detail::fail("umbrage::glsl::source: GLSL " + std::string(directive(v)) + " is too old for " +
+                                  std::string(item.what.name) + item.suffix);
     std::string out = "#version ";
     out += directive(v);
     out += '\n';
     out += preamble;
     if (!preamble.empty() && preamble.back() != '\n') out += '\n';
-    return out + text(snippets);
+    return out + text(items);
+}
+[[nodiscard]] inline std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
+    return source(v, detail::unbound(snippets), preamble);
+}
+[[nodiscard]] inline std::string source(version v, std::initializer_list<bound> items, std::string_view preamble = {}) {
+    return source(v, std::span(items.begin(), items.size()), preamble);
 }
 
-[[nodiscard]] inline std::string source(version v, std::initializer_list<snippet> snippets,
-                                        std::string_view preamble = {}) {
-    return source(v, std::span(snippets.begin(), snippets.size()), preamble);
-}
-
-namespace detail {
-
-/// Text with the constants of one member of a family filled in, at compile time.
-template <std::size_t Capacity>
-struct filled_text {
-    char data[Capacity]{};
-    std::size_t size = 0;
-    [[nodiscard]] constexpr std::string_view view() const { return {data, size}; }
-};
-
-struct constant {
-    char key;  ///< `$key` in the text
-    unsigned value;
-};
-
-/// Replaces each `$key` by the decimal digits of its value. Plain arrays, for the sake of every user's compile time.
-template <std::size_t Capacity, std::size_t Length>
-constexpr filled_text<Capacity> fill(const char (&text)[Length], std::initializer_list<constant> constants) {
-    filled_text<Capacity> out;
-    std::size_t size = 0;
-    for (std::size_t i = 0; i + 1 < Length; ++i) {
-        if (text[i] != '$') {
-            out.data[size++] = text[i];
-            continue;
-        }
-        ++i;
-        for (const constant& c : constants) {
-            if (c.key != text[i]) continue;
-            unsigned unit = 1;
-            while (c.value / unit >= 10) unit *= 10;
-            for (; unit > 0; unit /= 10) out.data[size++] = static_cast<char>('0' + c.value / unit % 10);
-        }
-    }
-    out.size = size;
-    return out;
-}
-
-}  // namespace detail
 }  // namespace umbrage::glsl

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 
+#include <umbrage/clip_space.hpp>
 #include <umbrage/compare.hpp>
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
@@ -18,6 +19,7 @@
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/image.hpp>
+#include <umbrage/light/cube_map.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shade/lighting.hpp>
 #include <umbrage/unorm.hpp>
@@ -72,12 +74,13 @@ inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr
 inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::all*>(nullptr));
 
 // The rooms.
-inline constexpr auto light = collect(texture_matrix_snippets);
+inline constexpr auto light = collect(texture_matrix_snippets, cube_map_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes =
     collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
-inline constexpr auto maps = collect(image_snippets, texel_space_snippets, compare_snippets, filters);
+inline constexpr auto maps =
+    collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, filters);
 inline constexpr auto shade = collect(lighting_snippets);
 inline constexpr auto view = collect(false_colour_snippets);
 inline constexpr auto everything = collect(light, kinds, codes, levels, maps, shade, view);

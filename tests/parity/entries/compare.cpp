@@ -28,6 +28,15 @@ std::vector<input_class> pairs() {
 void add_compare(std::vector<entry>& all) {
     namespace glsl = umbrage::glsl;
 
+    for (const auto direction : {depth_direction::forward, depth_direction::reversed})
+        all.push_back(
+            {.primitive = &glsl::beyond_far,
+             .variant = direction == depth_direction::forward ? "" : "reversed",
+             .classes = pairs(),
+             .twin = [direction](
+                         const sample& s) { return vec4(beyond_far(s.x[0].x, comparison{direction}) ? 1.0f : 0.0f); },
+             .call = "vec4(umbrage_beyond_far(x0.x) ? 1.0 : 0.0)",
+             .preamble = direction == depth_direction::forward ? "" : reversed});
     all.push_back({.primitive = &glsl::compare,
                    .classes = pairs(),
                    .twin = [](const sample& s) { return vec4(compare(s.x[0].x, s.x[0].y)); },

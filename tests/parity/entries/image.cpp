@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <umbrage/image.hpp>
 
+#include <glm/common.hpp>
+
 #include "entries.hpp"
 
 namespace parity {
@@ -12,6 +14,16 @@ void add_image(std::vector<entry>& all) {
     for (const bool packed : {false, true}) {
         const std::string variant = packed ? "packed map" : "";
         const auto maps = packed ? packed_maps() : depth_maps();
+        all.push_back({.primitive = &glsl::texel,
+                       .variant = variant,
+                       .classes = whole_texels(),
+                       .twin =
+                           [](const sample& s) {
+                               const ivec2 last = s.map.size - 1;
+                               return texel(s.map, glm::clamp(texel_of(s), ivec2(0), last));
+                           },
+                       .call = "umbrage_texel(map, map_size, clamp(vec2(x0.x, x0.y), vec2(0.0, 0.0), map_size - 1.0))",
+                       .maps = maps});
         all.push_back({.primitive = &glsl::fetch_clamped,
                        .variant = variant,
                        .classes = whole_texels(),
@@ -26,6 +38,11 @@ void add_image(std::vector<entry>& all) {
              .call = "umbrage_fetch_bordered(map, map_size, vec2(x0.x, x0.y), vec4(0.25, 0.5, 2.0, 1.0))",
              .maps = maps});
     }
+    all.push_back({.primitive = &glsl::inside_map,
+                   .classes = whole_texels(),
+                   .twin = [](const sample& s) { return vec4(inside_map(s.map.size, texel_of(s)) ? 1.0f : 0.0f); },
+                   .call = "vec4(umbrage_inside_map(map_size, vec2(x0.x, x0.y)) ? 1.0 : 0.0)",
+                   .maps = depth_maps()});
 }
 
 }  // namespace parity

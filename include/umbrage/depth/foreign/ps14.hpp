@@ -39,12 +39,10 @@ inline constexpr snippet decode_ps14{
     .name = "decode_ps14",
     .summary = "r / 8 + g as the Radeon 8500 computed it",
     .exactness = tier::b,
+    .scaled = true,
     .source = R"GLSL(
 // umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
 //   1.0 is not the far plane on this scale
-#ifndef UMBRAGE_BEYOND_FAR
-#define UMBRAGE_BEYOND_FAR(receiver) false
-#endif
 UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
     return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
 }

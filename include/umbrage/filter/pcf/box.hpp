@@ -70,7 +70,7 @@ inline constexpr snippet box_count{
     .name = "box_count",
     .summary = "lit texels in a box of radius 0..8",
     .exactness = tier::a,
-    .needs = list<&compare, &is_compared, &fetch_depth>,
+    .needs = list<&is_compared, &lit>,
     .source = R"GLSL(
 // umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -86,7 +86,7 @@ UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
         if (j >= width) break;
         for (int i = 0; i < 17; i++) {
             if (i >= width) break;
-            count += UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, first + vec2(float(i), float(j))));
+            count += umbrage_lit(map, size, first + vec2(float(i), float(j)), receiver);
         }
     }
     return compared ? count : float(width * width);

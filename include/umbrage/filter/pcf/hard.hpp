@@ -23,7 +23,7 @@ namespace umbrage {
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T hard(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     if (!is_compared(coord, receiver, is_lit)) return T(1);
-    return compare(receiver, T(fetch(glm::ivec2(glm::floor(coord)))), is_lit);
+    return lit(fetch, glm::ivec2(glm::floor(coord)), receiver, is_lit);
 }
 
 namespace glsl {
@@ -32,7 +32,7 @@ inline constexpr snippet hard{
     .name = "hard",
     .summary = "nearest texel, one test",
     .exactness = tier::a,
-    .needs = list<&compare, &is_compared, &fetch_depth>,
+    .needs = list<&is_compared, &lit>,
     .source = R"GLSL(
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -41,7 +41,7 @@ UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
                                  UMBRAGE_HIGHP float receiver) {
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 texel = compared ? floor(coord) : vec2(0.0, 0.0);  // no branch: fetches of several taps overlap
-    UMBRAGE_HIGHP float lit = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel));
+    UMBRAGE_HIGHP float lit = umbrage_lit(map, size, texel, receiver);
     return compared ? lit : 1.0;
 }
 )GLSL",

@@ -29,11 +29,8 @@ template <real T, class Fetch, class Compare = less_equal>
     const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
     const glm::vec<2, T> hi = x - texel * T(256);  // weight of the farther texel, 0..255
     const glm::vec<2, T> lo = T(256) - hi;
-    const auto lit = [&](int i, int j) {
-        return compare(receiver, T(fetch(glm::ivec2(texel) + glm::ivec2(i, j))), is_lit);
-    };
-    return (lo.y * (lo.x * lit(0, 0) + hi.x * lit(1, 0)) + hi.y * (lo.x * lit(0, 1) + hi.x * lit(1, 1))) *
-           T(1.0 / 65536.0);
+    const glm::vec<4, T> lit = lit_2x2(fetch, glm::ivec2(texel), receiver, is_lit);
+    return (lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w)) * T(1.0 / 65536.0);
 }
 
 /// The DirectX SDK's form: weights in full floats, linear interpolation, the epsilon inside. The sample relies on
@@ -69,7 +66,7 @@ inline constexpr snippet pcf_2x2{
     .name = "pcf_2x2",
     .summary = "bilinear 2x2, weights in steps of 1/256",
     .exactness = tier::a,
-    .needs = list<&compare, &is_compared, &fetch_depth>,
+    .needs = list<&is_compared, &lit_2x2>,
     .source = R"GLSL(
 // umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -81,11 +78,9 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
     UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
-    UMBRAGE_HIGHP float a = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel));
-    UMBRAGE_HIGHP float b = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 0.0)));
-    UMBRAGE_HIGHP float c = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(0.0, 1.0)));
-    UMBRAGE_HIGHP float d = UMBRAGE_LIT(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 1.0)));
-    UMBRAGE_HIGHP float visibility = (lo.y * (lo.x * a + hi.x * b) + hi.y * (lo.x * c + hi.x * d)) * (1.0 / 65536.0);
+    UMBRAGE_HIGHP vec4 lit = umbrage_lit_2x2(map, size, texel, receiver);
+    UMBRAGE_HIGHP float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
+    UMBRAGE_HIGHP float visibility = sum * (1.0 / 65536.0);
     return compared ? visibility : 1.0;
 }
 )GLSL",
@@ -106,10 +101,13 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 s
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;
-    UMBRAGE_HIGHP float a = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel), epsilon);
-    UMBRAGE_HIGHP float b = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 0.0)), epsilon);
-    UMBRAGE_HIGHP float c = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel + vec2(0.0, 1.0)), epsilon);
-    UMBRAGE_HIGHP float d = umbrage_compare_dx_sdk(receiver, UMBRAGE_FETCH(map, size, texel + vec2(1.0, 1.0)), epsilon);
+    UMBRAGE_HIGHP float a = umbrage_compare_dx_sdk(receiver, umbrage_fetch_depth(map, size, texel), epsilon);
+    UMBRAGE_HIGHP float right = umbrage_fetch_depth(map, size, texel + vec2(1.0, 0.0));
+    UMBRAGE_HIGHP float above = umbrage_fetch_depth(map, size, texel + vec2(0.0, 1.0));
+    UMBRAGE_HIGHP float beyond = umbrage_fetch_depth(map, size, texel + vec2(1.0, 1.0));
+    UMBRAGE_HIGHP float b = umbrage_compare_dx_sdk(receiver, right, epsilon);
+    UMBRAGE_HIGHP float c = umbrage_compare_dx_sdk(receiver, above, epsilon);
+    UMBRAGE_HIGHP float d = umbrage_compare_dx_sdk(receiver, beyond, epsilon);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float low = a + weight.x * (b - a);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float high = c + weight.x * (d - c);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float visibility = low + weight.y * (high - low);

@@ -1,9 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include <umbrage/filter/texel_space.hpp>
 
+#include <cmath>
+
 #include "../entries.hpp"
 
 namespace parity {
+namespace {
+
+/// whole_texels() with a receiver in x0.z: a depth on the maps' lattice, beside it, NaN, or beyond the planes.
+std::vector<input_class> compared_texels() {
+    auto classes = whole_texels();
+    for (input_class& c : classes)
+        c.fill = [texel = c.fill](std::uint64_t i, random& r, sample& s) {
+            texel(i, r, s);
+            const float lattice = static_cast<float>(r.below(17)) / 16.0f;
+            const float depths[] = {lattice, r.between(-0.5f, 1.5f), lattice, std::nanf("")};
+            s.x[0].z = depths[r.below(4)];
+        };
+    return classes;
+}
+
+}  // namespace
 
 void add_filter_texel_space(std::vector<entry>& all) {
     namespace glsl = umbrage::glsl;
@@ -43,6 +61,28 @@ void add_filter_texel_space(std::vector<entry>& all) {
                        .call = "vec4(umbrage_is_compared(vec2(x0.x, x0.y), x0.z) ? 1.0 : 0.0)",
                        .maps = depth_maps(),
                        .preamble = direction == depth_direction::forward ? "" : reversed});
+    for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
+        const bool forward = direction == depth_direction::forward;
+        all.push_back({.primitive = &glsl::lit,
+                       .variant = forward ? "" : "reversed",
+                       .classes = compared_texels(),
+                       .twin =
+                           [direction](const sample& s) {
+                               return vec4(lit(s.depth(), texel_of(s), s.x[0].z, comparison{direction}));
+                           },
+                       .call = "vec4(umbrage_lit(map, map_size, vec2(x0.x, x0.y), x0.z))",
+                       .maps = depth_maps(),
+                       .preamble = forward ? "" : reversed});
+        all.push_back(
+            {.primitive = &glsl::lit_2x2,
+             .variant = forward ? "" : "reversed",
+             .classes = compared_texels(),
+             .twin = [direction](
+                         const sample& s) { return lit_2x2(s.depth(), texel_of(s), s.x[0].z, comparison{direction}); },
+             .call = "umbrage_lit_2x2(map, map_size, vec2(x0.x, x0.y), x0.z)",
+             .maps = depth_maps(),
+             .preamble = forward ? "" : reversed});
+    }
 }
 
 }  // namespace parity

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+//
+// Snippets bound to maps, so that one shader holds maps of several kinds: functions under a suffix of each map's own.
+//
+//     using namespace umbrage::glsl;
+//     std::string shader = source(version::v330, {bind(pcf_2x2, "sun", {.texture = texture::array}),
+//                                                 bind(box, "lamp", stored_as(umbrage::rg<11>{}))});
+//     // umbrage_pcf_2x2_sun(sampler2DArray map, float layer, vec2 size, ...), umbrage_box_lamp(sampler2D map, ...)
+//
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <umbrage/clip_space.hpp>
+#include <umbrage/config.hpp>
+#include <umbrage/depth/encoding.hpp>
+#include <umbrage/shader/snippet.hpp>
+
+namespace umbrage::glsl {
+
+/// What a map's texels lie in, and so what functions that take a map are called with first; here in GLSL's words:
+///   texture_2d             sampler2D map: depths, or values that `depth` makes depths of
+///   atlas                  sampler2D map, vec2 origin: a region, whose first texel the caller gives
+///   array                  sampler2DArray map, float layer
+///   cube                   samplerCube map, float face: one face of cube_map.hpp, filtered within itself
+///   integer                usampler2D map: the value is the whole number, exact up to 2^24
+///   depth, depth_array     depth textures that are read as they are; in GLSL texture_2d and array
+///   shadow, shadow_array   comparison samplers, sampler2DShadow map: they compare themselves, in the direction that
+///                          they were set to; a filter that needs depths cannot be bound to them
+enum class texture { texture_2d, atlas, array, cube, integer, depth, depth_array, shadow, shadow_array };
+
+/// A map for shaders: where its texels are, and how they compare. Texts in it are in the shader's own language.
+struct binding {
+    glsl::texture texture = glsl::texture::texture_2d;
+    depth_direction direction = depth_direction::forward;
+    bool outside_lit = false;      ///< outside the map all is lit; else the nearest texel inside counts
+    bool gather = false;           ///< 2x2 texels at once; the sampler must clamp to the edge, but for regions
+    std::string depth{};           ///< of vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x
+    int channels = 1;              ///< how many of `value` it reads
+    std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
+    std::string texture_size{};    ///< vec2: for regions of textures that are read by coordinates
+    std::string parameters{};      ///< in place of the kind's: what stands for the map in declarations,
+    std::string arguments{};       ///< in calls,
+    std::string texel{};           ///< and as value, a vec4, of the texture at `at`, a vec2 of whole numbers
+    std::vector<snippet> needs{};  ///< what these texts call
+
+    friend bool operator==(const binding&, const binding&) = default;
+};
+
+/// The map that an encoding's texels make, in place of `map`'s depth and direction.
+template <known_encoding Encoding>
+[[nodiscard]] binding stored_as(const Encoding& encoding, binding map = {}) {
+    map.direction = encoding.direction;
+    if constexpr (Encoding::reader != nullptr) {
+        map.channels = static_cast<int>(Encoding::texel::length());
+        map.depth = "umbrage_" + std::string(Encoding::reader->name) + "(value." +
+                    std::string("xyzw").substr(0, static_cast<std::size_t>(map.channels));
+        if constexpr (has_edge<Encoding>) {
+            std::string edge = std::to_string(encoding.edge);
+            edge.resize(std::max(edge.find_last_not_of('0') + 1, edge.find('.') + 2));
+            map.depth += ", " + edge;
+        }
+        map.depth += ')';
+        map.needs.push_back(*Encoding::reader);
+    }
+    return map;
+}
+
+/// A snippet and the map that it is for; a snippet alone is for the shader's one map.
+struct bound {
+    snippet what;
+    std::string suffix{};
+    binding map{};
+    bool by_macros = true;  ///< in GLSL the hooks are macros of the shader's
+
+    bound(const snippet& s) : what(s) {}
+    bound(const snippet& s, std::string_view name, binding b)
+        : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)), by_macros(false) {}
+};
+
+/// The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
+/// @param name   letters, digits, single underscores between them
+/// @throws std::invalid_argument  another name
+[[nodiscard]] inline bound bind(const snippet& what, std::string_view name, binding map = {}) {
+    char before = '_';
+    for (const char c : name) {
+        const bool word = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+        if (!word && (c != '_' || before == '_'))
+            umbrage::detail::fail("umbrage::glsl::bind: name is not a part of an identifier: " + std::string(name));
+        before = c;
+    }
+    if (!name.empty() && before == '_')
+        umbrage::detail::fail("umbrage::glsl::bind: name ends in _: " + std::string(name));
+    return {what, name, std::move(map)};
+}
+
+}  // namespace umbrage::glsl

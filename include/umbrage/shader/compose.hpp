@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+//
+// How bound snippets become one text, in any language: the hooks that a map chooses in place of the snippets' own, the
+// words that it fills in, everything once and after what it needs.
+//
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <umbrage/shader/bind.hpp>
+#include <umbrage/light/cube_map.hpp>
+#include <umbrage/shader/hooks.hpp>
+#include <umbrage/version.hpp>
+
+namespace umbrage::glsl::detail {
+
+/// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers.
+struct texture_words {
+    std::string_view parameters, arguments;
+    std::string_view texel{};                       ///< vec4; lines that begin with # stand for the whole statement
+    std::string_view lit{};                         ///< the sampler's comparison with `receiver`: float
+    std::string_view gather_red{}, gather_green{};  ///< vec4
+    std::string_view gather_lit{};                  ///< the sampler's comparisons with `receiver`: vec4
+    std::string_view size{};                        ///< of the texture: vec2
+};
+
+/// What there is to know of a language.
+struct language {
+    std::string_view prelude;  ///< what every text begins with
+    texture_words (*words)(texture kind);
+    std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
+    bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
+    bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
+};
+
+[[nodiscard]] constexpr bool is_word(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/// The text with each word replaced by replacement(word, in_comment).
+template <class Replacement>
+[[nodiscard]] std::string replace_words(std::string_view text, const Replacement& replacement) {
+    std::string out;
+    bool comment = false;
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i;
+        while (end < text.size() && is_word(text[end])) ++end;
+        if (end > i) {
+            out += replacement(text.substr(i, end - i), comment);
+            i = end;
+            continue;
+        }
+        comment = text[i] == '\n' ? false : comment || text.substr(i, 2) == "//";
+        out += text[i++];
+    }
+    return out;
+}
+
+[[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
+[[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
+
+/// The function that a map has in place of a hook's own text; other snippets as they are.
+/// @throws std::invalid_argument  the map cannot have what is asked of it
+[[nodiscard]] inline const snippet& chosen(const snippet& s, const binding& b) {
+    const bool forward = b.direction == depth_direction::forward;
+    const bool scaled = std::any_of(b.needs.begin(), b.needs.end(), [](const snippet& n) { return n.scaled; });
+    switch (s.role) {
+        case hook::none:
+        case hook::chosen: return s;
+        case hook::cleared_depth: return forward ? hooks::forward_cleared_depth : hooks::reversed_cleared_depth;
+        case hook::beyond_far:
+            return scaled ? hooks::scaled_beyond_far : forward ? hooks::forward_beyond_far : hooks::reversed_beyond_far;
+        case hook::compare: return forward ? hooks::forward_compare : hooks::reversed_compare;
+        case hook::texel:
+        case hook::fetch_depth:
+            if (compares(b.texture))
+                umbrage::detail::fail("umbrage::glsl::bind: a comparison sampler compares, it gives no depths");
+            if (s.role == hook::texel) return hooks::texel;
+            return b.outside_lit ? hooks::bordered_depth : hooks::clamped_depth;
+        case hook::lit:
+            if (!compares(b.texture)) return s;
+            return b.outside_lit ? hooks::bordered_lit : hooks::clamped_lit;
+        case hook::lit_2x2:
+            if (!b.gather) return s;
+            if (b.outside_lit) return hooks::gathered_bordered;
+            return has_region(b) ? hooks::gathered_region : hooks::gathered;
+        case hook::gather_lit:
+            if (b.texture == texture::cube || b.texture == texture::integer)
+                umbrage::detail::fail("umbrage::glsl::bind: no gather from a cube or from whole numbers");
+            if (compares(b.texture)) return hooks::gather_compared;
+            if (b.channels > 2) umbrage::detail::fail("umbrage::glsl::bind: a gather of more than two channels");
+            return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
+    }
+    return s;
+}
+
+/// Whether a snippet's functions are a map's own: they are hooks, or call some.
+[[nodiscard]] inline bool is_of_map(const snippet& s) {
+    return s.role != hook::none ||
+           std::any_of(s.needs.begin(), s.needs.end(), [](const snippet* need) { return is_of_map(*need); });
+}
+
+/// A snippet's text with what a map fills in.
+[[nodiscard]] inline std::string for_map(std::string text, const snippet& s, const bound& item,
+                                         const texture_words& words) {
+    const binding& map = item.map;
+    const auto one_of = [](const std::string& own, std::string_view ordinary) {
+        return own.empty() ? std::string(ordinary) : own;
+    };
+    const std::string origin = map.texture == texture::atlas ? one_of(map.origin, "origin") : map.origin;
+    const std::string texture_size = one_of(map.texture_size, origin.empty() ? "size" : words.size);
+    const auto replace = [&](std::string_view what, std::string_view with) {
+        for (auto at = text.find(what); at != text.npos; at = text.find(what, at + with.size()))
+            text.replace(at, what.size(), with);
+    };
+    const std::string texel = one_of(map.texel, words.texel);
+    if (texel.starts_with('#')) replace("    return UMBRAGE_TEXEL;\n", "UMBRAGE_TEXEL");
+    if (const auto at = text.find("UMBRAGE_ORIGIN"); at != text.npos && origin.empty()) {
+        const auto begin = text.rfind('\n', at);
+        text.erase(begin, text.find('\n', at) - begin);
+    }
+    replace("UMBRAGE_MAP map", "UMBRAGE_PARAMETERS");
+
+    const auto of_texture = [&](std::string_view expression) {
+        return replace_words(expression, [&](std::string_view word, bool) -> std::string {
+            if (word == "at" && origin.empty()) return "texel";
+            if (word == "UMBRAGE_TEXTURE_SIZE") return texture_size;
+            return std::string(word);
+        });
+    };
+    return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
+        if (word.starts_with("umbrage_")) {
+            const std::string_view name = word.substr(8);
+            const bool own = name == s.name || std::any_of(s.needs.begin(), s.needs.end(), [&](const snippet* need) {
+                                 return need->name == name && is_of_map(*need);
+                             });
+            return std::string(word) + (own ? item.suffix : std::string());
+        }
+        if (word == "map" && !comment) return one_of(map.arguments, words.arguments);
+        if (word == "UMBRAGE_PARAMETERS") return one_of(map.parameters, words.parameters);
+        if (word == "UMBRAGE_DEPTH") return one_of(map.depth, "value.x");
+        if (word == "UMBRAGE_ORIGIN") return origin;
+        if (word == "UMBRAGE_TEXEL") return of_texture(texel);
+        if (word == "UMBRAGE_LIT_TEXEL") return of_texture(words.lit);
+        if (word == "UMBRAGE_GATHER_RED") return of_texture(words.gather_red);
+        if (word == "UMBRAGE_GATHER_GREEN") return of_texture(words.gather_green);
+        if (word == "UMBRAGE_GATHER_LIT") return of_texture(words.gather_lit);
+        return std::string(word);
+    });
+}
+
+/// One text in the making.
+class composition {
+public:
+    composition(const language& l, std::span<const bound> items) : language_(l), items_(items.begin(), items.end()) {
+        binding one;  // the shader's one map compares on a scale of its own if anything here makes such depths
+        for (const bound& item : items_)
+            if (item.by_macros && item.what.scaled) one.needs.push_back(item.what);
+        for (bound& item : items_) {
+            if (item.by_macros) item.map = one;
+            for (const bound& other : items)
+                if (!item.by_macros && item.suffix == other.suffix && !(item.map == other.map))
+                    umbrage::detail::fail("umbrage::glsl::text: two maps have one name:" + item.suffix);
+        }
+        if (language_.macros && !one.needs.empty()) text_ += scaled_macro;
+    }
+
+    /// What belongs to no map comes first: hooks may call it, whatever the order of the items.
+    [[nodiscard]] std::string text() && {
+        for (const bool of_map : {false, true})
+            for (const bound& item : items_) {
+                for (const snippet& need : item.map.needs) add(need, item, of_map);
+                if (item.map.texture == texture::cube) add(cube_direction, item, of_map);
+                add(item.what, item, of_map);
+            }
+        return std::move(text_);
+    }
+
+private:
+    static constexpr std::string_view scaled_macro = R"GLSL(
+// depths here are on a scale of their own, on which 1.0 is not the far plane
+#ifndef UMBRAGE_BEYOND_FAR
+#define UMBRAGE_BEYOND_FAR(receiver) false
+#endif
+)GLSL";
+
+    void add(const snippet& asked, const bound& item, bool of_map) {
+        const bool by_macros = language_.macros && item.by_macros;
+        const snippet& s = by_macros ? asked : chosen(asked, item.map);
+        for (const snippet* need : s.needs) add(*need, item, of_map);
+        if (is_of_map(s) != of_map) return;
+        std::string guard = "UMBRAGE_HAS_" + std::string(s.name) + (of_map ? item.suffix : std::string());
+        for (char& c : guard) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        if (std::find(done_.begin(), done_.end(), guard) != done_.end()) return;
+        const std::string body = language_.translate(s);
+        if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
+        text_ += of_map && !by_macros ? for_map(body, s, item, language_.words(item.map.texture)) : body;
+        if (language_.preprocessor) text_ += "#endif\n";
+        done_.push_back(std::move(guard));
+    }
+
+    const language& language_;
+    std::vector<bound> items_;
+    std::string text_;
+    std::vector<std::string> done_;
+};
+
+/// A line that names what follows, then it.
+[[nodiscard]] inline std::string compose(const language& l, std::span<const bound> items) {
+    std::string title = "// umbrage " + std::to_string(UMBRAGE_VERSION_MAJOR) + '.' +
+                        std::to_string(UMBRAGE_VERSION_MINOR) + '.' + std::to_string(UMBRAGE_VERSION_PATCH) +
+                        ", MIT License";
+    for (const bound& item : items)
+        title += (&item == items.data() ? ": " : ", ") + std::string(item.what.name) + item.suffix;
+    return title + '\n' + std::string(l.prelude) + composition(l, items).text();
+}
+
+}  // namespace umbrage::glsl::detail

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+//
+// GLSL twins: what a snippet is. Texts are made of them in glsl.hpp.
+//
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <string_view>
+
+#include <umbrage/config.hpp>
+
+namespace umbrage::glsl {
+
+/// How exactly a snippet and its C++ twin agree.
+///   a  bit for bit on every implementation: every intermediate is representable, so nothing can round
+///   b  bit for bit where + - * round to nearest in written order; a few ulp elsewhere
+///   c  within snippet::ulp units in the last place on every implementation tried: division, square root
+enum class tier { a, b, c };
+
+/// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
+enum class version { v100, v110, v120, v130, v150, v300_es, v310_es, v320_es, v330, v430, v450, v460, vulkan };
+
+inline constexpr std::array versions{version::v100,    version::v110,    version::v120,    version::v130, version::v150,
+                                     version::v300_es, version::v310_es, version::v320_es, version::v330, version::v430,
+                                     version::v450,    version::v460,    version::vulkan};
+
+/// What follows `#version`, e.g. "300 es".
+[[nodiscard]] constexpr std::string_view directive(version v) {
+    switch (v) {
+        case version::v100: return "100";
+        case version::v110: return "110";
+        case version::v120: return "120";
+        case version::v130: return "130";
+        case version::v150: return "150";
+        case version::v300_es: return "300 es";
+        case version::v310_es: return "310 es";
+        case version::v320_es: return "320 es";
+        case version::v330: return "330";
+        case version::v430: return "430";
+        case version::v450: return "450";
+        case version::v460: return "460";
+        case version::vulkan: return "450";
+    }
+    return "";
+}
+
+/// What of a snippet is a map's own affair. The text of such a snippet is what holds for a shader's one map, with macros
+/// to change it; bind() puts another in its place.
+enum class hook { none, cleared_depth, beyond_far, compare, texel, fetch_depth, lit, lit_2x2, gather_lit, chosen };
+
+struct snippet;
+
+/// Snippets that lie in a list<>; a span, but for what it costs to compile.
+struct snippet_span {
+    const snippet* const* first = nullptr;
+    std::size_t size = 0;
+
+    constexpr snippet_span() = default;
+    template <std::size_t Size>
+    constexpr snippet_span(const std::array<const snippet*, Size>& snippets) : first(snippets.data()), size(Size) {}
+    [[nodiscard]] constexpr const snippet* const* begin() const { return first; }
+    [[nodiscard]] constexpr const snippet* const* end() const { return first + size; }
+};
+
+/// One GLSL function (with its overloads) and what is known of it.
+struct snippet {
+    std::string_view name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
+    std::string_view summary{};  ///< one line
+    tier exactness = tier::a;
+    int ulp = 0;                     ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
+    version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
+    snippet_span needs{};            ///< a list<>
+    hook role = hook::none;
+    bool scaled = false;  ///< makes depths on a scale of their own, on which 1.0 is not the far plane
+    std::string_view source;
+
+    /// No two have one name.
+    friend constexpr bool operator==(const snippet& a, const snippet& b) { return a.name == b.name; }
+};
+
+/// Snippets in a row: those that one needs, a header's, a room's.
+template <const snippet*... Snippets>
+inline constexpr std::array<const snippet*, sizeof...(Snippets)> list{Snippets...};
+
+/// True when `s` compiles in dialect `v`.
+[[nodiscard]] constexpr bool supports(const snippet& s, version v) {
+    return s.lowest == version::v100 || v >= version::v300_es;
+}
+
+namespace detail {
+
+/// Text with the constants of one member of a family filled in, at compile time.
+template <std::size_t Capacity>
+struct filled_text {
+    char data[Capacity]{};
+    std::size_t size = 0;
+    [[nodiscard]] constexpr std::string_view view() const { return {data, size}; }
+};
+
+struct constant {
+    char key;  ///< `$key` in the text
+    unsigned value;
+};
+
+/// Replaces each `$key` by the decimal digits of its value. Plain arrays, for the sake of every user's compile time.
+template <std::size_t Capacity, std::size_t Length>
+constexpr filled_text<Capacity> fill(const char (&text)[Length], std::initializer_list<constant> constants) {
+    filled_text<Capacity> out;
+    std::size_t size = 0;
+    for (std::size_t i = 0; i + 1 < Length; ++i) {
+        if (text[i] != '$') {
+            out.data[size++] = text[i];
+            continue;
+        }
+        ++i;
+        for (const constant& c : constants) {
+            if (c.key != text[i]) continue;
+            unsigned unit = 1;
+            while (c.value / unit >= 10) unit *= 10;
+            for (; unit > 0; unit /= 10) out.data[size++] = static_cast<char>('0' + c.value / unit % 10);
+        }
+    }
+    out.size = size;
+    return out;
+}
+
+}  // namespace detail
+}  // namespace umbrage::glsl
