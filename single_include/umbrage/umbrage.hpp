@@ -7756,7 +7756,7 @@ struct texture_words {
 /// What there is to know of a language.
 struct language {
     std::string_view prelude;  ///< what every text begins with
-    texture_words (*words)(texture kind);
+    texture_words (*texture)(glsl::texture kind);
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
@@ -7923,7 +7923,7 @@ private:
         if (std::find(done_.begin(), done_.end(), guard) != done_.end()) return;
         const std::string body = language_.translate(s);
         if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
-        text_ += of_map && !by_macros ? for_map(body, s, item, language_.words(item.map.texture)) : body;
+        text_ += of_map && !by_macros ? for_map(body, s, item, language_.texture(item.map.texture)) : body;
         if (language_.preprocessor) text_ += "#endif\n";
         done_.push_back(std::move(guard));
     }
@@ -7974,7 +7974,7 @@ inline constexpr std::string_view prelude = R"GLSL(
 
 namespace detail {
 
-[[nodiscard]] constexpr texture_words words(texture kind) {
+[[nodiscard]] constexpr texture_words glsl_texture(texture kind) {
     switch (kind) {
         case texture::texture_2d:
         case texture::depth:
@@ -8032,10 +8032,10 @@ namespace detail {
     return {};
 }
 
-inline constexpr language glsl{.prelude = prelude,
-                               .words = words,
-                               .translate = [](const snippet& s) { return std::string(s.source); },
-                               .macros = true};
+inline constexpr language glsl_language{.prelude = prelude,
+                                        .texture = glsl_texture,
+                                        .translate = [](const snippet& s) { return std::string(s.source); },
+                                        .macros = true};
 
 [[nodiscard]] inline std::vector<bound> unbound(std::span<const snippet> snippets) {
     return {snippets.begin(), snippets.end()};
@@ -8058,7 +8058,9 @@ inline constexpr language glsl{.prelude = prelude,
 
 /// The snippets and all they need, each once and guarded, without a `#version` line: text to paste into any shader.
 /// @throws std::invalid_argument   a map that cannot have what is asked of it; two maps of one name
-[[nodiscard]] inline std::string text(std::span<const bound> items) { return detail::compose(detail::glsl, items); }
+[[nodiscard]] inline std::string text(std::span<const bound> items) {
+    return detail::compose(detail::glsl_language, items);
+}
 [[nodiscard]] inline std::string text(std::span<const snippet> snippets) { return text(detail::unbound(snippets)); }
 [[nodiscard]] inline std::string text(std::initializer_list<bound> items) {
     return text(std::span(items.begin(), items.size()));

@@ -31,7 +31,7 @@ struct texture_words {
 /// What there is to know of a language.
 struct language {
     std::string_view prelude;  ///< what every text begins with
-    texture_words (*words)(texture kind);
+    texture_words (*texture)(glsl::texture kind);
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
@@ -198,7 +198,7 @@ private:
         if (std::find(done_.begin(), done_.end(), guard) != done_.end()) return;
         const std::string body = language_.translate(s);
         if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
-        text_ += of_map && !by_macros ? for_map(body, s, item, language_.words(item.map.texture)) : body;
+        text_ += of_map && !by_macros ? for_map(body, s, item, language_.texture(item.map.texture)) : body;
         if (language_.preprocessor) text_ += "#endif\n";
         done_.push_back(std::move(guard));
     }

@@ -37,7 +37,7 @@ inline constexpr std::string_view prelude = R"GLSL(
 
 namespace detail {
 
-[[nodiscard]] constexpr texture_words words(texture kind) {
+[[nodiscard]] constexpr texture_words glsl_texture(texture kind) {
     switch (kind) {
         case texture::texture_2d:
         case texture::depth:
@@ -95,10 +95,10 @@ namespace detail {
     return {};
 }
 
-inline constexpr language glsl{.prelude = prelude,
-                               .words = words,
-                               .translate = [](const snippet& s) { return std::string(s.source); },
-                               .macros = true};
+inline constexpr language glsl_language{.prelude = prelude,
+                                        .texture = glsl_texture,
+                                        .translate = [](const snippet& s) { return std::string(s.source); },
+                                        .macros = true};
 
 [[nodiscard]] inline std::vector<bound> unbound(std::span<const snippet> snippets) {
     return {snippets.begin(), snippets.end()};
@@ -121,7 +121,9 @@ inline constexpr language glsl{.prelude = prelude,
 
 /// The snippets and all they need, each once and guarded, without a `#version` line: text to paste into any shader.
 /// @throws std::invalid_argument   a map that cannot have what is asked of it; two maps of one name
-[[nodiscard]] inline std::string text(std::span<const bound> items) { return detail::compose(detail::glsl, items); }
+[[nodiscard]] inline std::string text(std::span<const bound> items) {
+    return detail::compose(detail::glsl_language, items);
+}
 [[nodiscard]] inline std::string text(std::span<const snippet> snippets) { return text(detail::unbound(snippets)); }
 [[nodiscard]] inline std::string text(std::initializer_list<bound> items) {
     return text(std::span(items.begin(), items.size()));

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include <umbrage/shader/glsl.hpp>
 #include <umbrage/shader/registry.hpp>
 
 namespace packing {

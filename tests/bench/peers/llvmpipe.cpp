@@ -13,6 +13,7 @@
 
 #include <umbrage/depth/rg.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/shader/glsl.hpp>
 
 namespace peers::llvmpipe {
 namespace {
