@@ -7850,24 +7850,25 @@ template <class Replacement>
     }
     replace("UMBRAGE_MAP map", "UMBRAGE_PARAMETERS");
 
+    const auto suffixed = [&](std::string_view word) {
+        const auto is_it = [name = word.substr(8)](const snippet& own) { return own.name == name && is_of_map(own); };
+        const bool own = word.substr(8) == s.name || std::any_of(map.needs.begin(), map.needs.end(), is_it) ||
+                         std::any_of(s.needs.begin(), s.needs.end(), [&](const snippet* n) { return is_it(*n); });
+        return std::string(word) + (own ? item.suffix : std::string());
+    };
     const auto of_texture = [&](std::string_view expression) {
         return replace_words(expression, [&](std::string_view word, bool) -> std::string {
+            if (word.starts_with("umbrage_")) return suffixed(word);
             if (word == "at" && origin.empty()) return "texel";
             if (word == "UMBRAGE_TEXTURE_SIZE") return texture_size;
             return std::string(word);
         });
     };
     return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
-        if (word.starts_with("umbrage_")) {
-            const std::string_view name = word.substr(8);
-            const bool own = name == s.name || std::any_of(s.needs.begin(), s.needs.end(), [&](const snippet* need) {
-                                 return need->name == name && is_of_map(*need);
-                             });
-            return std::string(word) + (own ? item.suffix : std::string());
-        }
+        if (word.starts_with("umbrage_")) return suffixed(word);
         if (word == "map" && !comment) return one_of(map.arguments, words.arguments);
         if (word == "UMBRAGE_PARAMETERS") return one_of(map.parameters, words.parameters);
-        if (word == "UMBRAGE_DEPTH") return one_of(map.depth, "value.x");
+        if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(texel);
         if (word == "UMBRAGE_LIT_TEXEL") return of_texture(words.lit);

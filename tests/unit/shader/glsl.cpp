@@ -165,13 +165,6 @@ TEST_CASE("source: a dialect that a snippet does not support") {
     }
 }
 
-TEST_CASE("fill: keys become decimal digits") {
-    constexpr auto filled = detail::fill<64>("a$b, $n.0 $b$b", {{'b', 9}, {'n', 65536}});
-    static_assert(filled.view() == "a9, 65536.0 99");
-    static_assert(detail::fill<8>("$z", {{'z', 0}}).view() == "0");
-    static_assert(detail::fill<16>("$z", {{'z', 100}}).view() == "100");
-}
-
 TEST_CASE("registry: names tell snippets apart, and whatever one needs is there and old enough") {
     std::set<std::string_view> names;
     for (const snippet* s : registry) {

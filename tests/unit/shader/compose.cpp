@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <umbrage/shader/compose.hpp>
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include <umbrage/depth/encodings.hpp>
+#include <umbrage/depth/rg_level.hpp>
+#include <umbrage/filter/pcf/box.hpp>
+#include <umbrage/filter/pcf/hard.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/shader/glsl.hpp>
+
+using namespace umbrage;
+using namespace umbrage::glsl;
+
+namespace {
+
+std::size_t count(std::string_view text, std::string_view part) {
+    std::size_t n = 0;
+    for (auto at = text.find(part); at != text.npos; at = text.find(part, at + part.size())) ++n;
+    return n;
+}
+
+/// The function of this name, from its signature to its last brace.
+std::string function(const std::string& text, const std::string& name) {
+    const auto at = text.find(" " + name + "(");
+    REQUIRE(at != text.npos);
+    const auto begin = text.rfind('\n', at) + 1;
+    return text.substr(begin, text.find("\n}\n", at) + 3 - begin);
+}
+
+const binding packed = stored_as(rg<11>{});
+const binding layered{.texture = texture::array, .direction = depth_direction::reversed};
+
+}  // namespace
+
+TEST_CASE("a map's functions carry its name and take what its texture is called with") {
+    const std::string text = glsl::text({bind(glsl::hard, "sun", layered)});
+    CHECK(text.starts_with("// umbrage 0.1.0, MIT License: hard_sun\n"));
+    CHECK(function(text, "umbrage_texel_sun") ==
+          "UMBRAGE_HIGHP vec4 umbrage_texel_sun(UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer, "
+          "UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {\n"
+          "    return texelFetch(map, ivec3(ivec2(texel), int(layer)), 0);\n}\n");
+    CHECK(function(text, "umbrage_fetch_clamped_sun").find("umbrage_texel_sun(map, layer, size, clamp(") !=
+          std::string::npos);
+    CHECK(function(text, "umbrage_compare_sun").find("receiver >= stored") != std::string::npos);
+    CHECK(text.find("#define UMBRAGE_HAS_HARD_SUN\n") != std::string::npos);
+    CHECK(count(text, "UMBRAGE_MAP") == 0);  // macros are the one map's
+    CHECK(count(text, "UMBRAGE_ORIGIN") == 0);
+    CHECK(text.find("map, size  shadow map and its size") != std::string::npos);  // comments keep their words
+}
+
+TEST_CASE("several maps in one text: each its own functions, what belongs to none once and first") {
+    const std::string text =
+        glsl::text({bind(glsl::hard, "sun", layered), bind(glsl::box, "lamp", packed), bind(glsl::hard, "lamp", packed),
+                    glsl::pcf_2x2, bind(glsl::hard, "sun", layered)});
+    CHECK(count(text, "float umbrage_hard_sun(") == 1);
+    CHECK(count(text, "float umbrage_hard_lamp(") == 1);
+    CHECK(count(text, "float umbrage_lit_lamp(") == 1);
+    CHECK(count(text, "float umbrage_pcf_2x2(") == 1);
+    CHECK(count(text, "bool umbrage_inside_texel_space(") == 1);
+    CHECK(count(text, "float umbrage_decode_rg11(") == 1);
+    CHECK(text.find("float umbrage_decode_rg11(") < text.find("float umbrage_lit_lamp("));
+    CHECK(count(text, "#if") == count(text, "#endif"));
+    CHECK_THROWS_AS((void)glsl::text({bind(glsl::hard, "sun", layered), bind(glsl::box, "sun", packed)}),
+                    std::invalid_argument);
+}
+
+TEST_CASE("what hooks call is put in front, however the snippets are listed") {
+    const std::string a = glsl::text({glsl::hard, glsl::decode_rg<11>}),
+                      b = glsl::text({glsl::decode_rg<11>, glsl::hard});
+    for (const std::string& text : {a, b})
+        CHECK(text.find("umbrage_decode_rg11(") < text.find("#ifndef UMBRAGE_FETCH"));
+}
+
+TEST_CASE("a map of depths on a scale of their own has no far plane") {
+    binding levels{.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}};
+    CHECK(function(glsl::text({bind(glsl::hard, "a", levels)}), "umbrage_beyond_far_a").find("return false;") !=
+          std::string::npos);
+    const std::string_view macro = "#define UMBRAGE_BEYOND_FAR(receiver) false\n";
+    for (const std::string& text :
+         {glsl::text({glsl::hard, glsl::level_rg<11>}), glsl::text({glsl::level_rg<11>, glsl::hard})})
+        CHECK(text.find(macro) < text.find("bool umbrage_beyond_far("));
+    CHECK(glsl::text({glsl::hard, glsl::decode_rg<11>}).find(macro) == std::string::npos);
+}
+
+TEST_CASE("regions: the origin is added where the texture is read, and nowhere else") {
+    const std::string tile = glsl::text({bind(glsl::hard, "a", {.origin = "vec2(512.0, 0.0)"})});
+    CHECK(function(tile, "umbrage_texel_a").find("vec2 at = texel + vec2(512.0, 0.0);\n") != std::string::npos);
+    CHECK(function(tile, "umbrage_texel_a").find("texelFetch(map, ivec2(at), 0)") != std::string::npos);
+    CHECK(count(tile, "512.0") == 1);
+    const std::string atlas = glsl::text({bind(glsl::hard, "a", {.texture = texture::atlas})});
+    CHECK(function(atlas, "umbrage_hard_a").find("UMBRAGE_HIGHP vec2 origin, UMBRAGE_HIGHP vec2 size") !=
+          std::string::npos);
+    CHECK(function(atlas, "umbrage_texel_a").find("texel + origin;") != std::string::npos);
+    const std::string whole = glsl::text({bind(glsl::hard, "a", {})});
+    CHECK(function(whole, "umbrage_texel_a").find(" at ") == std::string::npos);
+}
+
+TEST_CASE("what a map cannot have is refused") {
+    const auto refused = [](const snippet& s, const binding& map) {
+        CHECK_THROWS_AS((void)glsl::text({bind(s, "a", map)}), std::invalid_argument);
+    };
+    refused(glsl::pcf_2x2_dx_sdk, {.texture = texture::shadow});  // it needs depths
+    refused(glsl::pcf_2x2, {.texture = texture::cube, .gather = true});
+    refused(glsl::pcf_2x2, {.texture = texture::integer, .gather = true});
+    refused(glsl::pcf_2x2, stored_as(rgb24{}, {.gather = true}));
+    CHECK_NOTHROW((void)glsl::text({bind(glsl::pcf_2x2, "a", {.texture = texture::shadow, .gather = true})}));
+    CHECK_NOTHROW((void)glsl::text({bind(glsl::pcf_2x2, "a", stored_as(rg<11>{}, {.gather = true}))}));
+    const auto too_old = [](version v, const binding& map) {
+        CHECK_FALSE(supports(bind(glsl::pcf_2x2, "a", map), v));
+        CHECK_THROWS_AS((void)source(v, {bind(glsl::pcf_2x2, "a", map)}), std::invalid_argument);
+    };
+    too_old(version::v120, {.texture = texture::array});
+    too_old(version::v150, {.texture = texture::shadow});
+    too_old(version::v330, {.gather = true});
+    too_old(version::v300_es, {.gather = true});
+    CHECK(supports(bind(glsl::pcf_2x2, "a", {.gather = true}), version::v310_es));
+    CHECK(supports(bind(glsl::pcf_2x2, "a", {.texture = texture::cube}), version::v100));
+}
+
+TEST_CASE("own words for a texture: parameters, arguments and the value") {
+    const binding mine{
+        .parameters = "int layer", .arguments = "layer", .texel = "texelFetch(maps, ivec3(at, layer), 0)"};
+    const std::string text = glsl::text({bind(glsl::hard, "a", mine)});
+    CHECK(function(text, "umbrage_texel_a").find("(int layer, UMBRAGE_HIGHP vec2 size") != std::string::npos);
+    CHECK(function(text, "umbrage_texel_a").find("return texelFetch(maps, ivec3(texel, layer), 0);") !=
+          std::string::npos);
+    CHECK(function(text, "umbrage_hard_a").find("umbrage_lit_a(layer, size, texel, receiver)") != std::string::npos);
+}
+
+TEST_CASE("every filter and every kind of texture make a text without a word left to fill in") {
+    for (const texture kind : {texture::texture_2d, texture::atlas, texture::array, texture::cube, texture::integer,
+                               texture::depth, texture::depth_array, texture::shadow, texture::shadow_array})
+        for (const bool lit : {false, true})
+            for (const bool gather : {false, true}) {
+                if (gather && (kind == texture::cube || kind == texture::integer)) continue;
+                const binding map{.texture = kind, .outside_lit = lit, .gather = gather};
+                for (const snippet& s : {glsl::hard, glsl::pcf_2x2, glsl::box}) {
+                    const std::string text = glsl::text({bind(s, "a", map)});
+                    for (const char* word :
+                         {"UMBRAGE_MAP", "UMBRAGE_PARAMETERS", "UMBRAGE_TEXEL", "UMBRAGE_LIT_TEXEL", "UMBRAGE_GATHER",
+                          "UMBRAGE_ORIGIN", "UMBRAGE_DEPTH", "UMBRAGE_TEXTURE_SIZE"})
+                        CHECK(text.find(word) == std::string::npos);
+                }
+            }
+}

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <umbrage/shader/hooks.hpp>
+
+#include <string>
+
+using namespace umbrage::glsl;
+
+TEST_CASE("hooks that maps choose: functions without macros, named for the hook they stand for") {
+    for (const snippet* s : hooks::all) {
+        CAPTURE(s->name);
+        CHECK(s->role != hook::none);
+        CHECK(s->source.find("\n#") == s->source.npos);
+        CHECK(s->source.find(" umbrage_" + std::string(s->name) + "(") != s->source.npos);
+        CHECK(s->source.starts_with("\n// umbrage_" + std::string(s->name) + ": "));
+    }
+}

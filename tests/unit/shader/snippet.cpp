@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <set>
+#include <string_view>
+
+#include <umbrage/shader/snippet.hpp>
+
+using namespace umbrage::glsl;
+
+TEST_CASE("fill: keys become decimal digits") {
+    constexpr auto filled = detail::fill<64>("a$b, $n.0 $b$b", {{'b', 9}, {'n', 65536}});
+    static_assert(filled.view() == "a9, 65536.0 99");
+    static_assert(detail::fill<8>("$z", {{'z', 0}}).view() == "0");
+    static_assert(detail::fill<16>("$z", {{'z', 100}}).view() == "100");
+}
+
+TEST_CASE("directive: every dialect has one, Vulkan's is that of 450") {
+    std::set<std::string_view> directives;
+    for (version v : versions) directives.insert(directive(v));
+    CHECK(directives.size() == versions.size() - 1);
+    CHECK_FALSE(directives.contains(""));
+}
+
+TEST_CASE("snippets are told apart by their names") {
+    constexpr snippet a{.name = "a", .source = "\n"}, b{.name = "b", .source = "\n"};
+    CHECK(a == a);
+    CHECK_FALSE(a == b);
+}
