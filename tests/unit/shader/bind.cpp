@@ -33,7 +33,8 @@ TEST_CASE("stored_as: a texel of any encoding becomes the depth that its reader 
         CHECK(map.needs.size() == (reader ? 1u : 0u));
         if (!reader) return;
         const std::string text = glsl::text({bind(glsl::hard, "map", map)});
-        const std::string name = "umbrage_" + std::string(reader->name) + (detail::is_of_map(*reader) ? "_map(" : "(");
+        const std::string name =
+            "umbrage_" + std::string(reader->name) + (umbrage::glsl::detail::is_of_map(*reader) ? "_map(" : "(");
         CHECK(text.find(" " + name) < text.find("return " + name));  // defined, and before it is called
         CHECK(text.find("return " + name) != text.npos);
     });
