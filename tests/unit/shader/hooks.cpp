@@ -3,13 +3,18 @@
 
 #include <umbrage/shader/hooks.hpp>
 
+#include <set>
 #include <string>
+#include <string_view>
 
 using namespace umbrage::glsl;
 
 TEST_CASE("hooks that maps choose: functions without macros, named for the hook they stand for") {
+    std::set<std::string_view> summaries;
     for (const snippet* s : hooks::all) {
         CAPTURE(s->name);
+        CHECK(summaries.insert(s->summary).second);  // names are those of the hooks: these tell variants apart
+        CHECK(s->summary.starts_with(s->name));
         CHECK(s->role != hook::none);
         CHECK(s->source.find("\n#") == s->source.npos);
         CHECK(s->source.find(" umbrage_" + std::string(s->name) + "(") != s->source.npos);
