@@ -21,11 +21,12 @@ namespace umbrage::glsl::detail {
 /// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers.
 struct texture_words {
     std::string_view parameters, arguments;
-    std::string_view texel{};                       ///< vec4; lines that begin with # stand for the whole statement
-    std::string_view lit{};                         ///< the sampler's comparison with `receiver`: float
-    std::string_view gather_red{}, gather_green{};  ///< vec4
-    std::string_view gather_lit{};                  ///< the sampler's comparisons with `receiver`: vec4
-    std::string_view size{};                        ///< of the texture: vec2
+    std::string_view texel{};                        ///< vec4; lines that begin with # stand for the whole statement
+    std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
+    std::string_view gather_red{}, gather_green{};   ///< vec4
+    std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
+    std::string_view size{};                         ///< of the texture: vec2
+    std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
 };
 
 /// What there is to know of a language.
@@ -105,6 +106,15 @@ template <class Replacement>
            std::any_of(s.needs.begin(), s.needs.end(), [](const snippet* need) { return is_of_map(*need); });
 }
 
+/// What a text calls its map: `map`, or `table`.
+[[nodiscard]] inline std::string name_of_map(std::string_view text) {
+    const std::string_view type = "UMBRAGE_MAP ";
+    const auto at = text.find(type);
+    if (at == text.npos) return "map";
+    text.remove_prefix(at + type.size());
+    return std::string(text.substr(0, text.find_first_of(",)")));
+}
+
 /// A snippet's text with what a map fills in.
 [[nodiscard]] inline std::string for_map(std::string text, const snippet& s, const bound& item,
                                          const texture_words& words) {
@@ -124,7 +134,14 @@ template <class Replacement>
         const auto begin = text.rfind('\n', at);
         text.erase(begin, text.find('\n', at) - begin);
     }
-    replace("UMBRAGE_MAP map", "UMBRAGE_PARAMETERS");
+    const std::string own_map = name_of_map(text);
+    replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
+    const auto list = [&](const std::string& own, std::string_view ordinary, std::string_view sampler) {
+        std::string all = one_of(own, ordinary);
+        if (own.empty() && map.gather) all.insert(std::min(all.find(','), all.size()), sampler);
+        return replace_words(all,
+                             [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
+    };
 
     const auto suffixed = [&](std::string_view word) {
         const auto is_it = [name = word.substr(8)](const snippet& own) { return own.name == name && is_of_map(own); };
@@ -142,8 +159,8 @@ template <class Replacement>
     };
     return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
         if (word.starts_with("umbrage_")) return suffixed(word);
-        if (word == "map" && !comment) return one_of(map.arguments, words.arguments);
-        if (word == "UMBRAGE_PARAMETERS") return one_of(map.parameters, words.parameters);
+        if (word == own_map && !comment) return list(map.arguments, words.arguments, words.sampler_argument);
+        if (word == "UMBRAGE_PARAMETERS") return list(map.parameters, words.parameters, words.sampler);
         if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(texel);
