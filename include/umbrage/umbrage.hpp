@@ -18,11 +18,9 @@
 #include <umbrage/images/visibility.hpp>
 
 #include <umbrage/shader/glsl.hpp>
+#include <umbrage/shader/hlsl.hpp>
+#include <umbrage/shader/msl.hpp>
 #include <umbrage/shader/registry.hpp>
 #include <umbrage/shader/translate/layout.hpp>
 #include <umbrage/shader/translate/tokens.hpp>
-#include <umbrage/shader/translate/types.hpp>
-#include <umbrage/shader/translate/wgsl_expression.hpp>
-#include <umbrage/shader/translate/wgsl_function.hpp>
 #include <umbrage/shader/translate/words.hpp>
-#include <umbrage/shader/wgsl.hpp>

@@ -50,10 +50,9 @@
 #include <initializer_list>
 #include <iterator>
 #include <limits>
-#include <map>
+#include <metal_stdlib>
 #include <new>
 #include <numbers>
-#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -7765,6 +7764,77 @@ inline constexpr auto all =
 
 }  // namespace umbrage::glsl::hooks
 
+// ---- umbrage/shader/translate/layout.hpp
+// Where lines end, once words of another length stand in them.
+//
+
+namespace umbrage::glsl::detail {
+
+/// One statement, or a function's head, in lines of at most 120 columns. Lines end behind a comma or an operator, as far
+/// out of brackets as may be; what goes on stands below the bracket that it is in, or four columns in.
+[[nodiscard]] inline std::string broken(std::string statement) {
+    const std::size_t margin = statement.find_first_not_of(' ');
+    std::string out;
+    std::vector<std::size_t> brackets;  // columns behind those that are open where the line at work begins
+    for (std::size_t begin = margin; statement.size() > 120;) {
+        std::vector<std::size_t> open = brackets, open_at_end;
+        std::size_t end = 0;
+        for (std::size_t i = begin; i <= 120; ++i) {
+            const char c = statement[i];
+            if (c == '(' || c == '[') open.push_back(i + 1);
+            if ((c == ')' || c == ']') && !open.empty()) open.pop_back();
+            const bool can_end =
+                c == ' ' && i > begin && std::string_view(",=+*/&|").find(statement[i - 1]) != std::string_view::npos;
+            if (!can_end || (end > 0 && open.size() > open_at_end.size())) continue;
+            end = i;
+            open_at_end = open;
+        }
+        if (end == 0) break;
+        brackets = open_at_end;
+        begin = brackets.empty() ? margin + 4 : brackets.back();
+        out += statement.substr(0, end) + '\n';
+        statement.replace(0, end + 1, begin, ' ');
+    }
+    return out + statement;
+}
+
+/// The text with the lines of each statement joined and broken again; a comment or a directive stays as it is.
+[[nodiscard]] inline std::string laid_out(std::string_view text) {
+    const auto next_line = [&] {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(line.size() < text.size() ? line.size() + 1 : line.size());
+        return line;
+    };
+    const auto is_code = [](std::string_view line) {
+        const std::size_t begin = line.find_first_not_of(' ');
+        return begin != line.npos && line[begin] != '#' && line.substr(begin, 2) != "//";
+    };
+    const auto ends_statement = [](std::string_view line) {
+        return line.find("//") != line.npos || std::string_view(";{}").find(line.back()) != std::string_view::npos;
+    };
+    std::string out;
+    while (!text.empty()) {
+        std::string_view line = next_line();
+        if (is_code(line)) {
+            std::string statement(line.substr(0, line.find("//")));
+            while (!ends_statement(line) && is_code(text.substr(0, text.find('\n')))) {
+                line = next_line();
+                std::string_view code = line.substr(0, line.find("//"));
+                code.remove_prefix(code.find_first_not_of(' '));
+                statement += (statement.back() == '(' ? "" : " ") + std::string(code);
+            }
+            out += broken(std::move(statement));
+            if (line.find("//") != line.npos) out += line.substr(line.find("//"));
+        } else {
+            out += line;
+        }
+        out += '\n';
+    }
+    return out;
+}
+
+}  // namespace umbrage::glsl::detail
+
 // ---- umbrage/shader/compose.hpp
 // How bound snippets become one text, in any language: the hooks that a map chooses in place of the snippets' own, the
 // words that it fills in, everything once and after what it needs.
@@ -7775,12 +7845,11 @@ namespace umbrage::glsl::detail {
 /// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers.
 struct texture_words {
     std::string_view parameters, arguments;
-    std::string_view texel{};                        ///< vec4; lines that begin with # stand for the whole statement
-    std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
-    std::string_view gather_red{}, gather_green{};   ///< vec4
-    std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
-    std::string_view size{};                         ///< of the texture: vec2
-    std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
+    std::string_view texel{};                       ///< vec4; lines that begin with # stand for the whole statement
+    std::string_view lit{};                         ///< the sampler's comparison with `receiver`: float
+    std::string_view gather_red{}, gather_green{};  ///< vec4
+    std::string_view gather_lit{};                  ///< the sampler's comparisons with `receiver`: vec4
+    std::string_view size{};                        ///< of the texture: vec2
 };
 
 /// What there is to know of a language.
@@ -7790,7 +7859,6 @@ struct language {
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
-    std::string_view scaled_macro{};             ///< for those of depths on a scale of their own
 };
 
 [[nodiscard]] constexpr bool is_word(char c) {
@@ -7890,10 +7958,8 @@ template <class Replacement>
     }
     const std::string own_map = name_of_map(text);
     replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
-    const auto list = [&](const std::string& own, std::string_view ordinary, std::string_view sampler) {
-        std::string all = one_of(own, ordinary);
-        if (own.empty() && map.gather) all.insert(std::min(all.find(','), all.size()), sampler);
-        return replace_words(all,
+    const auto named = [&](std::string_view list) {
+        return replace_words(list,
                              [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
     };
 
@@ -7913,8 +7979,8 @@ template <class Replacement>
     };
     return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
         if (word.starts_with("umbrage_")) return suffixed(word);
-        if (word == own_map && !comment) return list(map.arguments, words.arguments, words.sampler_argument);
-        if (word == "UMBRAGE_PARAMETERS") return list(map.parameters, words.parameters, words.sampler);
+        if (word == own_map && !comment) return named(one_of(map.arguments, words.arguments));
+        if (word == "UMBRAGE_PARAMETERS") return named(one_of(map.parameters, words.parameters));
         if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(texel);
@@ -7939,7 +8005,7 @@ public:
                 if (!item.by_macros && item.suffix == other.suffix && !(item.map == other.map))
                     umbrage::detail::fail("umbrage::glsl::text: two maps have one name:" + item.suffix);
         }
-        if (language_.macros && !one.needs.empty()) text_ += language_.scaled_macro;
+        if (language_.macros && !one.needs.empty()) text_ += scaled_macro;
     }
 
     /// What belongs to no map comes first: hooks may call it, whatever the order of the items.
@@ -7954,6 +8020,13 @@ public:
     }
 
 private:
+    static constexpr std::string_view scaled_macro = R"GLSL(
+// depths here are on a scale of their own, on which 1.0 is not the far plane
+#ifndef UMBRAGE_BEYOND_FAR
+#define UMBRAGE_BEYOND_FAR(receiver) false
+#endif
+)GLSL";
+
     void add(const snippet& asked, const bound& item, bool of_map) {
         const bool by_macros = language_.macros && item.by_macros;
         const snippet& s = by_macros ? asked : chosen(asked, item.map);
@@ -7964,7 +8037,7 @@ private:
         if (std::find(done_.begin(), done_.end(), guard) != done_.end()) return;
         const std::string body = language_.translate(s);
         if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
-        text_ += of_map && !by_macros ? for_map(body, s, item, language_.texture(item.map.texture)) : body;
+        text_ += of_map && !by_macros ? laid_out(for_map(body, s, item, language_.texture(item.map.texture))) : body;
         if (language_.preprocessor) text_ += "#endif\n";
         done_.push_back(std::move(guard));
     }
@@ -8014,13 +8087,6 @@ inline constexpr std::string_view prelude = R"GLSL(
 )GLSL";
 
 namespace detail {
-
-inline constexpr std::string_view scaled_macro = R"GLSL(
-// depths here are on a scale of their own, on which 1.0 is not the far plane
-#ifndef UMBRAGE_BEYOND_FAR
-#define UMBRAGE_BEYOND_FAR(receiver) false
-#endif
-)GLSL";
 
 [[nodiscard]] constexpr texture_words glsl_texture(texture kind) {
     switch (kind) {
@@ -8083,8 +8149,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
                                         .translate = [](const snippet& s) { return std::string(s.source); },
-                                        .macros = true,
-                                        .scaled_macro = scaled_macro};
+                                        .macros = true};
 
 [[nodiscard]] inline std::vector<bound> unbound(std::span<const snippet> snippets) {
     return {snippets.begin(), snippets.end()};
@@ -8137,153 +8202,6 @@ inline constexpr language glsl_language{.prelude = prelude,
 }
 
 }  // namespace umbrage::glsl
-
-// ---- umbrage/shader/registry.hpp
-// Every snippet there is, in the order of the data's way: what tests, tables and tools walk through.
-//
-//     for (const umbrage::glsl::snippet* s : umbrage::glsl::registry) std::puts(umbrage::glsl::text({*s}).c_str());
-//
-
-namespace umbrage::glsl {
-
-namespace detail {
-
-/// Snippets in order, each once, what it needs before it.
-struct collection {
-    std::array<const snippet*, 512> members{};
-    std::size_t size = 0;
-
-    [[nodiscard]] constexpr const snippet* const* begin() const { return members.data(); }
-    [[nodiscard]] constexpr const snippet* const* end() const { return members.data() + size; }
-
-    constexpr void add(const snippet* s) {
-        for (std::size_t i = 0; i < size; ++i)
-            if (members[i] == s) return;
-        for (const snippet* need : s->needs) add(need);
-        members[size++] = s;
-    }
-};
-
-template <class... Lists>
-constexpr collection collect(const Lists&... lists) {
-    collection all;
-    const auto add = [&](const auto& some) {
-        for (const snippet* s : some)
-            if (s) all.add(s);
-    };
-    (add(lists), ...);
-    return all;
-}
-
-// What the types of a list name.
-template <class... Encodings>
-consteval auto writers_of(const list_of<Encodings...>*) {
-    return std::array{Encodings::writer...};
-}
-template <class... Encodings>
-consteval auto readers_of(const list_of<Encodings...>*) {
-    return std::array{Encodings::reader...};
-}
-template <class... Filters>
-consteval auto snippets_of(const list_of<Filters...>*) {
-    return std::array{Filters::snippet...};
-}
-inline constexpr auto writers = writers_of(static_cast<const encodings*>(nullptr));
-inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr));
-inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::all*>(nullptr));
-
-// The rooms.
-inline constexpr auto light = collect(texture_matrix_snippets, cube_map_snippets);
-inline constexpr auto kinds = collect(kinds_snippets);
-inline constexpr auto codes =
-    collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
-inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
-inline constexpr auto maps =
-    collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, filters);
-inline constexpr auto shade = collect(lighting_snippets);
-inline constexpr auto view = collect(false_colour_snippets);
-inline constexpr auto everything = collect(light, kinds, codes, levels, maps, shade, view);
-
-}  // namespace detail
-
-inline constexpr auto registry = [] {
-    std::array<const snippet*, detail::everything.size> all{};
-    std::copy_n(detail::everything.begin(), all.size(), all.begin());
-    return all;
-}();
-
-}  // namespace umbrage::glsl
-
-// ---- umbrage/shader/translate/layout.hpp
-// Where lines end, once words of another length stand in them.
-//
-
-namespace umbrage::glsl::detail {
-
-/// One statement, or a function's head, in lines of at most 120 columns. Lines end behind a comma or an operator, as
-/// far out of brackets as may be; what goes on stands below the bracket that it is in, or four columns in.
-[[nodiscard]] inline std::string broken(std::string statement) {
-    const std::size_t margin = statement.find_first_not_of(' ');
-    std::string out;
-    std::vector<std::size_t> brackets;  // columns behind those that are open where the line at work begins
-    for (std::size_t begin = margin; statement.size() > 120;) {
-        std::vector<std::size_t> open = brackets, open_at_end;
-        std::size_t end = 0;
-        for (std::size_t i = begin; i <= 120; ++i) {
-            const char c = statement[i];
-            if (c == '(' || c == '[') open.push_back(i + 1);
-            if ((c == ')' || c == ']') && !open.empty()) open.pop_back();
-            const bool can_end =
-                c == ' ' && i > begin && std::string_view(",=+*/&|").find(statement[i - 1]) != std::string_view::npos;
-            if (!can_end || (end > 0 && open.size() > open_at_end.size())) continue;
-            end = i;
-            open_at_end = open;
-        }
-        if (end == 0) break;
-        brackets = open_at_end;
-        begin = brackets.empty() ? margin + 4 : brackets.back();
-        out += statement.substr(0, end) + '\n';
-        statement.replace(0, end + 1, begin, ' ');
-    }
-    return out + statement;
-}
-
-/// The text with the lines of each statement joined and broken again; a comment or a directive stays as it is.
-[[nodiscard]] inline std::string laid_out(std::string_view text) {
-    const auto next_line = [&] {
-        const std::string_view line = text.substr(0, text.find('\n'));
-        text.remove_prefix(line.size() < text.size() ? line.size() + 1 : line.size());
-        return line;
-    };
-    const auto is_code = [](std::string_view line) {
-        const std::size_t begin = line.find_first_not_of(' ');
-        return begin != line.npos && line[begin] != '#' && line.substr(begin, 2) != "//";
-    };
-    const auto ends_statement = [](std::string_view line) {
-        return line.find("//") != line.npos || std::string_view(";{}").find(line.back()) != std::string_view::npos;
-    };
-    std::string out;
-    while (!text.empty()) {
-        std::string_view line = next_line();
-        if (is_code(line)) {
-            std::string statement(line.substr(0, line.find("//")));
-            while (!ends_statement(line) && is_code(text.substr(0, text.find('\n')))) {
-                line = next_line();
-                std::string_view code = line.substr(0, line.find("//"));
-                code.remove_prefix(code.find_first_not_of(' '));
-                statement += (statement.back() == '(' ? "" : " ") + std::string(code);
-            }
-            out += broken(std::move(statement));
-            if (line.find("//") != line.npos) out += line.substr(line.find("//"));
-        } else {
-            out += line;
-        }
-        out += '\n';
-    }
-    return out;
-}
-
-}  // namespace umbrage::glsl::detail
 
 // ---- umbrage/shader/translate/tokens.hpp
 // GLSL text in pieces, for what prints it in other languages. Nothing is lost: space and text of all, in a row, are the
@@ -8402,8 +8320,8 @@ inline constexpr word words[]{
     {word_kind::type, "uvec2", "uint2", "uint2", "vec2u"},
     {word_kind::type, "uvec3", "uint3", "uint3", "vec3u"},
     {word_kind::type, "uvec4", "uint4", "uint4", "vec4u"},
-    {word_kind::type, "mat3", "float3x3", "float3x3", "mat3x3f"},
-    {word_kind::type, "mat4", "float4x4", "float4x4", "mat4x4f"},
+    {word_kind::type, "mat3", "float3x3", "metal::float3x3", "mat3x3f"},
+    {word_kind::type, "mat4", "float4x4", "metal::float4x4", "mat4x4f"},
 
     {word_kind::function, "abs", "abs", "metal::abs", "abs"},
     {word_kind::function, "ceil", "ceil", "metal::ceil", "ceil"},
@@ -8469,691 +8387,443 @@ inline constexpr word words[]{
 
 }  // namespace umbrage::glsl::detail
 
-// ---- umbrage/shader/translate/types.hpp
-// Types of GLSL expressions, by GLSL's names: "vec3", "uint", "mat4"; "float[4]" is an array.
+// ---- umbrage/shader/translate/word_by_word.hpp
+// Languages so close to GLSL that each word has its like in its place: HLSL and MSL.
 //
 
 namespace umbrage::glsl::detail {
 
-/// Components of a vector, or of a matrix's column; 1 for scalars.
-[[nodiscard]] constexpr int width_of(std::string_view type) {
-    const char last = type.back();
-    return last >= '2' && last <= '4' ? last - '0' : 1;
-}
+/// Where such a language differs.
+struct near_language {
+    std::string_view name;
+    std::string_view word::*own;
+    std::string_view precise;                    ///< for UMBRAGE_PRECISE; empty: nothing
+    std::string_view function;                   ///< before each function's type,
+    std::string_view condition;                  ///< and before that of one that tells true from false
+    bool matrices_have_rows;                     ///< m[i] is a row of m, its constructor takes rows
+    bool vectors_of_one_are_cast;                ///< vec4(x) is (float4)x
+    std::span<const std::string_view> reserved;  ///< what GLSL may call a variable, and this language may not
+};
 
-[[nodiscard]] constexpr bool is_matrix(std::string_view type) { return type.starts_with("mat"); }
+/// Prints functions in a near language.
+class word_by_word {
+public:
+    word_by_word(const near_language& language, std::string_view text) : language_(language), all_(tokens(text)) {}
 
-[[nodiscard]] constexpr std::string_view component_of(std::string_view type) {
-    if (width_of(type) == 1) return type;
-    return type[0] == 'i' ? "int" : type[0] == 'u' ? "uint" : "float";
-}
+    [[nodiscard]] std::string print() {
+        std::string out = print(0, all_.size() - 1);
+        return out += all_.back().space;
+    }
 
-[[nodiscard]] inline std::string vector_of(std::string_view component, int width) {
-    if (width == 1) return std::string(component);
-    const std::string prefix = component == "int" ? "i" : component == "uint" ? "u" : "";
-    return prefix + "vec" + std::to_string(width);
-}
+private:
+    [[nodiscard]] std::string print(std::size_t from, std::size_t to) {
+        std::string out;
+        for (std::size_t i = from; i < to;) {
+            const token& t = all_[i];
+            if (t == "{") ++depth_;
+            if (t == "}") --depth_;
+            if (t == "*") refuse_matrix(i);
+            out += t.space;
+            switch (t.kind) {
+                case piece::word: i = print_word(out, i); break;
+                case piece::directive: unknown(language_.name, t.text);
+                default: out += t.text, ++i;
+            }
+        }
+        return out;
+    }
 
-/// Type of `all[i]`: an array's element, a matrix's column, a vector's component.
-[[nodiscard]] inline std::string element_of(std::string_view type) {
-    if (type.ends_with(']')) return std::string(type.substr(0, type.find('[')));
-    if (is_matrix(type)) return vector_of("float", width_of(type));
-    return std::string(component_of(type));
-}
+    /// @return   where what follows begins
+    std::size_t print_word(std::string& out, std::size_t i) {
+        const std::string_view text = all_[i].text;
+        if (is_qualifier(text)) {
+            const std::string_view kept = text == "UMBRAGE_PRECISE" ? language_.precise : "";
+            out += kept;
+            if (kept.empty()) all_[i + 1].space = {};
+            return i + 1;
+        }
+        const word* w = find_word(text);
+        if (w && w->kind == word_kind::type) return print_type(out, i, w->*language_.own);
+        if (w) {
+            if (w->kind == word_kind::function && !(all_[i + 1] == "(")) unknown(language_.name, text);
+            out += w->*language_.own;
+            return i + 1;
+        }
+        if (i > 0 && all_[i - 1] == ".") {
+            if (text.find_first_not_of("xyzw") != text.npos) unknown(language_.name, text);
+            out += text;
+            return i + 1;
+        }
+        if (all_[i + 1] == "(" && text.starts_with("umbrage_")) {
+            out += text;
+            return i + 1;
+        }
+        if (text == "UMBRAGE_MAP") return print_type(out, i, text);
+        const std::string_view type = type_of(text);
+        if (type.empty() && !is_of_a_map(text)) unknown(language_.name, text);
+        const bool column = all_[i + 1] == "[" && is_matrix(type) && language_.matrices_have_rows;
+        out += column ? "transpose(" + std::string(text) + ")" : std::string(text);
+        return i + 1;
+    }
 
-/// Type of `a op b` with an arithmetic or bitwise sign; empty where GLSL has none, or only by a conversion unsaid.
-[[nodiscard]] inline std::string type_of_product(std::string_view a, std::string_view op, std::string_view b) {
-    if (op == "<<" || op == ">>") return std::string(a);
-    if (op == "*" && is_matrix(a) && !is_matrix(b) && width_of(a) == width_of(b)) return std::string(b);
-    if (op == "*" && is_matrix(b) && !is_matrix(a) && width_of(a) == width_of(b)) return std::string(a);
-    if (a == b) return std::string(a);
-    if (b == element_of(a) && !is_matrix(a)) return std::string(a);
-    if (a == element_of(b) && !is_matrix(b)) return std::string(b);
-    if (op == "*" && is_matrix(a) && b == "float") return std::string(a);
-    if (op == "*" && is_matrix(b) && a == "float") return std::string(b);
-    return {};
-}
+    /// A function's, a variable's, or a constructor.
+    std::size_t print_type(std::string& out, std::size_t i, std::string_view own) {
+        if (all_[i + 1] == "(") return print_constructor(out, i, own);
+        if (all_[i + 1].kind != piece::word) unknown(language_.name, all_[i + 1].text);
+        const std::string_view name = all_[i + 1].text;
+        const bool function = all_[i + 2] == "(";
+        if (function && depth_ == 0) {
+            variables_.clear();
+            out += language_.function;
+            if (all_[i] == "bool") out += language_.condition;
+        } else {
+            for (std::string_view reserved : language_.reserved)
+                if (name == reserved) unknown(language_.name, name);
+            variables_.push_back({name, all_[i].text});
+        }
+        out += own;
+        out += all_[i + 1].space;
+        out += name;
+        return i + 2;
+    }
 
-[[nodiscard]] inline std::string type_of_number(std::string_view digits) {
-    const bool hexadecimal = digits.starts_with("0x");
-    if (digits.ends_with('u')) return "uint";
-    return !hexadecimal && digits.find_first_of(".eEf") != digits.npos ? "float" : "int";
-}
+    std::size_t print_constructor(std::string& out, std::size_t i, std::string_view own) {
+        const std::string_view type = all_[i].text;
+        const std::size_t end = closing(all_, i + 1);
+        const std::string arguments = print(i + 2, end);
+        const std::size_t count = arguments_in(i + 1, end);
+        if (is_matrix(type) && count == 1) unknown(language_.name, std::string(type) + " of one");
+        std::string made = std::string(own) + "(" + arguments + ")";
+        if (is_matrix(type) && language_.matrices_have_rows) made = "transpose(" + made + ")";
+        if (is_vector(type) && count == 1 && language_.vectors_of_one_are_cast) {
+            made = "(" + std::string(own) + ")" + (is_operand(i + 2, end) ? arguments : "(" + arguments + ")");
+            if (all_[end + 1] == "." || all_[end + 1] == "[") made = "(" + made + ")";
+        }
+        out += made;
+        return end + 1;
+    }
+
+    [[nodiscard]] std::size_t arguments_in(std::size_t open, std::size_t end) const {
+        std::size_t count = 1;
+        for (std::size_t i = open + 1; i < end; ++i) {
+            if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i);
+            if (all_[i] == ",") ++count;
+        }
+        return count;
+    }
+
+    /// A name, a number, a call or a component of those: nothing that a cast would have to be kept from.
+    [[nodiscard]] bool is_operand(std::size_t from, std::size_t to) const {
+        for (std::size_t i = from; i < to; ++i) {
+            if (all_[i] == "(" || all_[i] == "[") i = closing(all_, i);
+            else if (all_[i].kind == piece::sign && !(all_[i] == ".")) return false;
+        }
+        return true;
+    }
+
+    /// What a matrix times something is hangs on its rows and columns; snippets write the columns out.
+    void refuse_matrix(std::size_t i) const {
+        for (const token* t : {&all_[i > 0 ? i - 1 : 0], &all_[i + 1]})
+            if (is_matrix(type_of(t->text)) && !(all_[i + 2] == "["))
+                unknown(language_.name, "a matrix times something");
+    }
+
+    [[nodiscard]] std::string_view type_of(std::string_view name) const {
+        for (const variable& v : variables_)
+            if (v.name == name) return v.type;
+        return {};
+    }
+    /// A word that a map fills in.
+    [[nodiscard]] static bool is_of_a_map(std::string_view word) {
+        static constexpr std::string_view all[]{"UMBRAGE_DEPTH",      "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",
+                                                "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_ORIGIN",
+                                                "UMBRAGE_TEXEL"};
+        for (std::string_view w : all)
+            if (word == w) return true;
+        return false;
+    }
+    [[nodiscard]] static bool is_matrix(std::string_view type) { return type.starts_with("mat"); }
+    [[nodiscard]] static bool is_vector(std::string_view type) {
+        return type.find("vec") != type.npos;  // ivec2 too
+    }
+
+    struct variable {
+        std::string_view name, type;  ///< in GLSL
+    };
+
+    const near_language& language_;
+    std::vector<token> all_;
+    std::vector<variable> variables_;
+    std::size_t depth_ = 0;
+};
 
 }  // namespace umbrage::glsl::detail
 
-// ---- umbrage/shader/translate/wgsl_expression.hpp
-// Expressions of GLSL in WGSL, where all types agree: what is converted, and which of a function's overloads is meant,
-// is written out.
+// ---- umbrage/shader/hlsl.hpp
+// Snippets in HLSL, printed from their GLSL.
+//
+//     std::string shader = umbrage::hlsl::text({umbrage::glsl::pcf_2x2}) + my_main;
+//     // float umbrage_pcf_2x2(Texture2D<float4> map, float2 size, float2 coord, float receiver)
 //
 
-namespace umbrage::wgsl::detail {
-
-using glsl::detail::piece;
-using glsl::detail::token;
-
-/// A function of the text: one overload.
-struct signature {
-    std::string name;  ///< in WGSL, which has no overloads
-    std::vector<std::string> parameters;
-    std::string gives;
-};
-using signatures = std::multimap<std::string, signature, std::less<>>;
-
-struct value {
-    std::string text, type;
-    int level;             ///< of its outermost operator; the highest for what needs no brackets
-    bool literal = false;  ///< a number, which takes its type from where it stands
-    bool select = false;
-};
-
-[[noreturn]] inline void reject(const std::string& what) { umbrage::detail::fail("umbrage::wgsl::text: " + what); }
-
-/// A type's name in WGSL.
-[[nodiscard]] inline std::string name_of(std::string_view type) {
-    if (!glsl::detail::is_type(type)) glsl::detail::unknown("wgsl", type);
-    return std::string(glsl::detail::find_word(type)->wgsl);
-}
-
-/// What a map fills in, and its type in GLSL. Printed as it is.
-inline constexpr std::pair<std::string_view, std::string_view> words_of_maps[]{
-    {"UMBRAGE_TEXEL", "vec4"},        {"UMBRAGE_LIT_TEXEL", "float"}, {"UMBRAGE_GATHER_RED", "vec4"},
-    {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"}, {"UMBRAGE_ORIGIN", "vec2"},
-    {"UMBRAGE_DEPTH", "float"}};
-
-[[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
-
-/// Reads a text from the beginning on and gives its expressions in WGSL.
-class expressions {
-public:
-    expressions(std::string_view text, const signatures& functions)
-        : all_(glsl::detail::tokens(text)), functions_(functions) {}
-
-    std::size_t at = 0;                                     ///< the next token
-    std::map<std::string, std::string, std::less<>> types;  ///< of variables in scope
-
-    /// The last, an end, is never taken.
-    [[nodiscard]] const token& next() const { return all_[at]; }
-    const token& take() { return all_[at + 1 < all_.size() ? at++ : at]; }
-
-    /// The sign `text` with its space.
-    std::string expect(std::string_view text) {
-        if (!(next() == text)) reject("expected " + std::string(text) + " before " + std::string(next().text));
-        const token& t = take();
-        return std::string(t.space) + std::string(text);
-    }
-
-    /// From the next token on; the space before it is left out.
-    value expression() {
-        value condition = binary(1);
-        if (!(next() == "?")) return condition;
-        take();
-        const value yes = expression();
-        expect(":");
-        const value no = expression();
-        if (condition.type != "bool" || yes.type != no.type)
-            reject(condition.type + " ? " + yes.type + " : " + no.type);
-        return {"select(" + argument(no) + ", " + argument(yes) + ", " + condition.text + ")", yes.type, primary_level,
-                false, true};
-    }
-
-    /// The same with the space before it.
-    value spaced_expression() {
-        const std::string space(next().space);
-        value v = expression();
-        v.text = space + v.text;
-        return v;
-    }
-
-protected:
-    const std::vector<token> all_;
-
-private:
-    const signatures& functions_;
-
-    static constexpr int equality_level = 6, relation_level = 7, shift_level = 8, unary_level = 11, primary_level = 12;
-
-    static int level_of(std::string_view sign) {
-        static constexpr std::pair<std::string_view, int> levels[]{
-            {"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5}, {"==", 6}, {"!=", 6}, {"<", 7},  {">", 7},
-            {"<=", 7}, {">=", 7}, {"<<", 8}, {">>", 8}, {"+", 9}, {"-", 9},  {"*", 10}, {"/", 10}, {"%", 10}};
-        for (const auto& [text, level] : levels)
-            if (text == sign) return level;
-        return 0;
-    }
-
-    /// WGSL's operators that are of no higher level than GLSL's take no unbracketed operators at all, or not these.
-    static std::string operand(const value& v, int level, bool chained) {
-        const bool bitwise = level >= 3 && level <= 5, comparing = level == equality_level || level == relation_level;
-        const bool bracket = (bitwise && v.level < unary_level && !(chained && v.level == level)) ||
-                             (level == shift_level && v.level < unary_level) || (comparing && v.level < shift_level) ||
-                             (level == 1 && v.level == 2);
-        return bracket ? "(" + v.text + ")" : v.text;
-    }
-
-    /// f(a < b, c > d) would be a template in WGSL.
-    static std::string argument(const value& v) { return v.level == relation_level ? "(" + v.text + ")" : v.text; }
-
-    value binary(int lowest) {
-        value left = unary();
-        for (int level = level_of(next().text); next().kind == piece::sign && level >= lowest;
-             level = level_of(next().text)) {
-            const token& sign = take();
-            const std::string space(next().space);
-            value right = binary(level + 1);
-            const bool shift = level == shift_level, logic = level <= 2;
-            if (shift && right.type == "int" && !right.literal)
-                right = {"u32(" + right.text + ")", "uint", primary_level};
-            const bool compared = level == equality_level || level == relation_level;
-            std::string type =
-                compared || logic ? "bool" : glsl::detail::type_of_product(left.type, sign.text, right.type);
-            const bool agree = logic ? left.type == "bool" && right.type == "bool"
-                                     : !compared || (left.type == right.type && glsl::detail::width_of(left.type) == 1);
-            if (type.empty() || !agree)
-                reject(left.type + " " + std::string(sign.text) + " " + right.type + " in " + left.text);
-            left = {operand(left, level, true) + std::string(sign.space) + std::string(sign.text) + space +
-                        operand(right, level, false),
-                    std::move(type), level};
-        }
-        return left;
-    }
-
-    value unary() {
-        if (next() == "-" || next() == "!" || next() == "~" || next() == "+") {
-            const token& sign = take();
-            const std::string space(next().space);
-            value v = unary();
-            v.text = (sign == "+" ? "" : std::string(sign.text)) + space + v.text;
-            v.level = unary_level;
-            return v;
-        }
-        value v = primary();
-        for (;;) {
-            if (next() == ".") {
-                const std::string dot = expect(".");
-                const std::string_view fields = take().text;
-                if (fields.size() > 4 || (fields.find_first_not_of("xyzw") != fields.npos &&
-                                          fields.find_first_not_of("rgba") != fields.npos))
-                    reject("no component " + std::string(fields) + " of " + v.text);
-                v = {v.text + dot + std::string(fields),
-                     glsl::detail::vector_of(glsl::detail::component_of(v.type), static_cast<int>(fields.size())),
-                     primary_level};
-            } else if (next() == "[") {
-                const std::string open = expect("["), index = spaced_expression().text;
-                v = {v.text + open + index + expect("]"), glsl::detail::element_of(v.type), primary_level};
-            } else {
-                return v;
-            }
-        }
-    }
-
-    value primary() {
-        const token& t = take();
-        const std::string text(t.text);
-        if (t.kind == piece::number) return {text, glsl::detail::type_of_number(text), primary_level, true};
-        if (t == "(") {
-            value inner = spaced_expression();
-            const std::string close = expect(")");
-            if (inner.select) return inner;
-            return {"(" + inner.text + close, inner.type, primary_level, inner.literal};
-        }
-        if (t.kind != piece::word) reject("unexpected " + text);
-        if (t == "true" || t == "false") return {text, "bool", primary_level};
-        if (next() == "(") return call(text);
-        if (const auto variable = types.find(text); variable != types.end())
-            return {text, variable->second, primary_level};
-        for (const auto& [word, type] : words_of_maps)
-            if (word == text) return {text, std::string(type), primary_level};
-        glsl::detail::unknown("wgsl", text);
-    }
-
-    value call(const std::string& function) {
-        expect("(");
-        std::vector<value> arguments;
-        while (!(next() == ")")) {
-            if (!arguments.empty()) expect(",");
-            arguments.push_back(spaced_expression());
-        }
-        const std::string close = expect(")");
-        if (glsl::detail::is_type(function)) return constructed(function, arguments, close);
-        const auto [first, last] = functions_.equal_range(function);
-        if (first == last) return built_in(function, arguments, close);
-        for (auto f = first; f != last; ++f) {
-            const auto same = [](const std::string& type, const value& v) { return type == v.type; };
-            if (std::ranges::equal(f->second.parameters, arguments, same))
-                return {f->second.name + listed(arguments) + close, f->second.gives, primary_level};
-        }
-        reject("no overload of " + function + " takes what it is given");
-    }
-
-    static std::string listed(const std::vector<value>& arguments) {
-        std::string list = "(";
-        for (const value& v : arguments) {
-            const std::size_t space = v.text.find_first_not_of(" \n");
-            const bool last = &v == &arguments.back();
-            const value bare{v.text.substr(space), v.type, v.level};
-            list += v.text.substr(0, space) + (last ? bare.text : argument(bare) + ",");
-        }
-        return list;
-    }
-
-    /// Each in the function's component type.
-    static value constructed(const std::string& type, std::vector<value> arguments, const std::string& close) {
-        const std::string component(glsl::detail::component_of(glsl::detail::is_matrix(type) ? "float" : type));
-        const bool scalar = glsl::detail::width_of(type) == 1;
-        const bool whole =
-            arguments.size() == 1 && glsl::detail::width_of(arguments[0].type) == glsl::detail::width_of(type);
-        for (value& v : arguments) {
-            if (scalar || whole || v.literal || glsl::detail::component_of(v.type) == component) continue;
-            const std::size_t space = v.text.find_first_not_of(" \n");
-            v.text.insert(space, name_of(glsl::detail::vector_of(component, glsl::detail::width_of(v.type))) + "(");
-            v.text += ")";
-            v.level = primary_level;
-        }
-        return {name_of(type) + listed(arguments) + close, type, primary_level};
-    }
-
-    static value built_in(const std::string& function, std::vector<value> arguments, const std::string& close) {
-        const glsl::detail::word* w = glsl::detail::find_word(function);
-        if (!w || w->kind != glsl::detail::word_kind::function || arguments.empty())
-            glsl::detail::unknown("wgsl", function);
-        std::string type = arguments[0].type;
-        for (const value& v : arguments)
-            if (glsl::detail::width_of(v.type) > glsl::detail::width_of(type)) type = v.type;
-        for (value& v : arguments) {  // all are of one type in WGSL
-            if (v.type == type) continue;
-            if (v.type != glsl::detail::component_of(type)) reject(function + " of " + type + " and " + v.type);
-            const std::size_t space = v.text.find_first_not_of(" \n");
-            v.text.insert(space, name_of(type) + "(");
-            v.text += ")";
-        }
-        if (w->wgsl.starts_with("bitcast")) {
-            if (glsl::detail::width_of(type) > 1) reject(function + " of " + type);
-            type = w->wgsl == "bitcast<f32>" ? "float" : w->wgsl == "bitcast<u32>" ? "uint" : "int";
-        }
-        if (function == "dot" || function == "length") type = "float";
-        return {std::string(w->wgsl) + listed(arguments) + close, type, primary_level};
-    }
-};
-
-}  // namespace umbrage::wgsl::detail
-
-// ---- umbrage/shader/translate/wgsl_function.hpp
-// Functions of GLSL in WGSL, with their names, comments and layout.
-//
-
-namespace umbrage::wgsl::detail {
-
-/// Prints a snippet's text, GLSL without lines of the preprocessor.
-class printer : expressions {
-    struct parameter {
-        std::string type, name;
-    };
-    struct head {
-        std::string_view space;
-        std::string gives, name;
-        std::vector<parameter> parameters;
-    };
-
-public:
-    /// @param functions   those that the text may call; its own are added
-    printer(std::string_view text, signatures& functions) : expressions(text, functions), functions_(functions) {}
-
-    /// Adds the signatures of the text's functions. Where several share a name, their first type is a part of it.
-    void declare() {
-        std::vector<head> all;
-        while (next().kind != piece::end) {
-            if (next().kind == piece::comment || next().kind == piece::directive) {
-                take();
-                continue;
-            }
-            all.push_back(read_head());
-            at = glsl::detail::closing(all_, at) + 1;
-        }
-        for (const head& h : all) {
-            const bool alone = std::ranges::count(all, h.name, &head::name) == 1;
-            const bool plain = alone || h.parameters.empty() || h.parameters[0].type == "float";
-            signature s{h.name + (plain ? "" : "_" + name_of(h.parameters[0].type)), {}, h.gives};
-            for (const parameter& p : h.parameters) s.parameters.push_back(p.type);
-            functions_.emplace(h.name, std::move(s));
-        }
-    }
-
-    /// @throws std::invalid_argument   for what is not in the part of GLSL that snippets are written in
-    [[nodiscard]] std::string print() {
-        at = 0;
-        while (next().kind != piece::end) {
-            if (next().kind == piece::comment) comment();
-            else function();
-        }
-        return out_ + std::string(next().space);
-    }
-
-private:
-    void skip_qualifiers() {
-        while (glsl::detail::is_qualifier(next().text)) take();
-    }
-
-    std::string read_type() {
-        skip_qualifiers();
-        const std::string type(take().text);
-        if (!is_map(type)) std::ignore = name_of(type);
-        return type;
-    }
-
-    std::string read_name() {
-        if (next().kind != piece::word || glsl::detail::find_word(next().text))
-            reject("no name: " + std::string(next().text));
-        return std::string(take().text);
-    }
-
-    /// `float f(float a, ...)`; what comes next is the body.
-    head read_head() {
-        head h{next().space, read_type(), read_name(), {}};
-        expect("(");
-        while (!(next() == ")")) {
-            if (!h.parameters.empty()) expect(",");
-            std::string type = read_type();
-            h.parameters.push_back({std::move(type), read_name()});
-        }
-        expect(")");
-        return h;
-    }
-
-    void comment() {
-        const token& t = take();
-        out_ += std::string(t.space) + std::string(t.text);
-    }
-
-    /// The indentation of the line being written.
-    [[nodiscard]] std::size_t indentation() const {
-        const std::size_t line = out_.rfind('\n') + 1, text = out_.find_first_not_of(' ', line);
-        return (text == out_.npos ? out_.size() : text) - line;
-    }
-
-    void write(std::string_view space, std::string_view text) {
-        out_ += space;
-        out_ += text;
-    }
-
-    void function() {
-        const head h = read_head();
-        note_assignments();
-        types.clear();
-        std::string parameters, copies, name;
-        std::vector<std::string> given;
-        for (const parameter& p : h.parameters) {
-            types[p.name] = p.type;
-            given.push_back(p.type);
-            if (!parameters.empty()) parameters += ", ";
-            if (is_map(p.type)) {
-                parameters += p.type + " " + p.name;
-            } else {
-                const bool copied = assigned_.contains(p.name);
-                const std::string type = ": " + name_of(p.type), outer = p.name + (copied ? "_in" : "");
-                parameters += outer + type;
-                if (copied) copies += "\n    var " + p.name + type + " = " + outer + ";";
-            }
-        }
-        const auto [first, last] = functions_.equal_range(h.name);
-        for (auto f = first; f != last; ++f)
-            if (f->second.parameters == given) name = f->second.name;
-        write(h.space, "fn " + name + "(" + parameters + ") -> " + name_of(h.gives) + expect("{"));
-        out_ += copies;
-        block();
-    }
-
-    /// Finds which names the body that comes next writes to.
-    void note_assignments() {
-        static constexpr std::string_view signs[]{"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"};
-        assigned_.clear();
-        const std::size_t end = glsl::detail::closing(all_, at);
-        for (std::size_t i = at + 1; i < end; ++i) {
-            if (all_[i].kind != piece::word || glsl::detail::is_type(all_[i - 1].text)) continue;
-            std::size_t behind = i + 1;
-            while (all_[behind] == "." || all_[behind] == "[")
-                behind = all_[behind] == "." ? behind + 2 : glsl::detail::closing(all_, behind) + 1;
-            const bool before = all_[i - 1] == "++" || all_[i - 1] == "--";
-            if (before || std::ranges::find(signs, all_[behind].text) != std::end(signs))
-                assigned_.emplace(all_[i].text);
-        }
-    }
-
-    /// What is behind an opening brace, and the closing one.
-    void block() {
-        while (!(next() == "}")) {
-            if (next().kind == piece::end) reject("a brace is not closed");
-            statement();
-        }
-        out_ += expect("}");
-    }
-
-    void statement() {
-        const std::string_view space = next().space;
-        if (next().kind == piece::comment) return comment();
-        if (next() == "{") {
-            out_ += expect("{");
-            return block();
-        }
-        if (next() == "if" || next() == "for") {
-            const std::string word(take().text);
-            write(space, word + " " + (word == "if" ? condition() : loop()));
-            body();
-            if (word == "if" && next() == "else") alternative();
-            return;
-        }
-        write(space, simple_statement());
-        out_ += expect(";");
-    }
-
-    /// A declaration, an assignment, or a jump, up to its semicolon.
-    std::string simple_statement() {
-        skip_qualifiers();
-        const std::string word(next().text);
-        if (word == "return") {
-            take();
-            return word + spaced_expression().text;
-        }
-        if (word == "break" || word == "continue") {
-            take();
-            return word;
-        }
-        const bool constant = word == "const";
-        if (constant) {
-            take();
-            skip_qualifiers();
-        }
-        if (glsl::detail::is_type(next().text)) return declaration(constant);
-        if (next() == "++" || next() == "--") {  // behind its variable, in WGSL
-            const std::string sign(take().text);
-            return expression().text + sign;
-        }
-        const value target = expression();
-        const std::string sign = std::string(next().space) + std::string(next().text);
-        if (next() == "++" || next() == "--") {
-            take();
-            return target.text + sign;
-        }
-        if (next().text.size() > 2 || !next().text.ends_with('=') || next() == "==")
-            reject("not a statement: " + target.text + sign);
-        take();
-        return target.text + sign + spaced_expression().text;
-    }
-
-    std::string declaration(bool constant) {
-        const std::string type = read_type();
-        const std::string name = read_name();
-        if (next() == "[") {
-            expect("[");
-            const std::string size = expression().text;
-            expect("]");
-            types[name] = type + "[" + size + "]";
-            return "var " + name + ": array<" + name_of(type) + ", " + size + ">";
-        }
-        const bool initialised = next() == "=";
-        const bool changes = assigned_.contains(name) || !initialised;
-        std::string text = std::string(constant ? "const " : changes ? "var " : "let ") + name + ": " + name_of(type);
-        if (initialised) {
-            text += expect("=");
-            const value v = spaced_expression();
-            if (v.type != type && !v.literal) reject(type + " " + name + " of " + v.type);
-            text += v.text;
-        }
-        types[name] = type;
-        return text;
-    }
-
-    std::string condition() {
-        expect("(");
-        const value v = spaced_expression();
-        if (v.type != "bool") reject("if (" + v.text + ")");
-        return "(" + v.text + expect(")");
-    }
-
-    std::string loop() {
-        expect("(");
-        std::string text = "(" + simple_statement();
-        text += expect(";");
-        text += spaced_expression().text;
-        text += expect(";");
-        text += next().space;
-        text += simple_statement();
-        return text += expect(")");
-    }
-
-    /// Of `if`, `else` or `for`: WGSL wants braces.
-    void body() {
-        if (next() == "{") return statement();
-        const std::size_t margin = indentation();
-        const bool own_line = next().space.find('\n') != std::string_view::npos;
-        out_ += " {";
-        statement();
-        out_ += own_line ? "\n" + std::string(margin, ' ') + "}" : " }";
-    }
-
-    void alternative() {
-        out_ += expect("else");
-        if (next() == "if") statement();
-        else body();
-    }
-
-    signatures& functions_;
-    std::string out_;
-    std::set<std::string, std::less<>> assigned_;
-};
-
-}  // namespace umbrage::wgsl::detail
-
-// ---- umbrage/shader/wgsl.hpp
-// Snippets in WGSL, printed from their GLSL.
-//
-//     std::string shader = umbrage::wgsl::text({umbrage::glsl::pcf_2x2}) + my_main;
-//     // fn umbrage_pcf_2x2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32
-//
-// Of functions that GLSL overloads, all but the float's have a type in their name: umbrage_to_unorm_vec2f.
-//
-
-namespace umbrage::wgsl {
+namespace umbrage::hlsl {
 
 namespace detail {
 
-[[nodiscard]] constexpr glsl::detail::texture_words reads(glsl::texture kind) {
-    using glsl::texture;
+inline constexpr std::array<std::string_view, 8> reserved{"line",  "linear", "matrix",   "pass",
+                                                          "point", "sample", "triangle", "vector"};
+
+inline constexpr glsl::detail::near_language near{.name = "hlsl",
+                                                  .own = &glsl::detail::word::hlsl,
+                                                  .precise = "precise",
+                                                  .function = "",
+                                                  .condition = "precise ",  // FXC makes !(a > b) of a <= b elsewhere
+                                                  .matrices_have_rows = true,
+                                                  .vectors_of_one_are_cast = true,
+                                                  .reserved = reserved};
+
+[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
+    using enum glsl::texture;
     switch (kind) {
-        case texture::texture_2d:
-            return {.parameters = "map: texture_2d<f32>",
+        case texture_2d:
+            return {.parameters = "Texture2D<float4> map", .arguments = "map", .texel = "map.Load(int3(int2(at), 0))"};
+        case depth:
+            return {.parameters = "Texture2D<float> map",
                     .arguments = "map",
-                    .texel = "textureLoad(map, vec2i(at), 0)",
-                    .gather_red = "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
-                    .gather_green = "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
-        case texture::depth:
-            return {.parameters = "map: texture_depth_2d",
-                    .arguments = "map",
-                    .texel = "vec4f(textureLoad(map, vec2i(at), 0))",
-                    .gather_red = "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
-        case texture::atlas:
-            return {.parameters = "map: texture_2d<f32>, origin: vec2f",
+                    .texel = "(float4)map.Load(int3(int2(at), 0))"};
+        case atlas:
+            return {.parameters = "Texture2D<float4> map, float2 origin",
                     .arguments = "map, origin",
-                    .texel = "textureLoad(map, vec2i(at), 0)",
-                    .gather_red = "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
-                    .gather_green = "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
-        case texture::array:
-            return {
-                .parameters = "map: texture_2d_array<f32>, layer: f32",
-                .arguments = "map, layer",
-                .texel = "textureLoad(map, vec2i(at), i32(layer), 0)",
-                .gather_red = "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))",
-                .gather_green = "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))"};
-        case texture::depth_array:
-            return {.parameters = "map: texture_depth_2d_array, layer: f32",
+                    .texel = "map.Load(int3(int2(at), 0))"};
+        case array:
+            return {.parameters = "Texture2DArray<float4> map, float layer",
                     .arguments = "map, layer",
-                    .texel = "vec4f(textureLoad(map, vec2i(at), i32(layer), 0))",
-                    .gather_red = "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))"};
-        case texture::cube:
-            return {.parameters = "map: texture_cube<f32>, map_sampler: sampler, face: f32",
+                    .texel = "map.Load(int4(int2(at), int(layer), 0))"};
+        case depth_array:
+            return {.parameters = "Texture2DArray<float> map, float layer",
+                    .arguments = "map, layer",
+                    .texel = "(float4)map.Load(int4(int2(at), int(layer), 0))"};
+        case cube:
+            return {.parameters = "TextureCube<float4> map, SamplerState map_sampler, float face",
                     .arguments = "map, map_sampler, face",
                     .texel =
-                        "textureSampleLevel(map, map_sampler, umbrage_cube_direction(face, (at + 0.5) / "
+                        "map.SampleLevel(map_sampler, umbrage_cube_direction(face, (at + 0.5) / "
                         "UMBRAGE_TEXTURE_SIZE), 0.0)"};
-        case texture::integer:
-            return {.parameters = "map: texture_2d<u32>",
+        case integer:
+            return {.parameters = "Texture2D<uint4> map",
                     .arguments = "map",
-                    .texel = "vec4f(textureLoad(map, vec2i(at), 0))"};
-        case texture::shadow:
+                    .texel = "float4(map.Load(int3(int2(at), 0)))"};
+        case shadow:
+            return {.parameters = "Texture2D<float> map, SamplerComparisonState map_sampler",
+                    .arguments = "map, map_sampler",
+                    .lit = "map.SampleCmpLevelZero(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .gather_lit = "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)"};
+        case shadow_array:
             return {
-                .parameters = "map: texture_depth_2d, map_sampler: sampler_comparison",
-                .arguments = "map, map_sampler",
-                .lit = "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                .gather_lit = "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)"};
-        case texture::shadow_array:
-            return {.parameters = "map: texture_depth_2d_array, map_sampler: sampler_comparison, layer: f32",
-                    .arguments = "map, map_sampler, layer",
-                    .lit =
-                        "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, i32(layer), "
-                        "receiver)",
-                    .gather_lit =
-                        "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer), "
-                        "receiver)"};
+                .parameters = "Texture2DArray<float> map, SamplerComparisonState map_sampler, float layer",
+                .arguments = "map, map_sampler, layer",
+                .lit =
+                    "map.SampleCmpLevelZero(map_sampler, float3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer), "
+                    "receiver)",
+                .gather_lit = "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)"};
     }
     return {};
 }
 
-[[nodiscard]] constexpr glsl::detail::texture_words textures(glsl::texture kind) {
-    glsl::detail::texture_words words = reads(kind);
-    words.size = "vec2f(textureDimensions(map))";
-    if (words.gather_red.empty()) return words;
-    words.sampler = ", map_sampler: sampler";
-    words.sampler_argument = ", map_sampler";
-    return words;
-}
-
-inline void declare(const glsl::snippet& s, signatures& functions) {
-    for (const glsl::snippet* need : s.needs) declare(*need, functions);
-    printer(s.source, functions).declare();
-}
-
-[[nodiscard]] inline std::string translate(const glsl::snippet& s) {
-    signatures functions;
-    declare(s, functions);
-    return printer(s.source, functions).print();
-}
-
 inline constexpr glsl::detail::language language{
-    .prelude = "", .texture = textures, .translate = translate, .preprocessor = false};
+    .prelude = "", .texture = texture, .translate = [](const glsl::snippet& s) {
+        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source).print());
+    }};
 
 }  // namespace detail
 
-/// The snippets, or what bind() gives for a map, and all they need, each function once: text to paste into any shader.
-/// @throws std::invalid_argument   for what WGSL has no word for
+/// The snippets, or what bind() gives for a map, and all they need, each once and guarded: text to paste into any
+/// shader.
+/// @throws std::invalid_argument   for what HLSL has no word for
 [[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::laid_out(glsl::detail::compose(detail::language, items));
+    return glsl::detail::compose(detail::language, items);
 }
 
 [[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {
-    return wgsl::text(std::span(items.begin(), items.size()));
+    return text(std::span(items.begin(), items.size()));
 }
 
-}  // namespace umbrage::wgsl
+}  // namespace umbrage::hlsl
+
+// ---- umbrage/shader/msl.hpp
+// Snippets in the Metal Shading Language, printed from their GLSL.
+//
+//     std::string shader = umbrage::msl::text({umbrage::glsl::pcf_2x2}) + my_main;
+//     // inline float umbrage_pcf_2x2(metal::texture2d<float> map, float2 size, float2 coord, float receiver)
+//
+
+namespace umbrage::msl {
+
+/// What every text begins with. Metal computes with fast mathematics unless it is told not to; from here to the end of
+/// the file it is told.
+inline constexpr std::string_view prelude = R"MSL(
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+)MSL";
+
+namespace detail {
+
+inline constexpr std::array<std::string_view, 16> reserved{
+    "as_type", "char",   "constant", "device", "fragment", "half",  "kernel", "long",
+    "metal",   "object", "sampler",  "short",  "thread",   "uchar", "ushort", "vertex"};
+
+inline constexpr glsl::detail::near_language near{.name = "msl",
+                                                  .own = &glsl::detail::word::msl,
+                                                  .precise = "",
+                                                  .function = "inline ",
+                                                  .condition = "",
+                                                  .matrices_have_rows = false,
+                                                  .vectors_of_one_are_cast = false,
+                                                  .reserved = reserved};
+
+[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
+    using enum glsl::texture;
+    switch (kind) {
+        case texture_2d:
+            return {.parameters = "metal::texture2d<float> map", .arguments = "map", .texel = "map.read(uint2(at))"};
+        case depth:
+            return {
+                .parameters = "metal::depth2d<float> map", .arguments = "map", .texel = "float4(map.read(uint2(at)))"};
+        case atlas:
+            return {.parameters = "metal::texture2d<float> map, float2 origin",
+                    .arguments = "map, origin",
+                    .texel = "map.read(uint2(at))"};
+        case array:
+            return {.parameters = "metal::texture2d_array<float> map, float layer",
+                    .arguments = "map, layer",
+                    .texel = "map.read(uint2(at), uint(layer))"};
+        case depth_array:
+            return {.parameters = "metal::depth2d_array<float> map, float layer",
+                    .arguments = "map, layer",
+                    .texel = "float4(map.read(uint2(at), uint(layer)))"};
+        case cube:
+            return {.parameters = "metal::texturecube<float> map, float face",
+                    .arguments = "map, face",
+                    .texel = "map.read(uint2(at), uint(face))"};
+        case integer:
+            return {
+                .parameters = "metal::texture2d<uint> map", .arguments = "map", .texel = "float4(map.read(uint2(at)))"};
+        case shadow:
+            return {
+                .parameters = "metal::depth2d<float> map, metal::sampler map_sampler",
+                .arguments = "map, map_sampler",
+                .lit =
+                    "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))",
+                .gather_lit = "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                .size = "float2(map.get_width(), map.get_height())"};
+        case shadow_array:
+            return {.parameters = "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer",
+                    .arguments = "map, map_sampler, layer",
+                    .lit =
+                        "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, "
+                        "metal::level(0.0))",
+                    .gather_lit =
+                        "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)",
+                    .size = "float2(map.get_width(), map.get_height())"};
+    }
+    return {};
+}
+
+inline constexpr glsl::detail::language language{
+    .prelude = prelude, .texture = texture, .translate = [](const glsl::snippet& s) {
+        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source).print());
+    }};
+
+}  // namespace detail
+
+/// The snippets, or what bind() gives for a map, and all they need, each once and guarded: text to paste into any
+/// shader.
+/// @throws std::invalid_argument   for what Metal has no word for
+[[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
+    return glsl::detail::compose(detail::language, items);
+}
+
+[[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {
+    return text(std::span(items.begin(), items.size()));
+}
+
+}  // namespace umbrage::msl
+
+// ---- umbrage/shader/registry.hpp
+// Every snippet there is, in the order of the data's way: what tests, tables and tools walk through.
+//
+//     for (const umbrage::glsl::snippet* s : umbrage::glsl::registry) std::puts(umbrage::glsl::text({*s}).c_str());
+//
+
+namespace umbrage::glsl {
+
+namespace detail {
+
+/// Snippets in order, each once, what it needs before it.
+struct collection {
+    std::array<const snippet*, 512> members{};
+    std::size_t size = 0;
+
+    [[nodiscard]] constexpr const snippet* const* begin() const { return members.data(); }
+    [[nodiscard]] constexpr const snippet* const* end() const { return members.data() + size; }
+
+    constexpr void add(const snippet* s) {
+        for (std::size_t i = 0; i < size; ++i)
+            if (members[i] == s) return;
+        for (const snippet* need : s->needs) add(need);
+        members[size++] = s;
+    }
+};
+
+template <class... Lists>
+constexpr collection collect(const Lists&... lists) {
+    collection all;
+    const auto add = [&](const auto& some) {
+        for (const snippet* s : some)
+            if (s) all.add(s);
+    };
+    (add(lists), ...);
+    return all;
+}
+
+// What the types of a list name.
+template <class... Encodings>
+consteval auto writers_of(const list_of<Encodings...>*) {
+    return std::array{Encodings::writer...};
+}
+template <class... Encodings>
+consteval auto readers_of(const list_of<Encodings...>*) {
+    return std::array{Encodings::reader...};
+}
+template <class... Filters>
+consteval auto snippets_of(const list_of<Filters...>*) {
+    return std::array{Filters::snippet...};
+}
+inline constexpr auto writers = writers_of(static_cast<const encodings*>(nullptr));
+inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr));
+inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::all*>(nullptr));
+
+// The rooms.
+inline constexpr auto light = collect(texture_matrix_snippets, cube_map_snippets);
+inline constexpr auto kinds = collect(kinds_snippets);
+inline constexpr auto codes =
+    collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
+inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
+inline constexpr auto maps =
+    collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, filters);
+inline constexpr auto shade = collect(lighting_snippets);
+inline constexpr auto view = collect(false_colour_snippets);
+inline constexpr auto everything = collect(light, kinds, codes, levels, maps, shade, view);
+
+}  // namespace detail
+
+inline constexpr auto registry = [] {
+    std::array<const snippet*, detail::everything.size> all{};
+    std::copy_n(detail::everything.begin(), all.size(), all.begin());
+    return all;
+}();
+
+}  // namespace umbrage::glsl
 
 // ---- umbrage/umbrage.hpp
 // All of umbrage: the primitives, functions over whole images, the texts of snippets. Includes only.

@@ -14,6 +14,7 @@
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/light/cube_map.hpp>
 #include <umbrage/shader/hooks.hpp>
+#include <umbrage/shader/translate/layout.hpp>
 #include <umbrage/version.hpp>
 
 namespace umbrage::glsl::detail {
@@ -21,12 +22,11 @@ namespace umbrage::glsl::detail {
 /// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers.
 struct texture_words {
     std::string_view parameters, arguments;
-    std::string_view texel{};                        ///< vec4; lines that begin with # stand for the whole statement
-    std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
-    std::string_view gather_red{}, gather_green{};   ///< vec4
-    std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
-    std::string_view size{};                         ///< of the texture: vec2
-    std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
+    std::string_view texel{};                       ///< vec4; lines that begin with # stand for the whole statement
+    std::string_view lit{};                         ///< the sampler's comparison with `receiver`: float
+    std::string_view gather_red{}, gather_green{};  ///< vec4
+    std::string_view gather_lit{};                  ///< the sampler's comparisons with `receiver`: vec4
+    std::string_view size{};                        ///< of the texture: vec2
 };
 
 /// What there is to know of a language.
@@ -36,7 +36,6 @@ struct language {
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
-    std::string_view scaled_macro{};             ///< for those of depths on a scale of their own
 };
 
 [[nodiscard]] constexpr bool is_word(char c) {
@@ -136,10 +135,8 @@ template <class Replacement>
     }
     const std::string own_map = name_of_map(text);
     replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
-    const auto list = [&](const std::string& own, std::string_view ordinary, std::string_view sampler) {
-        std::string all = one_of(own, ordinary);
-        if (own.empty() && map.gather) all.insert(std::min(all.find(','), all.size()), sampler);
-        return replace_words(all,
+    const auto named = [&](std::string_view list) {
+        return replace_words(list,
                              [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
     };
 
@@ -159,8 +156,8 @@ template <class Replacement>
     };
     return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
         if (word.starts_with("umbrage_")) return suffixed(word);
-        if (word == own_map && !comment) return list(map.arguments, words.arguments, words.sampler_argument);
-        if (word == "UMBRAGE_PARAMETERS") return list(map.parameters, words.parameters, words.sampler);
+        if (word == own_map && !comment) return named(one_of(map.arguments, words.arguments));
+        if (word == "UMBRAGE_PARAMETERS") return named(one_of(map.parameters, words.parameters));
         if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(texel);
@@ -185,7 +182,7 @@ public:
                 if (!item.by_macros && item.suffix == other.suffix && !(item.map == other.map))
                     umbrage::detail::fail("umbrage::glsl::text: two maps have one name:" + item.suffix);
         }
-        if (language_.macros && !one.needs.empty()) text_ += language_.scaled_macro;
+        if (language_.macros && !one.needs.empty()) text_ += scaled_macro;
     }
 
     /// What belongs to no map comes first: hooks may call it, whatever the order of the items.
@@ -200,6 +197,13 @@ public:
     }
 
 private:
+    static constexpr std::string_view scaled_macro = R"GLSL(
+// depths here are on a scale of their own, on which 1.0 is not the far plane
+#ifndef UMBRAGE_BEYOND_FAR
+#define UMBRAGE_BEYOND_FAR(receiver) false
+#endif
+)GLSL";
+
     void add(const snippet& asked, const bound& item, bool of_map) {
         const bool by_macros = language_.macros && item.by_macros;
         const snippet& s = by_macros ? asked : chosen(asked, item.map);
@@ -210,7 +214,7 @@ private:
         if (std::find(done_.begin(), done_.end(), guard) != done_.end()) return;
         const std::string body = language_.translate(s);
         if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
-        text_ += of_map && !by_macros ? for_map(body, s, item, language_.texture(item.map.texture)) : body;
+        text_ += of_map && !by_macros ? laid_out(for_map(body, s, item, language_.texture(item.map.texture))) : body;
         if (language_.preprocessor) text_ += "#endif\n";
         done_.push_back(std::move(guard));
     }

@@ -42,8 +42,8 @@ TEST_CASE("a map's functions carry its name and take what its texture is called 
     const std::string text = glsl::text({bind(glsl::hard, "sun", layered)});
     CHECK(text.starts_with("// umbrage 0.1.0, MIT License: hard_sun\n"));
     CHECK(function(text, "umbrage_texel_sun") ==
-          "UMBRAGE_HIGHP vec4 umbrage_texel_sun(UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer, "
-          "UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {\n"
+          "UMBRAGE_HIGHP vec4 umbrage_texel_sun(UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer,\n"
+          "                                     UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {\n"
           "    return texelFetch(map, ivec3(ivec2(texel), int(layer)), 0);\n}\n");
     CHECK(function(text, "umbrage_fetch_clamped_sun").find("umbrage_texel_sun(map, layer, size, clamp(") !=
           std::string::npos);

@@ -34,8 +34,8 @@ inline constexpr word words[]{
     {word_kind::type, "uvec2", "uint2", "uint2", "vec2u"},
     {word_kind::type, "uvec3", "uint3", "uint3", "vec3u"},
     {word_kind::type, "uvec4", "uint4", "uint4", "vec4u"},
-    {word_kind::type, "mat3", "float3x3", "float3x3", "mat3x3f"},
-    {word_kind::type, "mat4", "float4x4", "float4x4", "mat4x4f"},
+    {word_kind::type, "mat3", "float3x3", "metal::float3x3", "mat3x3f"},
+    {word_kind::type, "mat4", "float4x4", "metal::float4x4", "mat4x4f"},
 
     {word_kind::function, "abs", "abs", "metal::abs", "abs"},
     {word_kind::function, "ceil", "ceil", "metal::ceil", "ceil"},

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+//
+// Snippets in HLSL, printed from their GLSL.
+//
+//     std::string shader = umbrage::hlsl::text({umbrage::glsl::pcf_2x2}) + my_main;
+//     // float umbrage_pcf_2x2(Texture2D<float4> map, float2 size, float2 coord, float receiver)
+//
+#pragma once
+
+#include <array>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <umbrage/shader/compose.hpp>
+#include <umbrage/shader/translate/word_by_word.hpp>
+
+namespace umbrage::hlsl {
+
+namespace detail {
+
+inline constexpr std::array<std::string_view, 8> reserved{"line",  "linear", "matrix",   "pass",
+                                                          "point", "sample", "triangle", "vector"};
+
+inline constexpr glsl::detail::near_language near{.name = "hlsl",
+                                                  .own = &glsl::detail::word::hlsl,
+                                                  .precise = "precise",
+                                                  .function = "",
+                                                  .condition = "precise ",  // FXC makes !(a > b) of a <= b elsewhere
+                                                  .matrices_have_rows = true,
+                                                  .vectors_of_one_are_cast = true,
+                                                  .reserved = reserved};
+
+[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
+    using enum glsl::texture;
+    switch (kind) {
+        case texture_2d:
+            return {.parameters = "Texture2D<float4> map", .arguments = "map", .texel = "map.Load(int3(int2(at), 0))"};
+        case depth:
+            return {.parameters = "Texture2D<float> map",
+                    .arguments = "map",
+                    .texel = "(float4)map.Load(int3(int2(at), 0))"};
+        case atlas:
+            return {.parameters = "Texture2D<float4> map, float2 origin",
+                    .arguments = "map, origin",
+                    .texel = "map.Load(int3(int2(at), 0))"};
+        case array:
+            return {.parameters = "Texture2DArray<float4> map, float layer",
+                    .arguments = "map, layer",
+                    .texel = "map.Load(int4(int2(at), int(layer), 0))"};
+        case depth_array:
+            return {.parameters = "Texture2DArray<float> map, float layer",
+                    .arguments = "map, layer",
+                    .texel = "(float4)map.Load(int4(int2(at), int(layer), 0))"};
+        case cube:
+            return {.parameters = "TextureCube<float4> map, SamplerState map_sampler, float face",
+                    .arguments = "map, map_sampler, face",
+                    .texel =
+                        "map.SampleLevel(map_sampler, umbrage_cube_direction(face, (at + 0.5) / "
+                        "UMBRAGE_TEXTURE_SIZE), 0.0)"};
+        case integer:
+            return {.parameters = "Texture2D<uint4> map",
+                    .arguments = "map",
+                    .texel = "float4(map.Load(int3(int2(at), 0)))"};
+        case shadow:
+            return {.parameters = "Texture2D<float> map, SamplerComparisonState map_sampler",
+                    .arguments = "map, map_sampler",
+                    .lit = "map.SampleCmpLevelZero(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .gather_lit = "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)"};
+        case shadow_array:
+            return {
+                .parameters = "Texture2DArray<float> map, SamplerComparisonState map_sampler, float layer",
+                .arguments = "map, map_sampler, layer",
+                .lit =
+                    "map.SampleCmpLevelZero(map_sampler, float3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer), "
+                    "receiver)",
+                .gather_lit = "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)"};
+    }
+    return {};
+}
+
+inline constexpr glsl::detail::language language{
+    .prelude = "", .texture = texture, .translate = [](const glsl::snippet& s) {
+        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source).print());
+    }};
+
+}  // namespace detail
+
+/// The snippets, or what bind() gives for a map, and all they need, each once and guarded: text to paste into any
+/// shader.
+/// @throws std::invalid_argument   for what HLSL has no word for
+[[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
+    return glsl::detail::compose(detail::language, items);
+}
+
+[[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {
+    return text(std::span(items.begin(), items.size()));
+}
+
+}  // namespace umbrage::hlsl

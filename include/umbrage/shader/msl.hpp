@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+//
+// Snippets in the Metal Shading Language, printed from their GLSL.
+//
+//     std::string shader = umbrage::msl::text({umbrage::glsl::pcf_2x2}) + my_main;
+//     // inline float umbrage_pcf_2x2(metal::texture2d<float> map, float2 size, float2 coord, float receiver)
+//
+#pragma once
+
+#include <array>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <umbrage/shader/compose.hpp>
+#include <umbrage/shader/translate/word_by_word.hpp>
+
+namespace umbrage::msl {
+
+/// What every text begins with. Metal computes with fast mathematics unless it is told not to; from here to the end of
+/// the file it is told.
+inline constexpr std::string_view prelude = R"MSL(
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+)MSL";
+
+namespace detail {
+
+inline constexpr std::array<std::string_view, 16> reserved{
+    "as_type", "char",   "constant", "device", "fragment", "half",  "kernel", "long",
+    "metal",   "object", "sampler",  "short",  "thread",   "uchar", "ushort", "vertex"};
+
+inline constexpr glsl::detail::near_language near{.name = "msl",
+                                                  .own = &glsl::detail::word::msl,
+                                                  .precise = "",
+                                                  .function = "inline ",
+                                                  .condition = "",
+                                                  .matrices_have_rows = false,
+                                                  .vectors_of_one_are_cast = false,
+                                                  .reserved = reserved};
+
+[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
+    using enum glsl::texture;
+    switch (kind) {
+        case texture_2d:
+            return {.parameters = "metal::texture2d<float> map", .arguments = "map", .texel = "map.read(uint2(at))"};
+        case depth:
+            return {
+                .parameters = "metal::depth2d<float> map", .arguments = "map", .texel = "float4(map.read(uint2(at)))"};
+        case atlas:
+            return {.parameters = "metal::texture2d<float> map, float2 origin",
+                    .arguments = "map, origin",
+                    .texel = "map.read(uint2(at))"};
+        case array:
+            return {.parameters = "metal::texture2d_array<float> map, float layer",
+                    .arguments = "map, layer",
+                    .texel = "map.read(uint2(at), uint(layer))"};
+        case depth_array:
+            return {.parameters = "metal::depth2d_array<float> map, float layer",
+                    .arguments = "map, layer",
+                    .texel = "float4(map.read(uint2(at), uint(layer)))"};
+        case cube:
+            return {.parameters = "metal::texturecube<float> map, float face",
+                    .arguments = "map, face",
+                    .texel = "map.read(uint2(at), uint(face))"};
+        case integer:
+            return {
+                .parameters = "metal::texture2d<uint> map", .arguments = "map", .texel = "float4(map.read(uint2(at)))"};
+        case shadow:
+            return {
+                .parameters = "metal::depth2d<float> map, metal::sampler map_sampler",
+                .arguments = "map, map_sampler",
+                .lit =
+                    "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))",
+                .gather_lit = "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                .size = "float2(map.get_width(), map.get_height())"};
+        case shadow_array:
+            return {.parameters = "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer",
+                    .arguments = "map, map_sampler, layer",
+                    .lit =
+                        "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, "
+                        "metal::level(0.0))",
+                    .gather_lit =
+                        "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)",
+                    .size = "float2(map.get_width(), map.get_height())"};
+    }
+    return {};
+}
+
+inline constexpr glsl::detail::language language{
+    .prelude = prelude, .texture = texture, .translate = [](const glsl::snippet& s) {
+        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source).print());
+    }};
+
+}  // namespace detail
+
+/// The snippets, or what bind() gives for a map, and all they need, each once and guarded: text to paste into any
+/// shader.
+/// @throws std::invalid_argument   for what Metal has no word for
+[[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
+    return glsl::detail::compose(detail::language, items);
+}
+
+[[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {
+    return text(std::span(items.begin(), items.size()));
+}
+
+}  // namespace umbrage::msl

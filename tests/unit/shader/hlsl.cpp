@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include <umbrage/shader/hlsl.hpp>
+#include <umbrage/shader/registry.hpp>
+
+using namespace umbrage;
+
+namespace {
+
+/// The text of one function.
+std::string function(const std::string& text, const std::string& name) {
+    const auto begin = text.find("\n// " + name + ":") + 1;
+    return text.substr(begin, text.find("\n}\n", begin) + 3 - begin);
+}
+
+}  // namespace
+
+TEST_CASE("hlsl: a snippet as one would have written it") {
+    CHECK(hlsl::text({glsl::spot_cone}) == R"(// umbrage 0.1.0, MIT License: spot_cone
+
+#ifndef UMBRAGE_HAS_SPOT_CONE
+#define UMBRAGE_HAS_SPOT_CONE
+// umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
+//   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
+float umbrage_spot_cone(float3 direction, float3 to_point, float cos_outer) {
+    precise float d = direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
+    precise float length2 = to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
+    precise float edge2 = cos_outer * cos_outer * length2;
+    precise float d2 = d * d;
+    return d > 0.0 && d2 > edge2 ? 1.0 : 0.0;
+}
+#endif
+)");
+}
+
+TEST_CASE("hlsl: a filter's map is a texture, and one with a sampler where samplers compare") {
+    CHECK(function(hlsl::text({glsl::hard}), "umbrage_hard") ==
+          R"(// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+float umbrage_hard(Texture2D<float4> map, float2 size, float2 coord, float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 texel = compared ? floor(coord) : float2(0.0, 0.0);  // no branch: fetches of several taps overlap
+    float lit = umbrage_lit(map, size, texel, receiver);
+    return compared ? lit : 1.0;
+}
+)");
+    const std::string sun = hlsl::text({glsl::bind(glsl::hard, "sun", {.texture = glsl::texture::shadow_array})});
+    CHECK(sun.find("    float lit = umbrage_lit_sun(map, map_sampler, layer, size, texel, receiver);\n") != sun.npos);
+    CHECK(sun.find("float umbrage_hard_sun(Texture2DArray<float> map, SamplerComparisonState map_sampler, float layer, "
+                   "float2 size,\n                       float2 coord, float receiver) {\n") != sun.npos);
+}
+
+TEST_CASE("hlsl: a column of a matrix, and bits") {
+    const std::string matrix = hlsl::text({glsl::shadow_coordinate});
+    CHECK(matrix.find("(float4x4 m, float3 world) {\n") != matrix.npos);
+    CHECK(matrix.find("    precise float4 c = transpose(m)[3] + transpose(m)[0] * world.x +") != matrix.npos);
+    const std::string bits = hlsl::text({glsl::encode_float_bits});
+    CHECK(bits.find("uint bits = asuint(v);") != bits.npos);
+}
+
+TEST_CASE("hlsl: every snippet") {
+    for (const glsl::snippet* s : glsl::registry) {
+        CAPTURE(s->name);
+        const std::string text = hlsl::text({*s});
+        for (const char* left : {"UMBRAGE_HIGHP", "UMBRAGE_MAP", "UMBRAGE_PRECISE", "vec2", "vec3", "vec4", "mat4"})
+            CHECK(text.find(left) == text.npos);
+    }
+}
+
+TEST_CASE("hlsl: what it has no word for") {
+    constexpr glsl::snippet swirl{.name = "swirl", .source = "\nfloat umbrage_swirl(float v) { return dFdx(v); }\n"};
+    CHECK_THROWS_WITH_AS((void)hlsl::text({swirl}), "umbrage::hlsl::text: no word for dFdx", std::invalid_argument);
+    constexpr glsl::snippet point{.name = "point", .source = "\nfloat umbrage_point(float point) { return point; }\n"};
+    CHECK_THROWS_AS((void)hlsl::text({point}), std::invalid_argument);
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include <umbrage/shader/msl.hpp>
+#include <umbrage/shader/registry.hpp>
+
+using namespace umbrage;
+
+namespace {
+
+/// The text of one function.
+std::string function(const std::string& text, const std::string& name) {
+    const auto begin = text.find("\n// " + name + ":") + 1;
+    return text.substr(begin, text.find("\n}\n", begin) + 3 - begin);
+}
+
+}  // namespace
+
+TEST_CASE("msl: a snippet as one would have written it") {
+    CHECK(msl::text({glsl::false_colour})
+              .starts_with("// umbrage 0.1.0, MIT License: false_colour\n" + std::string(msl::prelude)));
+    CHECK(function(msl::text({glsl::false_colour}), "umbrage_false_colour") ==
+          R"(// umbrage_false_colour: blue for 0.0, through green, to red for 1.0
+inline float3 umbrage_false_colour(float v) {
+    float x = umbrage_saturate(v) * 4.0;
+    float3 ramp = 1.5 - metal::abs(float3(x - 3.0, x - 2.0, x - 1.0));
+    return float3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
+}
+)");
+}
+
+TEST_CASE("msl: a filter's map is a texture, and one with a sampler where samplers compare") {
+    const std::string plain = msl::text({glsl::hard});
+    CHECK(plain.find("inline float umbrage_hard(metal::texture2d<float> map, float2 size, float2 coord, "
+                     "float receiver) {\n") != plain.npos);
+    CHECK(plain.find("    return map.read(uint2(texel));\n") != plain.npos);
+    const std::string sun = msl::text({glsl::bind(glsl::hard, "sun", {.texture = glsl::texture::shadow_array})});
+    CHECK(sun.find("    float lit = umbrage_lit_sun(map, map_sampler, layer, size, texel, receiver);\n") != sun.npos);
+    CHECK(sun.find("map.sample_compare(map_sampler, (texel + 0.5) / size, uint(layer), receiver, metal::level(0.0))") !=
+          sun.npos);
+}
+
+TEST_CASE("msl: columns of a matrix, and bits") {
+    const std::string matrix = msl::text({glsl::shadow_coordinate}), bits = msl::text({glsl::encode_float_bits});
+    CHECK(matrix.find("(metal::float4x4 m, float3 world)") != matrix.npos);
+    CHECK(matrix.find("m[3] + m[0] * world.x +") != matrix.npos);
+    CHECK(bits.find("uint bits = as_type<uint>(v);") != bits.npos);
+}
+
+TEST_CASE("msl: every snippet") {
+    for (const glsl::snippet* s : glsl::registry) {
+        CAPTURE(s->name);
+        const std::string text = msl::text({*s});
+        for (const char* left : {"UMBRAGE_HIGHP", "UMBRAGE_MAP", "UMBRAGE_PRECISE", "vec2", "vec3", "vec4", "mat4"})
+            CHECK(text.find(left) == text.npos);
+    }
+}
+
+TEST_CASE("msl: what it has no word for") {
+    constexpr glsl::snippet swirl{.name = "swirl", .source = "\nfloat umbrage_swirl(float v) { return dFdx(v); }\n"};
+    CHECK_THROWS_WITH_AS((void)msl::text({swirl}), "umbrage::msl::text: no word for dFdx", std::invalid_argument);
+    constexpr glsl::snippet half{.name = "half", .source = "\nfloat umbrage_half(float half) { return half; }\n"};
+    CHECK_THROWS_AS((void)msl::text({half}), std::invalid_argument);
+}
