@@ -15,6 +15,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/glsl.hpp>
 #include <umbrage/image.hpp>
 
@@ -85,12 +86,12 @@ struct entry {
     std::vector<input_class> classes{};  ///< taken in turn
     enumeration whole{};
     std::function<vec4(const sample&)> twin{};
-    std::string call{};                    ///< vec4 expression of x0 .. x5, map, map_size, table; GLSL and C++ alike
-    std::vector<texels> maps{};            ///< each gets its share of the inputs; none: no map
-    texels table{};                        ///< values k / 255
-    std::vector<const snippet*> also{};    ///< further snippets that `call` uses
-    std::vector<const snippet*> before{};  ///< snippets that `preamble` makes the primitive use
-    std::string preamble{};                ///< macros
+    std::string call{};                  ///< vec4 expression of x0 .. x5, map, map_size, table; GLSL and C++ alike
+    std::vector<texels> maps{};          ///< each gets its share of the inputs; none: no map
+    texels table{};                      ///< values k / 255
+    std::vector<const snippet*> also{};  ///< further snippets that `call` uses
+    umbrage::glsl::binding map_kind{};   ///< of a depth it takes the first channels: "...(value.xy...)"
+    std::string preamble{};              ///< macros, beyond those that say what map_kind does
     target output = target::rgba32f;
     bool bits = false;  ///< a denormal must not act as zero
 
@@ -99,8 +100,7 @@ struct entry {
     }
     [[nodiscard]] bool uses(int input) const { return call.find("x" + std::to_string(input)) != std::string::npos; }
     [[nodiscard]] std::vector<snippet> snippets() const {
-        std::vector<snippet> all;
-        for (const snippet* s : before) all.push_back(*s);
+        std::vector<snippet> all = map_kind.needs;
         all.push_back(*primitive);
         for (const snippet* s : also) all.push_back(*s);
         return all;
@@ -111,6 +111,9 @@ struct entry {
         return true;
     }
 };
+
+/// What a user defines in GLSL for the entry's kind of map.
+[[nodiscard]] std::string macros(const entry& e);
 
 /// Every entry there is.
 [[nodiscard]] const std::vector<entry>& entries();

@@ -12,7 +12,39 @@ std::array<std::string, max_inputs + 2> samplers(const entry& e) {
     return names;
 }
 
+std::string macros(const entry& e) {
+    std::string all = e.preamble;
+    if (e.map_kind.direction == umbrage::depth_direction::reversed) all += "#define UMBRAGE_REVERSED\n";
+    if (e.map_kind.outside_lit) all += "#define UMBRAGE_OUTSIDE_LIT\n";
+    if (std::string depth = e.map_kind.depth; !depth.empty()) {
+        const std::string value = "value.xy";
+        depth.replace(depth.find(value), value.size(), "vec2(umbrage_fetch_clamped(map, size, texel))");
+        all += "#define UMBRAGE_FETCH(map, size, texel) " + depth + '\n';
+    }
+    return all;
+}
+
+call_snippet::call_snippet(const entry& e) : needs_{e.primitive} {
+    needs_.insert(needs_.end(), e.also.begin(), e.also.end());
+    std::string parameters;
+    const auto add = [&](const std::string& type, const std::string& name) {
+        parameters += (parameters.empty() ? "" : ", ") + type + " " + name;
+        arguments_ += (arguments_.empty() ? "" : ", ") + name;
+    };
+    for (int i = 0; i < max_inputs; ++i)
+        if (e.uses(i)) add("vec4", "x" + std::to_string(i));
+    if (e.call.find("(map,") != e.call.npos) add("UMBRAGE_MAP", "map");
+    if (e.call.find("map_size") != e.call.npos) add("vec2", "map_size");
+    if (!e.table.empty()) add("UMBRAGE_MAP", "table");
+    source_ = "\nvec4 umbrage_call(" + parameters + ") {\n    return " + e.call + ";\n}\n";
+    snippet call{.name = "call", .source = source_};
+    call.needs.first = needs_.data();
+    call.needs.size = needs_.size();
+    items_.push_back(bind(call, "", e.map_kind));
+}
+
 shader make_shader(const entry& e, dialect d) {
+    if (d == dialect::hlsl) return {"", make_hlsl(e)};
     const version v = d.of_glsl;
     const bool old = v == version::v100 || v == version::v110 || v == version::v120;
     const bool es = v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;
@@ -27,7 +59,7 @@ shader make_shader(const entry& e, dialect d) {
                "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n";
 
     // A host shader of low precision: the snippets must ask for what they need.
-    const std::string preamble = (es ? "precision mediump float;\nprecision mediump int;\n" : "") + e.preamble;
+    const std::string preamble = (es ? "precision mediump float;\nprecision mediump int;\n" : "") + macros(e);
     std::string& f = s.fragment;
     f = source(v, e.snippets(), preamble) + '\n';
     const auto names = samplers(e);

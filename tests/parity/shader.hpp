@@ -15,6 +15,26 @@ struct shader {
     std::string vertex, fragment;
 };
 
+/// An entry's call as a snippet, so that the library prints it too: vec4 umbrage_call(x0 .. x5, map, map_size, table).
+class call_snippet {
+public:
+    explicit call_snippet(const entry& e);
+    call_snippet(const call_snippet&) = delete;
+    call_snippet& operator=(const call_snippet&) = delete;
+
+    /// Bound to the kind of map that the entry has.
+    [[nodiscard]] const std::vector<umbrage::glsl::bound>& items() const { return items_; }
+    [[nodiscard]] const std::string& arguments() const { return arguments_; }
+
+private:
+    std::string source_, arguments_;
+    std::vector<const snippet*> needs_;
+    std::vector<umbrage::glsl::bound> items_;
+};
+
+/// The fragment shader in HLSL.
+[[nodiscard]] std::string make_hlsl(const entry& e);
+
 [[nodiscard]] shader make_shader(const entry& e, dialect d);
 
 /// Samplers of an entry in order of their bindings, empty where unused.

@@ -30,12 +30,17 @@ public:
     spirv_compiler(const spirv_compiler&) = delete;
     spirv_compiler& operator=(const spirv_compiler&) = delete;
 
+    enum language { glsl, hlsl };
+
     /// @throws std::runtime_error   with the compiler's words
-    [[nodiscard]] std::vector<std::uint32_t> compile(const std::string& stage, const std::string& text) const {
+    [[nodiscard]] std::vector<std::uint32_t> compile(const std::string& stage, const std::string& text,
+                                                     language in = glsl) const {
         const std::string file = (folder_ / ("shader." + stage)).string(), module = file + ".spv", log = file + ".log";
         std::ofstream(file) << text;
-        if (std::system(
-                (UMBRAGE_GLSLANG " -V --quiet '" + file + "' -o '" + module + "' > '" + log + "' 2>&1").c_str()) != 0) {
+        const std::string options = in == hlsl ? " -D -e main" : "";
+        const std::string command =
+            UMBRAGE_GLSLANG " -V --quiet" + options + " '" + file + "' -o '" + module + "' > '" + log + "' 2>&1";
+        if (std::system(command.c_str()) != 0) {
             std::ifstream words(log);
             throw std::runtime_error(std::string(std::istreambuf_iterator<char>(words), {}) + '\n' + text);
         }

@@ -84,8 +84,10 @@ public:
         return device.starts_with("llvmpipe") ? "lavapipe (" + device + ")"
                                               : "Vulkan on " + device;  // not OpenGL's own, nor WebGL's
     }
-    [[nodiscard]] std::vector<dialect> dialects() const override { return {version::vulkan}; }
-    [[nodiscard]] std::string label(dialect) const override { return "Vulkan"; }
+    [[nodiscard]] std::vector<dialect> dialects() const override { return {version::vulkan, dialect::hlsl}; }
+    [[nodiscard]] std::string label(dialect d) const override {
+        return d == version::vulkan ? "Vulkan" : parity::name(d);
+    }
     [[nodiscard]] std::string obstacle(const entry& e) const override {
         const auto limit = physical_.getProperties().limits.maxImageDimension2D;
         return e.table.size().x <= static_cast<int>(limit)
@@ -93,7 +95,7 @@ public:
                    : "its table is wider than " + std::to_string(limit) + " texels";
     }
 
-    [[nodiscard]] std::vector<vec4> run(dialect, const job& j, std::size_t count) override {
+    [[nodiscard]] std::vector<vec4> run(dialect d, const job& j, std::size_t count) override {
         const int height = static_cast<int>((j.count + width - 1) / width);
         const bool bytes = j.what->output == target::rgba8;
         render_target& t = targets_[bytes ? 1 : 0];
@@ -109,9 +111,10 @@ public:
                                                           .layers = 1}};
         }
         if (serial_ != j.serial) send(j, height);
-        if (entry_ != j.what) {
-            pipeline_ = make_pipeline(*j.what, t.pass);
+        if (entry_ != j.what || dialect_ != d) {
+            pipeline_ = make_pipeline(*j.what, d, t.pass);
             entry_ = j.what;
+            dialect_ = d;
         }
 
         const std::size_t size = static_cast<std::size_t>(width * height) * (bytes ? 4 : sizeof(vec4));
@@ -171,15 +174,15 @@ private:
         serial_ = j.serial;
     }
 
-    [[nodiscard]] vk::raii::ShaderModule make_module(const char* stage, const std::string& source) const {
-        const auto code = compiler_.compile(stage, source);
+    [[nodiscard]] vk::raii::ShaderModule make_module(const std::vector<std::uint32_t>& code) const {
         return {device_, vk::ShaderModuleCreateInfo{.codeSize = code.size() * 4, .pCode = code.data()}};
     }
 
-    [[nodiscard]] vk::raii::Pipeline make_pipeline(const entry& e, const vk::raii::RenderPass& pass) {
-        const shader text = make_shader(e, version::vulkan);
-        if (!*vertex_) vertex_ = make_module("vert", text.vertex);  // the same for all
-        const auto fragment = make_module("frag", text.fragment);
+    [[nodiscard]] vk::raii::Pipeline make_pipeline(const entry& e, dialect d, const vk::raii::RenderPass& pass) {
+        if (!*vertex_)  // the same for all
+            vertex_ = make_module(compiler_.compile("vert", make_shader(e, version::vulkan).vertex));
+        const auto language = d == dialect::hlsl ? spirv_compiler::hlsl : spirv_compiler::glsl;
+        const auto fragment = make_module(compiler_.compile("frag", make_shader(e, d).fragment, language));
         const std::array stages{vk::PipelineShaderStageCreateInfo{
                                     .stage = vk::ShaderStageFlagBits::eVertex, .module = *vertex_, .pName = "main"},
                                 vk::PipelineShaderStageCreateInfo{
@@ -227,6 +230,7 @@ private:
     vk::raii::ShaderModule vertex_ = nullptr;
     vk::raii::Pipeline pipeline_ = nullptr;
     const entry* entry_ = nullptr;
+    dialect dialect_ = version::vulkan;
     std::uint64_t serial_ = ~std::uint64_t(0);
 };
 

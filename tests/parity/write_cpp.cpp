@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
     file << "#include \"cpp_text.hpp\"\n\nnamespace parity::glsl_as_cpp {\nnamespace {\n";
     std::size_t count = 0;
     for (const parity::entry& e : parity::entries()) {
-        const std::string text = e.preamble + umbrage::glsl::text(e.snippets());
+        const std::string text = parity::macros(e) + umbrage::glsl::text(e.snippets());
         file << "\nnamespace entry_" << count++ << " {\n" << as_cpp(text) << "\nvec4 call(const sample& s) {\n";
         for (int i = 0; i < parity::max_inputs; ++i)
             if (e.uses(i)) file << "    const vec4 x" << i << " = s.x[" << i << "];\n";

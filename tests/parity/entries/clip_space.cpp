@@ -13,7 +13,7 @@ void add_clip_space(std::vector<entry>& all) {
                        .classes = spread({{0.0f, 1.0f}}, {}),
                        .twin = [direction](const sample& s) { return vec4(cleared_depth(direction), vec3(s.x[0])); },
                        .call = "vec4(umbrage_cleared_depth(), x0.x, x0.y, x0.z)",
-                       .preamble = direction == depth_direction::forward ? "" : reversed});
+                       .map_kind = {.direction = direction}});
 }
 
 }  // namespace parity

@@ -36,7 +36,7 @@ void add_compare(std::vector<entry>& all) {
              .twin = [direction](
                          const sample& s) { return vec4(beyond_far(s.x[0].x, comparison{direction}) ? 1.0f : 0.0f); },
              .call = "vec4(umbrage_beyond_far(x0.x) ? 1.0 : 0.0)",
-             .preamble = direction == depth_direction::forward ? "" : reversed});
+             .map_kind = {.direction = direction}});
     all.push_back({.primitive = &glsl::compare,
                    .classes = pairs(),
                    .twin = [](const sample& s) { return vec4(compare(s.x[0].x, s.x[0].y)); },
@@ -46,7 +46,7 @@ void add_compare(std::vector<entry>& all) {
                    .classes = pairs(),
                    .twin = [](const sample& s) { return vec4(compare(s.x[0].x, s.x[0].y, greater_equal{})); },
                    .call = "vec4(umbrage_compare(x0.x, x0.y))",
-                   .preamble = reversed});
+                   .map_kind = {.direction = depth_direction::reversed}});
     all.push_back({.primitive = &glsl::compare_dx_sdk,
                    .classes = pairs(),
                    .twin = [](const sample& s) { return vec4(compare_dx_sdk(s.x[0].x, s.x[0].y, s.x[0].z)); },

@@ -10,12 +10,6 @@
 
 namespace parity {
 
-/// What a user defines for reversed Z.
-inline const std::string reversed = "#define UMBRAGE_REVERSED\n";
-
-/// What a user defines for maps outside of which all is lit.
-inline const std::string outside_lit = "#define UMBRAGE_OUTSIDE_LIT\n";
-
 /// The coordinate that receivers() fills.
 [[nodiscard]] inline vec2 at(const sample& s) { return vec2(s.x[0]); }
 
@@ -36,14 +30,14 @@ inline const std::string outside_lit = "#define UMBRAGE_OUTSIDE_LIT\n";
                                            std::function<vec4(const sample&)> twin) {
     entry e = filter(s, arguments, std::move(twin));
     e.variant = "reversed";
-    e.preamble = reversed;
+    e.map_kind.direction = umbrage::depth_direction::reversed;
     return e;
 }
 
 /// A filter over packed maps that are compared on a scale of their own.
-/// @param level      what makes a texel a level, and its call of `texel`
+/// @param level      what makes a value a level, and its call of `value`
 /// @param receiver   what makes x0.z a receiver, and its call
-[[nodiscard]] inline entry levels(const snippet& level, const std::string& of_texel, const snippet& receiver,
+[[nodiscard]] inline entry levels(const snippet& level, const std::string& of_value, const snippet& receiver,
                                   const std::string& of_depth, std::function<vec4(const sample&)> twin) {
     return {.primitive = &level,
             .variant = "compared",
@@ -52,7 +46,7 @@ inline const std::string outside_lit = "#define UMBRAGE_OUTSIDE_LIT\n";
             .call = "vec4(umbrage_hard(map, map_size, vec2(x0.x, x0.y), " + of_depth + "))",
             .maps = packed_maps(),
             .also = {&umbrage::glsl::hard, &receiver},
-            .preamble = "#define UMBRAGE_FETCH(map, size, texel) " + of_texel + "\n"};
+            .map_kind = {.depth = of_value, .channels = 2, .needs = {level}}};
 }
 
 }  // namespace parity

@@ -21,7 +21,7 @@ void add_scalar(std::vector<entry>& all) {
                  },
              .call =
                  "vec4(umbrage_saturate(x0.x), umbrage_saturate(x0.y), umbrage_saturate(x0.z), umbrage_saturate(x0.w))",
-             .preamble = far == 1.0f ? "" : reversed});
+             .map_kind = {.direction = far == 1.0f ? depth_direction::forward : depth_direction::reversed}});
 }
 
 }  // namespace parity

@@ -30,8 +30,8 @@ void add_depth_rg_level(std::vector<entry>& all) {
     namespace glsl = umbrage::glsl;
     [&]<int... M>(std::integer_sequence<int, M...>) { (add<9 + M>(all), ...); }
     (std::make_integer_sequence<int, 8>());
-    all.push_back(levels(glsl::level_rg<11>, "umbrage_level_rg11(vec2(umbrage_fetch_clamped(map, size, texel)))",
-                         glsl::receiver_rg<11>, "umbrage_receiver_rg11(x0.z, 0.5)", [](const sample& s) {
+    all.push_back(levels(glsl::level_rg<11>, "umbrage_level_rg11(value.xy)", glsl::receiver_rg<11>,
+                         "umbrage_receiver_rg11(x0.z, 0.5)", [](const sample& s) {
                              const auto fetch = [view = s.map](ivec2 texel) {
                                  return level_rg<11>(vec2(fetch_clamped(view, texel)));
                              };

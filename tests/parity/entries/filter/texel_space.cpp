@@ -43,7 +43,7 @@ void add_filter_texel_space(std::vector<entry>& all) {
                            },
                        .call = "vec4(umbrage_fetch_depth(map, map_size, vec2(x0.x, x0.y)))",
                        .maps = depth_maps(),
-                       .preamble = outside_lit + (forward ? "" : reversed)});
+                       .map_kind = {.direction = direction, .outside_lit = true}});
     }
     all.push_back({.primitive = &glsl::inside_texel_space,
                    .classes = receivers(),
@@ -60,7 +60,7 @@ void add_filter_texel_space(std::vector<entry>& all) {
                            },
                        .call = "vec4(umbrage_is_compared(vec2(x0.x, x0.y), x0.z) ? 1.0 : 0.0)",
                        .maps = depth_maps(),
-                       .preamble = direction == depth_direction::forward ? "" : reversed});
+                       .map_kind = {.direction = direction}});
     for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
         const bool forward = direction == depth_direction::forward;
         all.push_back({.primitive = &glsl::lit,
@@ -72,7 +72,7 @@ void add_filter_texel_space(std::vector<entry>& all) {
                            },
                        .call = "vec4(umbrage_lit(map, map_size, vec2(x0.x, x0.y), x0.z))",
                        .maps = depth_maps(),
-                       .preamble = forward ? "" : reversed});
+                       .map_kind = {.direction = direction}});
         all.push_back(
             {.primitive = &glsl::lit_2x2,
              .variant = forward ? "" : "reversed",
@@ -81,7 +81,7 @@ void add_filter_texel_space(std::vector<entry>& all) {
                          const sample& s) { return lit_2x2(s.depth(), texel_of(s), s.x[0].z, comparison{direction}); },
              .call = "umbrage_lit_2x2(map, map_size, vec2(x0.x, x0.y), x0.z)",
              .maps = depth_maps(),
-             .preamble = forward ? "" : reversed});
+             .map_kind = {.direction = direction}});
     }
 }
 

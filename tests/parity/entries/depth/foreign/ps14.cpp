@@ -18,12 +18,13 @@ void add_depth_foreign_ps14(std::vector<entry>& all) {
                    .whole = all_depths(),
                    .twin = [](const sample& s) { return vec4(receiver_ps14(s.x[0].x)); },
                    .call = "vec4(umbrage_receiver_ps14(x0.x))"});
-    all.push_back(levels(
-        umbrage::glsl::decode_ps14, "umbrage_decode_ps14(vec2(umbrage_fetch_clamped(map, size, texel)))",
-        umbrage::glsl::receiver_ps14, "umbrage_receiver_ps14(x0.z)", [](const sample& s) {
-            const auto fetch = [view = s.map](ivec2 texel) { return decode_ps14(vec2(fetch_clamped(view, texel))); };
-            return vec4(hard(fetch, at(s), receiver_ps14(s.x[0].z), less_equal_scaled{}));
-        }));
+    all.push_back(levels(umbrage::glsl::decode_ps14, "umbrage_decode_ps14(value.xy)", umbrage::glsl::receiver_ps14,
+                         "umbrage_receiver_ps14(x0.z)", [](const sample& s) {
+                             const auto fetch = [view = s.map](ivec2 texel) {
+                                 return decode_ps14(vec2(fetch_clamped(view, texel)));
+                             };
+                             return vec4(hard(fetch, at(s), receiver_ps14(s.x[0].z), less_equal_scaled{}));
+                         }));
 }
 
 }  // namespace parity
