@@ -65,6 +65,9 @@ using backends = std::vector<std::unique_ptr<backend>>;
 /// WebGL 1 and 2 in a browser, on SwiftShader. Empty, and said why, where the browser or what drives it is missing.
 [[nodiscard]] backends webgl_backends();
 
+/// The snippets' Metal compiled as C++. Empty: no clang, whose literals can be floats as Metal's.
+[[nodiscard]] backends metal_backends();
+
 /// The snippets' text compiled as C++.
 [[nodiscard]] backends cpp_backends();
 

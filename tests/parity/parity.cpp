@@ -2,7 +2,7 @@
 //
 // Every entry on one implementation, in all its dialects, against C++.
 //
-//     parity --backend llvmpipe|softpipe|lavapipe|swiftshader|swiftshader_vulkan|hardware|c++ [--count N]
+//     parity --backend llvmpipe|softpipe|lavapipe|swiftshader|swiftshader_vulkan|hardware|c++|metal [--count N]
 //            [--other-count N] [--whole N] [--versions "100,300 es,450"] [--filter TEXT] [--out FOLDER]
 //
 // --whole: as many of each enumeration, in one dialect; 16777216 is all of every one.
@@ -26,16 +26,17 @@ namespace {
 
 struct options {
     std::string driver = "llvmpipe", filter, versions, out = ".";
-    std::size_t count = std::size_t(1) << 20;        ///< in the main dialects: one of each kind of GLSL
+    std::size_t count = std::size_t(1) << 20;        ///< in the main dialects: one of each kind of GLSL, and languages
     std::size_t other_count = std::size_t(1) << 16;  ///< in the others
 
-    std::size_t whole = std::size_t(1) << 16;  ///< of an enumeration, in the last of the main dialects
+    std::size_t whole = std::size_t(1) << 16;  ///< of an enumeration, in the last of the main dialects of GLSL
 
     [[nodiscard]] bool wants(const backend& b, dialect d) const {
         return versions.empty() || ("," + versions + ",").find("," + b.label(d) + ",") != std::string::npos;
     }
     [[nodiscard]] static bool main(dialect d) {
-        return d == version::v100 || d == version::v300_es || d == version::v450 || d == version::vulkan;
+        return d.in != dialect::glsl || d == version::v100 || d == version::v300_es || d == version::v450 ||
+               d == version::vulkan;
     }
     [[nodiscard]] std::size_t inputs(dialect d, bool only) const {
         return only || main(d) ? count : std::min(count, other_count);
@@ -118,7 +119,7 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
     const std::size_t whole = std::min<std::size_t>(o.whole, e.whole.count);
     const texels flat = e.maps.empty() ? texels() : flush(e.maps.front());
     std::size_t last = dialects.size() - 1;
-    while (last > 0 && !options::main(dialects[last])) --last;
+    while (last > 0 && !(dialects[last].in == dialect::glsl && options::main(dialects[last]))) --last;
     for (std::size_t first = 0; first < whole; first += at_most) {
         const job j = make_whole_job(e, first, std::min(at_most, whole - first), serial++);
         judge(j, {twins(j), e.maps.empty() ? nullptr : &flat}, last, j.count);
@@ -172,6 +173,7 @@ void print(const std::vector<row>& rows) {
 
 backends find(const std::string& driver) {
     if (driver == "c++") return cpp_backends();
+    if (driver == "metal") return metal_backends();
     if (driver == "lavapipe" || driver == "swiftshader_vulkan") return vulkan_backends(driver);
     if (driver == "swiftshader") return webgl_backends();
     backends all = egl_backends(driver);

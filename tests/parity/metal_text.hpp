@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// The snippets' Metal, compiled as C++ by clang: what its functions and whoever calls them agree on. Plain data, as the
+// two may have different standard libraries.
+#pragma once
+
+#include <glm/vec4.hpp>
+
+namespace parity::metal_text {
+
+struct texture {
+    const glm::vec4* texels = nullptr;
+    unsigned width = 0, height = 0;
+};
+
+/// An entry's call, in the order of entries(); x[i] is xi.
+using function = glm::vec4 (*)(const glm::vec4* x, texture map, texture table);
+extern const function functions[];
+
+}  // namespace parity::metal_text
