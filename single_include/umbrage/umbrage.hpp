@@ -7859,6 +7859,7 @@ struct language {
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
+    std::string_view scaled_macro{};             ///< for those of depths on a scale of their own
 };
 
 [[nodiscard]] constexpr bool is_word(char c) {
@@ -8005,7 +8006,7 @@ public:
                 if (!item.by_macros && item.suffix == other.suffix && !(item.map == other.map))
                     umbrage::detail::fail("umbrage::glsl::text: two maps have one name:" + item.suffix);
         }
-        if (language_.macros && !one.needs.empty()) text_ += scaled_macro;
+        if (language_.macros && !one.needs.empty()) text_ += language_.scaled_macro;
     }
 
     /// What belongs to no map comes first: hooks may call it, whatever the order of the items.
@@ -8020,13 +8021,6 @@ public:
     }
 
 private:
-    static constexpr std::string_view scaled_macro = R"GLSL(
-// depths here are on a scale of their own, on which 1.0 is not the far plane
-#ifndef UMBRAGE_BEYOND_FAR
-#define UMBRAGE_BEYOND_FAR(receiver) false
-#endif
-)GLSL";
-
     void add(const snippet& asked, const bound& item, bool of_map) {
         const bool by_macros = language_.macros && item.by_macros;
         const snippet& s = by_macros ? asked : chosen(asked, item.map);
@@ -8087,6 +8081,13 @@ inline constexpr std::string_view prelude = R"GLSL(
 )GLSL";
 
 namespace detail {
+
+inline constexpr std::string_view scaled_macro = R"GLSL(
+// depths here are on a scale of their own, on which 1.0 is not the far plane
+#ifndef UMBRAGE_BEYOND_FAR
+#define UMBRAGE_BEYOND_FAR(receiver) false
+#endif
+)GLSL";
 
 [[nodiscard]] constexpr texture_words glsl_texture(texture kind) {
     switch (kind) {
@@ -8149,7 +8150,8 @@ namespace detail {
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
                                         .translate = [](const snippet& s) { return std::string(s.source); },
-                                        .macros = true};
+                                        .macros = true,
+                                        .scaled_macro = scaled_macro};
 
 [[nodiscard]] inline std::vector<bound> unbound(std::span<const snippet> snippets) {
     return {snippets.begin(), snippets.end()};

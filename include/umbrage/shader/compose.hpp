@@ -36,6 +36,7 @@ struct language {
     std::string (*translate)(const snippet& s);  ///< its text in the language, with the words that a map fills in
     bool preprocessor = true;                    ///< keeps what is pasted twice from clashing
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
+    std::string_view scaled_macro{};             ///< for those of depths on a scale of their own
 };
 
 [[nodiscard]] constexpr bool is_word(char c) {
@@ -182,7 +183,7 @@ public:
                 if (!item.by_macros && item.suffix == other.suffix && !(item.map == other.map))
                     umbrage::detail::fail("umbrage::glsl::text: two maps have one name:" + item.suffix);
         }
-        if (language_.macros && !one.needs.empty()) text_ += scaled_macro;
+        if (language_.macros && !one.needs.empty()) text_ += language_.scaled_macro;
     }
 
     /// What belongs to no map comes first: hooks may call it, whatever the order of the items.
@@ -197,13 +198,6 @@ public:
     }
 
 private:
-    static constexpr std::string_view scaled_macro = R"GLSL(
-// depths here are on a scale of their own, on which 1.0 is not the far plane
-#ifndef UMBRAGE_BEYOND_FAR
-#define UMBRAGE_BEYOND_FAR(receiver) false
-#endif
-)GLSL";
-
     void add(const snippet& asked, const bound& item, bool of_map) {
         const bool by_macros = language_.macros && item.by_macros;
         const snippet& s = by_macros ? asked : chosen(asked, item.map);

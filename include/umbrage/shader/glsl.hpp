@@ -37,6 +37,13 @@ inline constexpr std::string_view prelude = R"GLSL(
 
 namespace detail {
 
+inline constexpr std::string_view scaled_macro = R"GLSL(
+// depths here are on a scale of their own, on which 1.0 is not the far plane
+#ifndef UMBRAGE_BEYOND_FAR
+#define UMBRAGE_BEYOND_FAR(receiver) false
+#endif
+)GLSL";
+
 [[nodiscard]] constexpr texture_words glsl_texture(texture kind) {
     switch (kind) {
         case texture::texture_2d:
@@ -98,7 +105,8 @@ namespace detail {
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
                                         .translate = [](const snippet& s) { return std::string(s.source); },
-                                        .macros = true};
+                                        .macros = true,
+                                        .scaled_macro = scaled_macro};
 
 [[nodiscard]] inline std::vector<bound> unbound(std::span<const snippet> snippets) {
     return {snippets.begin(), snippets.end()};
