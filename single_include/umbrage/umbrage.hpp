@@ -50,9 +50,11 @@
 #include <initializer_list>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <metal_stdlib>
 #include <new>
 #include <numbers>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -7770,8 +7772,8 @@ inline constexpr auto all =
 
 namespace umbrage::glsl::detail {
 
-/// One statement, or a function's head, in lines of at most 120 columns. Lines end behind a comma or an operator, as far
-/// out of brackets as may be; what goes on stands below the bracket that it is in, or four columns in.
+/// One statement, or a function's head, in lines of at most 120 columns. Lines end behind a comma or an operator, as
+/// far out of brackets as may be; what goes on stands below the bracket that it is in, or four columns in.
 [[nodiscard]] inline std::string broken(std::string statement) {
     const std::size_t margin = statement.find_first_not_of(' ');
     std::string out;
@@ -7845,11 +7847,12 @@ namespace umbrage::glsl::detail {
 /// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers.
 struct texture_words {
     std::string_view parameters, arguments;
-    std::string_view texel{};                       ///< vec4; lines that begin with # stand for the whole statement
-    std::string_view lit{};                         ///< the sampler's comparison with `receiver`: float
-    std::string_view gather_red{}, gather_green{};  ///< vec4
-    std::string_view gather_lit{};                  ///< the sampler's comparisons with `receiver`: vec4
-    std::string_view size{};                        ///< of the texture: vec2
+    std::string_view texel{};                        ///< vec4; lines that begin with # stand for the whole statement
+    std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
+    std::string_view gather_red{}, gather_green{};   ///< vec4
+    std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
+    std::string_view size{};                         ///< of the texture: vec2
+    std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
 };
 
 /// What there is to know of a language.
@@ -7959,8 +7962,10 @@ template <class Replacement>
     }
     const std::string own_map = name_of_map(text);
     replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
-    const auto named = [&](std::string_view list) {
-        return replace_words(list,
+    const auto list = [&](const std::string& own, std::string_view ordinary, std::string_view sampler) {
+        std::string all = one_of(own, ordinary);
+        if (own.empty() && map.gather) all.insert(std::min(all.find(','), all.size()), sampler);
+        return replace_words(all,
                              [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
     };
 
@@ -7980,8 +7985,8 @@ template <class Replacement>
     };
     return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
         if (word.starts_with("umbrage_")) return suffixed(word);
-        if (word == own_map && !comment) return named(one_of(map.arguments, words.arguments));
-        if (word == "UMBRAGE_PARAMETERS") return named(one_of(map.parameters, words.parameters));
+        if (word == own_map && !comment) return list(map.arguments, words.arguments, words.sampler_argument);
+        if (word == "UMBRAGE_PARAMETERS") return list(map.parameters, words.parameters, words.sampler);
         if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(texel);
@@ -8826,6 +8831,692 @@ inline constexpr auto registry = [] {
 }();
 
 }  // namespace umbrage::glsl
+
+// ---- umbrage/shader/translate/types.hpp
+// Types of GLSL expressions, by GLSL's names: "vec3", "uint", "mat4"; "float[4]" is an array.
+//
+
+namespace umbrage::glsl::detail {
+
+/// Components of a vector, or of a matrix's column; 1 for scalars.
+[[nodiscard]] constexpr int width_of(std::string_view type) {
+    const char last = type.back();
+    return last >= '2' && last <= '4' ? last - '0' : 1;
+}
+
+[[nodiscard]] constexpr bool is_matrix(std::string_view type) { return type.starts_with("mat"); }
+
+[[nodiscard]] constexpr std::string_view component_of(std::string_view type) {
+    if (width_of(type) == 1) return type;
+    return type[0] == 'i' ? "int" : type[0] == 'u' ? "uint" : "float";
+}
+
+[[nodiscard]] inline std::string vector_of(std::string_view component, int width) {
+    if (width == 1) return std::string(component);
+    const std::string prefix = component == "int" ? "i" : component == "uint" ? "u" : "";
+    return prefix + "vec" + std::to_string(width);
+}
+
+/// Type of `all[i]`: an array's element, a matrix's column, a vector's component.
+[[nodiscard]] inline std::string element_of(std::string_view type) {
+    if (type.ends_with(']')) return std::string(type.substr(0, type.find('[')));
+    if (is_matrix(type)) return vector_of("float", width_of(type));
+    return std::string(component_of(type));
+}
+
+/// Type of `a op b` with an arithmetic or bitwise sign; empty where GLSL has none, or only by a conversion unsaid.
+[[nodiscard]] inline std::string type_of_product(std::string_view a, std::string_view op, std::string_view b) {
+    if (op == "<<" || op == ">>") return std::string(a);
+    if (op == "*" && is_matrix(a) && !is_matrix(b) && width_of(a) == width_of(b)) return std::string(b);
+    if (op == "*" && is_matrix(b) && !is_matrix(a) && width_of(a) == width_of(b)) return std::string(a);
+    if (a == b) return std::string(a);
+    if (b == element_of(a) && !is_matrix(a)) return std::string(a);
+    if (a == element_of(b) && !is_matrix(b)) return std::string(b);
+    if (op == "*" && is_matrix(a) && b == "float") return std::string(a);
+    if (op == "*" && is_matrix(b) && a == "float") return std::string(b);
+    return {};
+}
+
+[[nodiscard]] inline std::string type_of_number(std::string_view digits) {
+    const bool hexadecimal = digits.starts_with("0x");
+    if (digits.ends_with('u')) return "uint";
+    return !hexadecimal && digits.find_first_of(".eEf") != digits.npos ? "float" : "int";
+}
+
+}  // namespace umbrage::glsl::detail
+
+// ---- umbrage/shader/translate/wgsl_expression.hpp
+// Expressions of GLSL in WGSL, where all types agree: what is converted, and which of a function's overloads is meant,
+// is written out.
+//
+
+namespace umbrage::wgsl::detail {
+
+using glsl::detail::piece;
+using glsl::detail::token;
+
+/// A function of the text: one overload.
+struct signature {
+    std::string name;  ///< in WGSL, which has no overloads
+    std::vector<std::string> parameters;
+    std::string gives;
+};
+using signatures = std::multimap<std::string, signature, std::less<>>;
+
+struct value {
+    std::string text, type;
+    int level;             ///< of its outermost operator; the highest for what needs no brackets
+    bool literal = false;  ///< a number, which takes its type from where it stands
+    bool select = false;
+};
+
+[[noreturn]] inline void reject(const std::string& what) { umbrage::detail::fail("umbrage::wgsl::text: " + what); }
+
+/// A type's name in WGSL.
+[[nodiscard]] inline std::string name_of(std::string_view type) {
+    if (!glsl::detail::is_type(type)) glsl::detail::unknown("wgsl", type);
+    return std::string(glsl::detail::find_word(type)->wgsl);
+}
+
+/// What a map fills in, and its type in GLSL. Printed as it is.
+inline constexpr std::pair<std::string_view, std::string_view> words_of_maps[]{
+    {"UMBRAGE_TEXEL", "vec4"},        {"UMBRAGE_LIT_TEXEL", "float"}, {"UMBRAGE_GATHER_RED", "vec4"},
+    {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"}, {"UMBRAGE_ORIGIN", "vec2"},
+    {"UMBRAGE_DEPTH", "float"}};
+
+[[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
+
+/// Reads a text from the beginning on and gives its expressions in WGSL.
+class expressions {
+public:
+    expressions(std::string_view text, const signatures& functions)
+        : all_(glsl::detail::tokens(text)), functions_(functions) {}
+
+    std::size_t at = 0;                                     ///< the next token
+    std::map<std::string, std::string, std::less<>> types;  ///< of variables in scope
+
+    /// The last, an end, is never taken.
+    [[nodiscard]] const token& next() const { return all_[at]; }
+    const token& take() { return all_[at + 1 < all_.size() ? at++ : at]; }
+
+    /// The sign `text` with its space.
+    std::string expect(std::string_view text) {
+        if (!(next() == text)) reject("expected " + std::string(text) + " before " + std::string(next().text));
+        const token& t = take();
+        return std::string(t.space) + std::string(text);
+    }
+
+    /// From the next token on; the space before it is left out.
+    value expression() {
+        value condition = binary(1);
+        if (!(next() == "?")) return condition;
+        take();
+        const value yes = expression();
+        expect(":");
+        const value no = expression();
+        if (condition.type != "bool" || yes.type != no.type)
+            reject(condition.type + " ? " + yes.type + " : " + no.type);
+        return {"select(" + argument(no) + ", " + argument(yes) + ", " + condition.text + ")", yes.type, primary_level,
+                false, true};
+    }
+
+    /// The same with the space before it.
+    value spaced_expression() {
+        const std::string space(next().space);
+        value v = expression();
+        v.text = space + v.text;
+        return v;
+    }
+
+protected:
+    const std::vector<token> all_;
+
+private:
+    const signatures& functions_;
+
+    static constexpr int equality_level = 6, relation_level = 7, shift_level = 8, unary_level = 11, primary_level = 12;
+
+    static int level_of(std::string_view sign) {
+        static constexpr std::pair<std::string_view, int> levels[]{
+            {"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5}, {"==", 6}, {"!=", 6}, {"<", 7},  {">", 7},
+            {"<=", 7}, {">=", 7}, {"<<", 8}, {">>", 8}, {"+", 9}, {"-", 9},  {"*", 10}, {"/", 10}, {"%", 10}};
+        for (const auto& [text, level] : levels)
+            if (text == sign) return level;
+        return 0;
+    }
+
+    /// WGSL's operators that are of no higher level than GLSL's take no unbracketed operators at all, or not these.
+    static std::string operand(const value& v, int level, bool chained) {
+        const bool bitwise = level >= 3 && level <= 5, comparing = level == equality_level || level == relation_level;
+        const bool bracket = (bitwise && v.level < unary_level && !(chained && v.level == level)) ||
+                             (level == shift_level && v.level < unary_level) || (comparing && v.level < shift_level) ||
+                             (level == 1 && v.level == 2);
+        return bracket ? "(" + v.text + ")" : v.text;
+    }
+
+    /// f(a < b, c > d) would be a template in WGSL.
+    static std::string argument(const value& v) { return v.level == relation_level ? "(" + v.text + ")" : v.text; }
+
+    value binary(int lowest) {
+        value left = unary();
+        for (int level = level_of(next().text); next().kind == piece::sign && level >= lowest;
+             level = level_of(next().text)) {
+            const token& sign = take();
+            const std::string space(next().space);
+            value right = binary(level + 1);
+            const bool shift = level == shift_level, logic = level <= 2;
+            if (shift && right.type == "int" && !right.literal)
+                right = {"u32(" + right.text + ")", "uint", primary_level};
+            const bool compared = level == equality_level || level == relation_level;
+            std::string type =
+                compared || logic ? "bool" : glsl::detail::type_of_product(left.type, sign.text, right.type);
+            const bool agree = logic ? left.type == "bool" && right.type == "bool"
+                                     : !compared || (left.type == right.type && glsl::detail::width_of(left.type) == 1);
+            if (type.empty() || !agree)
+                reject(left.type + " " + std::string(sign.text) + " " + right.type + " in " + left.text);
+            left = {operand(left, level, true) + std::string(sign.space) + std::string(sign.text) + space +
+                        operand(right, level, false),
+                    std::move(type), level};
+        }
+        return left;
+    }
+
+    value unary() {
+        if (next() == "-" || next() == "!" || next() == "~" || next() == "+") {
+            const token& sign = take();
+            const std::string space(next().space);
+            value v = unary();
+            v.text = (sign == "+" ? "" : std::string(sign.text)) + space + v.text;
+            v.level = unary_level;
+            return v;
+        }
+        value v = primary();
+        for (;;) {
+            if (next() == ".") {
+                const std::string dot = expect(".");
+                const std::string_view fields = take().text;
+                if (fields.size() > 4 || (fields.find_first_not_of("xyzw") != fields.npos &&
+                                          fields.find_first_not_of("rgba") != fields.npos))
+                    reject("no component " + std::string(fields) + " of " + v.text);
+                v = {v.text + dot + std::string(fields),
+                     glsl::detail::vector_of(glsl::detail::component_of(v.type), static_cast<int>(fields.size())),
+                     primary_level};
+            } else if (next() == "[") {
+                const std::string open = expect("["), index = spaced_expression().text;
+                v = {v.text + open + index + expect("]"), glsl::detail::element_of(v.type), primary_level};
+            } else {
+                return v;
+            }
+        }
+    }
+
+    value primary() {
+        const token& t = take();
+        const std::string text(t.text);
+        if (t.kind == piece::number) return {text, glsl::detail::type_of_number(text), primary_level, true};
+        if (t == "(") {
+            value inner = spaced_expression();
+            const std::string close = expect(")");
+            if (inner.select) return inner;
+            return {"(" + inner.text + close, inner.type, primary_level, inner.literal};
+        }
+        if (t.kind != piece::word) reject("unexpected " + text);
+        if (t == "true" || t == "false") return {text, "bool", primary_level};
+        if (next() == "(") return call(text);
+        if (const auto variable = types.find(text); variable != types.end())
+            return {text, variable->second, primary_level};
+        for (const auto& [word, type] : words_of_maps)
+            if (word == text) return {text, std::string(type), primary_level};
+        glsl::detail::unknown("wgsl", text);
+    }
+
+    value call(const std::string& function) {
+        expect("(");
+        std::vector<value> arguments;
+        while (!(next() == ")")) {
+            if (!arguments.empty()) expect(",");
+            arguments.push_back(spaced_expression());
+        }
+        const std::string close = expect(")");
+        if (glsl::detail::is_type(function)) return constructed(function, arguments, close);
+        const auto [first, last] = functions_.equal_range(function);
+        if (first == last) return built_in(function, arguments, close);
+        for (auto f = first; f != last; ++f) {
+            const auto same = [](const std::string& type, const value& v) { return type == v.type; };
+            if (std::ranges::equal(f->second.parameters, arguments, same))
+                return {f->second.name + listed(arguments) + close, f->second.gives, primary_level};
+        }
+        reject("no overload of " + function + " takes what it is given");
+    }
+
+    static std::string listed(const std::vector<value>& arguments) {
+        std::string list = "(";
+        for (const value& v : arguments) {
+            const std::size_t space = v.text.find_first_not_of(" \n");
+            const bool last = &v == &arguments.back();
+            const value bare{v.text.substr(space), v.type, v.level};
+            list += v.text.substr(0, space) + (last ? bare.text : argument(bare) + ",");
+        }
+        return list;
+    }
+
+    /// Each in the function's component type.
+    static value constructed(const std::string& type, std::vector<value> arguments, const std::string& close) {
+        const std::string component(glsl::detail::component_of(glsl::detail::is_matrix(type) ? "float" : type));
+        const bool scalar = glsl::detail::width_of(type) == 1;
+        const bool whole =
+            arguments.size() == 1 && glsl::detail::width_of(arguments[0].type) == glsl::detail::width_of(type);
+        for (value& v : arguments) {
+            if (scalar || whole || v.literal || glsl::detail::component_of(v.type) == component) continue;
+            const std::size_t space = v.text.find_first_not_of(" \n");
+            v.text.insert(space, name_of(glsl::detail::vector_of(component, glsl::detail::width_of(v.type))) + "(");
+            v.text += ")";
+            v.level = primary_level;
+        }
+        return {name_of(type) + listed(arguments) + close, type, primary_level};
+    }
+
+    static value built_in(const std::string& function, std::vector<value> arguments, const std::string& close) {
+        const glsl::detail::word* w = glsl::detail::find_word(function);
+        if (!w || w->kind != glsl::detail::word_kind::function || arguments.empty())
+            glsl::detail::unknown("wgsl", function);
+        std::string type = arguments[0].type;
+        for (const value& v : arguments)
+            if (glsl::detail::width_of(v.type) > glsl::detail::width_of(type)) type = v.type;
+        for (value& v : arguments) {  // all are of one type in WGSL
+            if (v.type == type) continue;
+            if (v.type != glsl::detail::component_of(type)) reject(function + " of " + type + " and " + v.type);
+            const std::size_t space = v.text.find_first_not_of(" \n");
+            v.text.insert(space, name_of(type) + "(");
+            v.text += ")";
+        }
+        if (w->wgsl.starts_with("bitcast")) {
+            if (glsl::detail::width_of(type) > 1) reject(function + " of " + type);
+            type = w->wgsl == "bitcast<f32>" ? "float" : w->wgsl == "bitcast<u32>" ? "uint" : "int";
+        }
+        if (function == "dot" || function == "length") type = "float";
+        return {std::string(w->wgsl) + listed(arguments) + close, type, primary_level};
+    }
+};
+
+}  // namespace umbrage::wgsl::detail
+
+// ---- umbrage/shader/translate/wgsl_function.hpp
+// Functions of GLSL in WGSL, with their names, comments and layout.
+//
+
+namespace umbrage::wgsl::detail {
+
+/// Prints a snippet's text, GLSL without lines of the preprocessor.
+class printer : expressions {
+    struct parameter {
+        std::string type, name;
+    };
+    struct head {
+        std::string_view space;
+        std::string gives, name;
+        std::vector<parameter> parameters;
+    };
+
+public:
+    /// @param functions   those that the text may call; its own are added
+    printer(std::string_view text, signatures& functions) : expressions(text, functions), functions_(functions) {}
+
+    /// Adds the signatures of the text's functions. Where several share a name, their first type is a part of it.
+    void declare() {
+        std::vector<head> all;
+        while (next().kind != piece::end) {
+            if (next().kind == piece::comment || next().kind == piece::directive) {
+                take();
+                continue;
+            }
+            all.push_back(read_head());
+            at = glsl::detail::closing(all_, at) + 1;
+        }
+        for (const head& h : all) {
+            const bool alone = std::ranges::count(all, h.name, &head::name) == 1;
+            const bool plain = alone || h.parameters.empty() || h.parameters[0].type == "float";
+            signature s{h.name + (plain ? "" : "_" + name_of(h.parameters[0].type)), {}, h.gives};
+            for (const parameter& p : h.parameters) s.parameters.push_back(p.type);
+            functions_.emplace(h.name, std::move(s));
+        }
+    }
+
+    /// @throws std::invalid_argument   for what is not in the part of GLSL that snippets are written in
+    [[nodiscard]] std::string print() {
+        at = 0;
+        while (next().kind != piece::end) {
+            if (next().kind == piece::comment) comment();
+            else function();
+        }
+        return out_ + std::string(next().space);
+    }
+
+private:
+    void skip_qualifiers() {
+        while (glsl::detail::is_qualifier(next().text)) take();
+    }
+
+    std::string read_type() {
+        skip_qualifiers();
+        const std::string type(take().text);
+        if (!is_map(type)) std::ignore = name_of(type);
+        return type;
+    }
+
+    std::string read_name() {
+        if (next().kind != piece::word || glsl::detail::find_word(next().text))
+            reject("no name: " + std::string(next().text));
+        return std::string(take().text);
+    }
+
+    /// `float f(float a, ...)`; what comes next is the body.
+    head read_head() {
+        head h{next().space, read_type(), read_name(), {}};
+        expect("(");
+        while (!(next() == ")")) {
+            if (!h.parameters.empty()) expect(",");
+            std::string type = read_type();
+            h.parameters.push_back({std::move(type), read_name()});
+        }
+        expect(")");
+        return h;
+    }
+
+    void comment() {
+        const token& t = take();
+        out_ += std::string(t.space) + std::string(t.text);
+    }
+
+    /// The indentation of the line being written.
+    [[nodiscard]] std::size_t indentation() const {
+        const std::size_t line = out_.rfind('\n') + 1, text = out_.find_first_not_of(' ', line);
+        return (text == out_.npos ? out_.size() : text) - line;
+    }
+
+    void write(std::string_view space, std::string_view text) {
+        out_ += space;
+        out_ += text;
+    }
+
+    void function() {
+        const head h = read_head();
+        note_assignments();
+        types.clear();
+        std::string parameters, copies, name;
+        std::vector<std::string> given;
+        for (const parameter& p : h.parameters) {
+            types[p.name] = p.type;
+            given.push_back(p.type);
+            if (!parameters.empty()) parameters += ", ";
+            if (is_map(p.type)) {
+                parameters += p.type + " " + p.name;
+            } else {
+                const bool copied = assigned_.contains(p.name);
+                const std::string type = ": " + name_of(p.type), outer = p.name + (copied ? "_in" : "");
+                parameters += outer + type;
+                if (copied) copies += "\n    var " + p.name + type + " = " + outer + ";";
+            }
+        }
+        const auto [first, last] = functions_.equal_range(h.name);
+        for (auto f = first; f != last; ++f)
+            if (f->second.parameters == given) name = f->second.name;
+        write(h.space, "fn " + name + "(" + parameters + ") -> " + name_of(h.gives) + expect("{"));
+        out_ += copies;
+        block();
+    }
+
+    /// Finds which names the body that comes next writes to.
+    void note_assignments() {
+        static constexpr std::string_view signs[]{"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"};
+        assigned_.clear();
+        const std::size_t end = glsl::detail::closing(all_, at);
+        for (std::size_t i = at + 1; i < end; ++i) {
+            if (all_[i].kind != piece::word || glsl::detail::is_type(all_[i - 1].text)) continue;
+            std::size_t behind = i + 1;
+            while (all_[behind] == "." || all_[behind] == "[")
+                behind = all_[behind] == "." ? behind + 2 : glsl::detail::closing(all_, behind) + 1;
+            const bool before = all_[i - 1] == "++" || all_[i - 1] == "--";
+            if (before || std::ranges::find(signs, all_[behind].text) != std::end(signs))
+                assigned_.emplace(all_[i].text);
+        }
+    }
+
+    /// What is behind an opening brace, and the closing one.
+    void block() {
+        while (!(next() == "}")) {
+            if (next().kind == piece::end) reject("a brace is not closed");
+            statement();
+        }
+        out_ += expect("}");
+    }
+
+    void statement() {
+        const std::string_view space = next().space;
+        if (next().kind == piece::comment) return comment();
+        if (next() == "{") {
+            out_ += expect("{");
+            return block();
+        }
+        if (next() == "if" || next() == "for") {
+            const std::string word(take().text);
+            write(space, word + " " + (word == "if" ? condition() : loop()));
+            body();
+            if (word == "if" && next() == "else") alternative();
+            return;
+        }
+        write(space, simple_statement());
+        out_ += expect(";");
+    }
+
+    /// A declaration, an assignment, or a jump, up to its semicolon.
+    std::string simple_statement() {
+        skip_qualifiers();
+        const std::string word(next().text);
+        if (word == "return") {
+            take();
+            return word + spaced_expression().text;
+        }
+        if (word == "break" || word == "continue") {
+            take();
+            return word;
+        }
+        const bool constant = word == "const";
+        if (constant) {
+            take();
+            skip_qualifiers();
+        }
+        if (glsl::detail::is_type(next().text)) return declaration(constant);
+        if (next() == "++" || next() == "--") {  // behind its variable, in WGSL
+            const std::string sign(take().text);
+            return expression().text + sign;
+        }
+        const value target = expression();
+        const std::string sign = std::string(next().space) + std::string(next().text);
+        if (next() == "++" || next() == "--") {
+            take();
+            return target.text + sign;
+        }
+        if (next().text.size() > 2 || !next().text.ends_with('=') || next() == "==")
+            reject("not a statement: " + target.text + sign);
+        take();
+        return target.text + sign + spaced_expression().text;
+    }
+
+    std::string declaration(bool constant) {
+        const std::string type = read_type();
+        const std::string name = read_name();
+        if (next() == "[") {
+            expect("[");
+            const std::string size = expression().text;
+            expect("]");
+            types[name] = type + "[" + size + "]";
+            return "var " + name + ": array<" + name_of(type) + ", " + size + ">";
+        }
+        const bool initialised = next() == "=";
+        const bool changes = assigned_.contains(name) || !initialised;
+        std::string text = std::string(constant ? "const " : changes ? "var " : "let ") + name + ": " + name_of(type);
+        if (initialised) {
+            text += expect("=");
+            const value v = spaced_expression();
+            if (v.type != type && !v.literal) reject(type + " " + name + " of " + v.type);
+            text += v.text;
+        }
+        types[name] = type;
+        return text;
+    }
+
+    std::string condition() {
+        expect("(");
+        const value v = spaced_expression();
+        if (v.type != "bool") reject("if (" + v.text + ")");
+        return "(" + v.text + expect(")");
+    }
+
+    std::string loop() {
+        expect("(");
+        std::string text = "(" + simple_statement();
+        text += expect(";");
+        text += spaced_expression().text;
+        text += expect(";");
+        text += next().space;
+        text += simple_statement();
+        return text += expect(")");
+    }
+
+    /// Of `if`, `else` or `for`: WGSL wants braces.
+    void body() {
+        if (next() == "{") return statement();
+        const std::size_t margin = indentation();
+        const bool own_line = next().space.find('\n') != std::string_view::npos;
+        out_ += " {";
+        statement();
+        out_ += own_line ? "\n" + std::string(margin, ' ') + "}" : " }";
+    }
+
+    void alternative() {
+        out_ += expect("else");
+        if (next() == "if") statement();
+        else body();
+    }
+
+    signatures& functions_;
+    std::string out_;
+    std::set<std::string, std::less<>> assigned_;
+};
+
+}  // namespace umbrage::wgsl::detail
+
+// ---- umbrage/shader/wgsl.hpp
+// Snippets in WGSL, printed from their GLSL.
+//
+//     std::string shader = umbrage::wgsl::text({umbrage::glsl::pcf_2x2}) + my_main;
+//     // fn umbrage_pcf_2x2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32
+//
+// Of functions that GLSL overloads, all but the float's have a type in their name: umbrage_to_unorm_vec2f.
+//
+
+namespace umbrage::wgsl {
+
+namespace detail {
+
+[[nodiscard]] constexpr glsl::detail::texture_words reads(glsl::texture kind) {
+    using glsl::texture;
+    switch (kind) {
+        case texture::texture_2d:
+            return {.parameters = "map: texture_2d<f32>",
+                    .arguments = "map",
+                    .texel = "textureLoad(map, vec2i(at), 0)",
+                    .gather_red = "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
+                    .gather_green = "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
+        case texture::depth:
+            return {.parameters = "map: texture_depth_2d",
+                    .arguments = "map",
+                    .texel = "vec4f(textureLoad(map, vec2i(at), 0))",
+                    .gather_red = "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
+        case texture::atlas:
+            return {.parameters = "map: texture_2d<f32>, origin: vec2f",
+                    .arguments = "map, origin",
+                    .texel = "textureLoad(map, vec2i(at), 0)",
+                    .gather_red = "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
+                    .gather_green = "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
+        case texture::array:
+            return {
+                .parameters = "map: texture_2d_array<f32>, layer: f32",
+                .arguments = "map, layer",
+                .texel = "textureLoad(map, vec2i(at), i32(layer), 0)",
+                .gather_red = "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))",
+                .gather_green = "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))"};
+        case texture::depth_array:
+            return {.parameters = "map: texture_depth_2d_array, layer: f32",
+                    .arguments = "map, layer",
+                    .texel = "vec4f(textureLoad(map, vec2i(at), i32(layer), 0))",
+                    .gather_red = "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))"};
+        case texture::cube:
+            return {.parameters = "map: texture_cube<f32>, map_sampler: sampler, face: f32",
+                    .arguments = "map, map_sampler, face",
+                    .texel =
+                        "textureSampleLevel(map, map_sampler, umbrage_cube_direction(face, (at + 0.5) / "
+                        "UMBRAGE_TEXTURE_SIZE), 0.0)"};
+        case texture::integer:
+            return {.parameters = "map: texture_2d<u32>",
+                    .arguments = "map",
+                    .texel = "vec4f(textureLoad(map, vec2i(at), 0))"};
+        case texture::shadow:
+            return {
+                .parameters = "map: texture_depth_2d, map_sampler: sampler_comparison",
+                .arguments = "map, map_sampler",
+                .lit = "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                .gather_lit = "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)"};
+        case texture::shadow_array:
+            return {.parameters = "map: texture_depth_2d_array, map_sampler: sampler_comparison, layer: f32",
+                    .arguments = "map, map_sampler, layer",
+                    .lit =
+                        "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, i32(layer), "
+                        "receiver)",
+                    .gather_lit =
+                        "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer), "
+                        "receiver)"};
+    }
+    return {};
+}
+
+[[nodiscard]] constexpr glsl::detail::texture_words textures(glsl::texture kind) {
+    glsl::detail::texture_words words = reads(kind);
+    words.size = "vec2f(textureDimensions(map))";
+    if (words.gather_red.empty()) return words;
+    words.sampler = ", map_sampler: sampler";
+    words.sampler_argument = ", map_sampler";
+    return words;
+}
+
+inline void declare(const glsl::snippet& s, signatures& functions) {
+    for (const glsl::snippet* need : s.needs) declare(*need, functions);
+    printer(s.source, functions).declare();
+}
+
+[[nodiscard]] inline std::string translate(const glsl::snippet& s) {
+    signatures functions;
+    declare(s, functions);
+    return printer(s.source, functions).print();
+}
+
+inline constexpr glsl::detail::language language{
+    .prelude = "", .texture = textures, .translate = translate, .preprocessor = false};
+
+}  // namespace detail
+
+/// The snippets, or what bind() gives for a map, and all they need, each function once: text to paste into any shader.
+/// @throws std::invalid_argument   for what WGSL has no word for
+[[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
+    return glsl::detail::laid_out(glsl::detail::compose(detail::language, items));
+}
+
+[[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {
+    return wgsl::text(std::span(items.begin(), items.size()));
+}
+
+}  // namespace umbrage::wgsl
 
 // ---- umbrage/umbrage.hpp
 // All of umbrage: the primitives, functions over whole images, the texts of snippets. Includes only.

@@ -22,11 +22,12 @@ namespace umbrage::glsl::detail {
 /// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers.
 struct texture_words {
     std::string_view parameters, arguments;
-    std::string_view texel{};                       ///< vec4; lines that begin with # stand for the whole statement
-    std::string_view lit{};                         ///< the sampler's comparison with `receiver`: float
-    std::string_view gather_red{}, gather_green{};  ///< vec4
-    std::string_view gather_lit{};                  ///< the sampler's comparisons with `receiver`: vec4
-    std::string_view size{};                        ///< of the texture: vec2
+    std::string_view texel{};                        ///< vec4; lines that begin with # stand for the whole statement
+    std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
+    std::string_view gather_red{}, gather_green{};   ///< vec4
+    std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
+    std::string_view size{};                         ///< of the texture: vec2
+    std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
 };
 
 /// What there is to know of a language.
@@ -136,8 +137,10 @@ template <class Replacement>
     }
     const std::string own_map = name_of_map(text);
     replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
-    const auto named = [&](std::string_view list) {
-        return replace_words(list,
+    const auto list = [&](const std::string& own, std::string_view ordinary, std::string_view sampler) {
+        std::string all = one_of(own, ordinary);
+        if (own.empty() && map.gather) all.insert(std::min(all.find(','), all.size()), sampler);
+        return replace_words(all,
                              [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
     };
 
@@ -157,8 +160,8 @@ template <class Replacement>
     };
     return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
         if (word.starts_with("umbrage_")) return suffixed(word);
-        if (word == own_map && !comment) return named(one_of(map.arguments, words.arguments));
-        if (word == "UMBRAGE_PARAMETERS") return named(one_of(map.parameters, words.parameters));
+        if (word == own_map && !comment) return list(map.arguments, words.arguments, words.sampler_argument);
+        if (word == "UMBRAGE_PARAMETERS") return list(map.parameters, words.parameters, words.sampler);
         if (word == "UMBRAGE_DEPTH") return of_texture(one_of(map.depth, "value.x"));
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(texel);

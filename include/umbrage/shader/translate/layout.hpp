@@ -12,8 +12,8 @@
 
 namespace umbrage::glsl::detail {
 
-/// One statement, or a function's head, in lines of at most 120 columns. Lines end behind a comma or an operator, as far
-/// out of brackets as may be; what goes on stands below the bracket that it is in, or four columns in.
+/// One statement, or a function's head, in lines of at most 120 columns. Lines end behind a comma or an operator, as
+/// far out of brackets as may be; what goes on stands below the bracket that it is in, or four columns in.
 [[nodiscard]] inline std::string broken(std::string statement) {
     const std::size_t margin = statement.find_first_not_of(' ');
     std::string out;

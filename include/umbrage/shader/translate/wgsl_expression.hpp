@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+//
+// Expressions of GLSL in WGSL, where all types agree: what is converted, and which of a function's overloads is meant,
+// is written out.
+//
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <umbrage/shader/translate/tokens.hpp>
+#include <umbrage/shader/translate/types.hpp>
+#include <umbrage/shader/translate/words.hpp>
+
+namespace umbrage::wgsl::detail {
+
+using glsl::detail::piece;
+using glsl::detail::token;
+
+/// A function of the text: one overload.
+struct signature {
+    std::string name;  ///< in WGSL, which has no overloads
+    std::vector<std::string> parameters;
+    std::string gives;
+};
+using signatures = std::multimap<std::string, signature, std::less<>>;
+
+struct value {
+    std::string text, type;
+    int level;             ///< of its outermost operator; the highest for what needs no brackets
+    bool literal = false;  ///< a number, which takes its type from where it stands
+    bool select = false;
+};
+
+[[noreturn]] inline void reject(const std::string& what) { umbrage::detail::fail("umbrage::wgsl::text: " + what); }
+
+/// A type's name in WGSL.
+[[nodiscard]] inline std::string name_of(std::string_view type) {
+    if (!glsl::detail::is_type(type)) glsl::detail::unknown("wgsl", type);
+    return std::string(glsl::detail::find_word(type)->wgsl);
+}
+
+/// What a map fills in, and its type in GLSL. Printed as it is.
+inline constexpr std::pair<std::string_view, std::string_view> words_of_maps[]{
+    {"UMBRAGE_TEXEL", "vec4"},        {"UMBRAGE_LIT_TEXEL", "float"}, {"UMBRAGE_GATHER_RED", "vec4"},
+    {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"}, {"UMBRAGE_ORIGIN", "vec2"},
+    {"UMBRAGE_DEPTH", "float"}};
+
+[[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
+
+/// Reads a text from the beginning on and gives its expressions in WGSL.
+class expressions {
+public:
+    expressions(std::string_view text, const signatures& functions)
+        : all_(glsl::detail::tokens(text)), functions_(functions) {}
+
+    std::size_t at = 0;                                     ///< the next token
+    std::map<std::string, std::string, std::less<>> types;  ///< of variables in scope
+
+    /// The last, an end, is never taken.
+    [[nodiscard]] const token& next() const { return all_[at]; }
+    const token& take() { return all_[at + 1 < all_.size() ? at++ : at]; }
+
+    /// The sign `text` with its space.
+    std::string expect(std::string_view text) {
+        if (!(next() == text)) reject("expected " + std::string(text) + " before " + std::string(next().text));
+        const token& t = take();
+        return std::string(t.space) + std::string(text);
+    }
+
+    /// From the next token on; the space before it is left out.
+    value expression() {
+        value condition = binary(1);
+        if (!(next() == "?")) return condition;
+        take();
+        const value yes = expression();
+        expect(":");
+        const value no = expression();
+        if (condition.type != "bool" || yes.type != no.type)
+            reject(condition.type + " ? " + yes.type + " : " + no.type);
+        return {"select(" + argument(no) + ", " + argument(yes) + ", " + condition.text + ")", yes.type, primary_level,
+                false, true};
+    }
+
+    /// The same with the space before it.
+    value spaced_expression() {
+        const std::string space(next().space);
+        value v = expression();
+        v.text = space + v.text;
+        return v;
+    }
+
+protected:
+    const std::vector<token> all_;
+
+private:
+    const signatures& functions_;
+
+    static constexpr int equality_level = 6, relation_level = 7, shift_level = 8, unary_level = 11, primary_level = 12;
+
+    static int level_of(std::string_view sign) {
+        static constexpr std::pair<std::string_view, int> levels[]{
+            {"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5}, {"==", 6}, {"!=", 6}, {"<", 7},  {">", 7},
+            {"<=", 7}, {">=", 7}, {"<<", 8}, {">>", 8}, {"+", 9}, {"-", 9},  {"*", 10}, {"/", 10}, {"%", 10}};
+        for (const auto& [text, level] : levels)
+            if (text == sign) return level;
+        return 0;
+    }
+
+    /// WGSL's operators that are of no higher level than GLSL's take no unbracketed operators at all, or not these.
+    static std::string operand(const value& v, int level, bool chained) {
+        const bool bitwise = level >= 3 && level <= 5, comparing = level == equality_level || level == relation_level;
+        const bool bracket = (bitwise && v.level < unary_level && !(chained && v.level == level)) ||
+                             (level == shift_level && v.level < unary_level) || (comparing && v.level < shift_level) ||
+                             (level == 1 && v.level == 2);
+        return bracket ? "(" + v.text + ")" : v.text;
+    }
+
+    /// f(a < b, c > d) would be a template in WGSL.
+    static std::string argument(const value& v) { return v.level == relation_level ? "(" + v.text + ")" : v.text; }
+
+    value binary(int lowest) {
+        value left = unary();
+        for (int level = level_of(next().text); next().kind == piece::sign && level >= lowest;
+             level = level_of(next().text)) {
+            const token& sign = take();
+            const std::string space(next().space);
+            value right = binary(level + 1);
+            const bool shift = level == shift_level, logic = level <= 2;
+            if (shift && right.type == "int" && !right.literal)
+                right = {"u32(" + right.text + ")", "uint", primary_level};
+            const bool compared = level == equality_level || level == relation_level;
+            std::string type =
+                compared || logic ? "bool" : glsl::detail::type_of_product(left.type, sign.text, right.type);
+            const bool agree = logic ? left.type == "bool" && right.type == "bool"
+                                     : !compared || (left.type == right.type && glsl::detail::width_of(left.type) == 1);
+            if (type.empty() || !agree)
+                reject(left.type + " " + std::string(sign.text) + " " + right.type + " in " + left.text);
+            left = {operand(left, level, true) + std::string(sign.space) + std::string(sign.text) + space +
+                        operand(right, level, false),
+                    std::move(type), level};
+        }
+        return left;
+    }
+
+    value unary() {
+        if (next() == "-" || next() == "!" || next() == "~" || next() == "+") {
+            const token& sign = take();
+            const std::string space(next().space);
+            value v = unary();
+            v.text = (sign == "+" ? "" : std::string(sign.text)) + space + v.text;
+            v.level = unary_level;
+            return v;
+        }
+        value v = primary();
+        for (;;) {
+            if (next() == ".") {
+                const std::string dot = expect(".");
+                const std::string_view fields = take().text;
+                if (fields.size() > 4 || (fields.find_first_not_of("xyzw") != fields.npos &&
+                                          fields.find_first_not_of("rgba") != fields.npos))
+                    reject("no component " + std::string(fields) + " of " + v.text);
+                v = {v.text + dot + std::string(fields),
+                     glsl::detail::vector_of(glsl::detail::component_of(v.type), static_cast<int>(fields.size())),
+                     primary_level};
+            } else if (next() == "[") {
+                const std::string open = expect("["), index = spaced_expression().text;
+                v = {v.text + open + index + expect("]"), glsl::detail::element_of(v.type), primary_level};
+            } else {
+                return v;
+            }
+        }
+    }
+
+    value primary() {
+        const token& t = take();
+        const std::string text(t.text);
+        if (t.kind == piece::number) return {text, glsl::detail::type_of_number(text), primary_level, true};
+        if (t == "(") {
+            value inner = spaced_expression();
+            const std::string close = expect(")");
+            if (inner.select) return inner;
+            return {"(" + inner.text + close, inner.type, primary_level, inner.literal};
+        }
+        if (t.kind != piece::word) reject("unexpected " + text);
+        if (t == "true" || t == "false") return {text, "bool", primary_level};
+        if (next() == "(") return call(text);
+        if (const auto variable = types.find(text); variable != types.end())
+            return {text, variable->second, primary_level};
+        for (const auto& [word, type] : words_of_maps)
+            if (word == text) return {text, std::string(type), primary_level};
+        glsl::detail::unknown("wgsl", text);
+    }
+
+    value call(const std::string& function) {
+        expect("(");
+        std::vector<value> arguments;
+        while (!(next() == ")")) {
+            if (!arguments.empty()) expect(",");
+            arguments.push_back(spaced_expression());
+        }
+        const std::string close = expect(")");
+        if (glsl::detail::is_type(function)) return constructed(function, arguments, close);
+        const auto [first, last] = functions_.equal_range(function);
+        if (first == last) return built_in(function, arguments, close);
+        for (auto f = first; f != last; ++f) {
+            const auto same = [](const std::string& type, const value& v) { return type == v.type; };
+            if (std::ranges::equal(f->second.parameters, arguments, same))
+                return {f->second.name + listed(arguments) + close, f->second.gives, primary_level};
+        }
+        reject("no overload of " + function + " takes what it is given");
+    }
+
+    static std::string listed(const std::vector<value>& arguments) {
+        std::string list = "(";
+        for (const value& v : arguments) {
+            const std::size_t space = v.text.find_first_not_of(" \n");
+            const bool last = &v == &arguments.back();
+            const value bare{v.text.substr(space), v.type, v.level};
+            list += v.text.substr(0, space) + (last ? bare.text : argument(bare) + ",");
+        }
+        return list;
+    }
+
+    /// Each in the function's component type.
+    static value constructed(const std::string& type, std::vector<value> arguments, const std::string& close) {
+        const std::string component(glsl::detail::component_of(glsl::detail::is_matrix(type) ? "float" : type));
+        const bool scalar = glsl::detail::width_of(type) == 1;
+        const bool whole =
+            arguments.size() == 1 && glsl::detail::width_of(arguments[0].type) == glsl::detail::width_of(type);
+        for (value& v : arguments) {
+            if (scalar || whole || v.literal || glsl::detail::component_of(v.type) == component) continue;
+            const std::size_t space = v.text.find_first_not_of(" \n");
+            v.text.insert(space, name_of(glsl::detail::vector_of(component, glsl::detail::width_of(v.type))) + "(");
+            v.text += ")";
+            v.level = primary_level;
+        }
+        return {name_of(type) + listed(arguments) + close, type, primary_level};
+    }
+
+    static value built_in(const std::string& function, std::vector<value> arguments, const std::string& close) {
+        const glsl::detail::word* w = glsl::detail::find_word(function);
+        if (!w || w->kind != glsl::detail::word_kind::function || arguments.empty())
+            glsl::detail::unknown("wgsl", function);
+        std::string type = arguments[0].type;
+        for (const value& v : arguments)
+            if (glsl::detail::width_of(v.type) > glsl::detail::width_of(type)) type = v.type;
+        for (value& v : arguments) {  // all are of one type in WGSL
+            if (v.type == type) continue;
+            if (v.type != glsl::detail::component_of(type)) reject(function + " of " + type + " and " + v.type);
+            const std::size_t space = v.text.find_first_not_of(" \n");
+            v.text.insert(space, name_of(type) + "(");
+            v.text += ")";
+        }
+        if (w->wgsl.starts_with("bitcast")) {
+            if (glsl::detail::width_of(type) > 1) reject(function + " of " + type);
+            type = w->wgsl == "bitcast<f32>" ? "float" : w->wgsl == "bitcast<u32>" ? "uint" : "int";
+        }
+        if (function == "dot" || function == "length") type = "float";
+        return {std::string(w->wgsl) + listed(arguments) + close, type, primary_level};
+    }
+};
+
+}  // namespace umbrage::wgsl::detail

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+//
+// Functions of GLSL in WGSL, with their names, comments and layout.
+//
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <umbrage/shader/translate/wgsl_expression.hpp>
+
+namespace umbrage::wgsl::detail {
+
+/// Prints a snippet's text, GLSL without lines of the preprocessor.
+class printer : expressions {
+    struct parameter {
+        std::string type, name;
+    };
+    struct head {
+        std::string_view space;
+        std::string gives, name;
+        std::vector<parameter> parameters;
+    };
+
+public:
+    /// @param functions   those that the text may call; its own are added
+    printer(std::string_view text, signatures& functions) : expressions(text, functions), functions_(functions) {}
+
+    /// Adds the signatures of the text's functions. Where several share a name, their first type is a part of it.
+    void declare() {
+        std::vector<head> all;
+        while (next().kind != piece::end) {
+            if (next().kind == piece::comment || next().kind == piece::directive) {
+                take();
+                continue;
+            }
+            all.push_back(read_head());
+            at = glsl::detail::closing(all_, at) + 1;
+        }
+        for (const head& h : all) {
+            const bool alone = std::ranges::count(all, h.name, &head::name) == 1;
+            const bool plain = alone || h.parameters.empty() || h.parameters[0].type == "float";
+            signature s{h.name + (plain ? "" : "_" + name_of(h.parameters[0].type)), {}, h.gives};
+            for (const parameter& p : h.parameters) s.parameters.push_back(p.type);
+            functions_.emplace(h.name, std::move(s));
+        }
+    }
+
+    /// @throws std::invalid_argument   for what is not in the part of GLSL that snippets are written in
+    [[nodiscard]] std::string print() {
+        at = 0;
+        while (next().kind != piece::end) {
+            if (next().kind == piece::comment) comment();
+            else function();
+        }
+        return out_ + std::string(next().space);
+    }
+
+private:
+    void skip_qualifiers() {
+        while (glsl::detail::is_qualifier(next().text)) take();
+    }
+
+    std::string read_type() {
+        skip_qualifiers();
+        const std::string type(take().text);
+        if (!is_map(type)) std::ignore = name_of(type);
+        return type;
+    }
+
+    std::string read_name() {
+        if (next().kind != piece::word || glsl::detail::find_word(next().text))
+            reject("no name: " + std::string(next().text));
+        return std::string(take().text);
+    }
+
+    /// `float f(float a, ...)`; what comes next is the body.
+    head read_head() {
+        head h{next().space, read_type(), read_name(), {}};
+        expect("(");
+        while (!(next() == ")")) {
+            if (!h.parameters.empty()) expect(",");
+            std::string type = read_type();
+            h.parameters.push_back({std::move(type), read_name()});
+        }
+        expect(")");
+        return h;
+    }
+
+    void comment() {
+        const token& t = take();
+        out_ += std::string(t.space) + std::string(t.text);
+    }
+
+    /// The indentation of the line being written.
+    [[nodiscard]] std::size_t indentation() const {
+        const std::size_t line = out_.rfind('\n') + 1, text = out_.find_first_not_of(' ', line);
+        return (text == out_.npos ? out_.size() : text) - line;
+    }
+
+    void write(std::string_view space, std::string_view text) {
+        out_ += space;
+        out_ += text;
+    }
+
+    void function() {
+        const head h = read_head();
+        note_assignments();
+        types.clear();
+        std::string parameters, copies, name;
+        std::vector<std::string> given;
+        for (const parameter& p : h.parameters) {
+            types[p.name] = p.type;
+            given.push_back(p.type);
+            if (!parameters.empty()) parameters += ", ";
+            if (is_map(p.type)) {
+                parameters += p.type + " " + p.name;
+            } else {
+                const bool copied = assigned_.contains(p.name);
+                const std::string type = ": " + name_of(p.type), outer = p.name + (copied ? "_in" : "");
+                parameters += outer + type;
+                if (copied) copies += "\n    var " + p.name + type + " = " + outer + ";";
+            }
+        }
+        const auto [first, last] = functions_.equal_range(h.name);
+        for (auto f = first; f != last; ++f)
+            if (f->second.parameters == given) name = f->second.name;
+        write(h.space, "fn " + name + "(" + parameters + ") -> " + name_of(h.gives) + expect("{"));
+        out_ += copies;
+        block();
+    }
+
+    /// Finds which names the body that comes next writes to.
+    void note_assignments() {
+        static constexpr std::string_view signs[]{"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"};
+        assigned_.clear();
+        const std::size_t end = glsl::detail::closing(all_, at);
+        for (std::size_t i = at + 1; i < end; ++i) {
+            if (all_[i].kind != piece::word || glsl::detail::is_type(all_[i - 1].text)) continue;
+            std::size_t behind = i + 1;
+            while (all_[behind] == "." || all_[behind] == "[")
+                behind = all_[behind] == "." ? behind + 2 : glsl::detail::closing(all_, behind) + 1;
+            const bool before = all_[i - 1] == "++" || all_[i - 1] == "--";
+            if (before || std::ranges::find(signs, all_[behind].text) != std::end(signs))
+                assigned_.emplace(all_[i].text);
+        }
+    }
+
+    /// What is behind an opening brace, and the closing one.
+    void block() {
+        while (!(next() == "}")) {
+            if (next().kind == piece::end) reject("a brace is not closed");
+            statement();
+        }
+        out_ += expect("}");
+    }
+
+    void statement() {
+        const std::string_view space = next().space;
+        if (next().kind == piece::comment) return comment();
+        if (next() == "{") {
+            out_ += expect("{");
+            return block();
+        }
+        if (next() == "if" || next() == "for") {
+            const std::string word(take().text);
+            write(space, word + " " + (word == "if" ? condition() : loop()));
+            body();
+            if (word == "if" && next() == "else") alternative();
+            return;
+        }
+        write(space, simple_statement());
+        out_ += expect(";");
+    }
+
+    /// A declaration, an assignment, or a jump, up to its semicolon.
+    std::string simple_statement() {
+        skip_qualifiers();
+        const std::string word(next().text);
+        if (word == "return") {
+            take();
+            return word + spaced_expression().text;
+        }
+        if (word == "break" || word == "continue") {
+            take();
+            return word;
+        }
+        const bool constant = word == "const";
+        if (constant) {
+            take();
+            skip_qualifiers();
+        }
+        if (glsl::detail::is_type(next().text)) return declaration(constant);
+        if (next() == "++" || next() == "--") {  // behind its variable, in WGSL
+            const std::string sign(take().text);
+            return expression().text + sign;
+        }
+        const value target = expression();
+        const std::string sign = std::string(next().space) + std::string(next().text);
+        if (next() == "++" || next() == "--") {
+            take();
+            return target.text + sign;
+        }
+        if (next().text.size() > 2 || !next().text.ends_with('=') || next() == "==")
+            reject("not a statement: " + target.text + sign);
+        take();
+        return target.text + sign + spaced_expression().text;
+    }
+
+    std::string declaration(bool constant) {
+        const std::string type = read_type();
+        const std::string name = read_name();
+        if (next() == "[") {
+            expect("[");
+            const std::string size = expression().text;
+            expect("]");
+            types[name] = type + "[" + size + "]";
+            return "var " + name + ": array<" + name_of(type) + ", " + size + ">";
+        }
+        const bool initialised = next() == "=";
+        const bool changes = assigned_.contains(name) || !initialised;
+        std::string text = std::string(constant ? "const " : changes ? "var " : "let ") + name + ": " + name_of(type);
+        if (initialised) {
+            text += expect("=");
+            const value v = spaced_expression();
+            if (v.type != type && !v.literal) reject(type + " " + name + " of " + v.type);
+            text += v.text;
+        }
+        types[name] = type;
+        return text;
+    }
+
+    std::string condition() {
+        expect("(");
+        const value v = spaced_expression();
+        if (v.type != "bool") reject("if (" + v.text + ")");
+        return "(" + v.text + expect(")");
+    }
+
+    std::string loop() {
+        expect("(");
+        std::string text = "(" + simple_statement();
+        text += expect(";");
+        text += spaced_expression().text;
+        text += expect(";");
+        text += next().space;
+        text += simple_statement();
+        return text += expect(")");
+    }
+
+    /// Of `if`, `else` or `for`: WGSL wants braces.
+    void body() {
+        if (next() == "{") return statement();
+        const std::size_t margin = indentation();
+        const bool own_line = next().space.find('\n') != std::string_view::npos;
+        out_ += " {";
+        statement();
+        out_ += own_line ? "\n" + std::string(margin, ' ') + "}" : " }";
+    }
+
+    void alternative() {
+        out_ += expect("else");
+        if (next() == "if") statement();
+        else body();
+    }
+
+    signatures& functions_;
+    std::string out_;
+    std::set<std::string, std::less<>> assigned_;
+};
+
+}  // namespace umbrage::wgsl::detail
