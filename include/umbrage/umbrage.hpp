@@ -21,10 +21,4 @@
 #include <umbrage/shader/hlsl.hpp>
 #include <umbrage/shader/msl.hpp>
 #include <umbrage/shader/registry.hpp>
-#include <umbrage/shader/translate/layout.hpp>
-#include <umbrage/shader/translate/tokens.hpp>
-#include <umbrage/shader/translate/types.hpp>
-#include <umbrage/shader/translate/wgsl_expression.hpp>
-#include <umbrage/shader/translate/wgsl_function.hpp>
-#include <umbrage/shader/translate/words.hpp>
 #include <umbrage/shader/wgsl.hpp>
