@@ -4269,6 +4269,18 @@ void on_best_isa_without_fma(const Body& body) {
     body(isa_constant<isa::base>{});
 }
 
+/// Runs the body in a function of its own, of the instruction set that its caller is compiled for: large bodies with
+/// several callers are then compiled once.
+template <class Body>
+void out_of_line(isa_constant<isa::base> set, const Body& body) {
+    body(set);
+}
+template <isa Set, class Body>
+void out_of_line(isa_constant<Set>, const Body& body) {
+    if constexpr (Set == isa::avx512) on_avx512(body);
+    else on_avx2(body);
+}
+
 /// Elements of a loop whose count the compiler knows. Arrays of as many start at a cache line: where they do not, which
 /// on a stack is chance, a loop over them can take several times as long.
 inline constexpr int block = 64;
@@ -4954,24 +4966,29 @@ struct box_blocks {
     }
 
     template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+        out_of_line(set,
+                    [&](auto) UMBRAGE_INLINE { count_all<Isa::value == isa::base ? 4 : 8>(at, count, visibility); });
+    }
+
+private:
+    template <int Lanes>
+    UMBRAGE_INLINE void count_all(const placed& at, int count, float* visibility) const {
         const int width = 2 * radius + 1;
-        constexpr int lanes = Isa::value == isa::base ? 4 : 8;
-        if constexpr (lanes == 8) {
+        if constexpr (Lanes == 8) {
             if (width == 3) return count_with<rows<8, 0, 3>>(at, count, visibility);
             if (width == 5) return count_with<rows<8, 0, 5>>(at, count, visibility);
             if (width == 7) return count_with<rows<8, 0, 7>>(at, count, visibility);
         }
-        if (width / lanes == 0) return count_with<rows<lanes, 0>>(at, count, visibility);
-        if (width / lanes == 1) return count_with<rows<lanes, 1>>(at, count, visibility);
-        if (width / lanes == 2) return count_with<rows<lanes, 2>>(at, count, visibility);
-        if constexpr (lanes == 4) {
-            if (width / lanes == 3) return count_with<rows<4, 3>>(at, count, visibility);
+        if (width / Lanes == 0) return count_with<rows<Lanes, 0>>(at, count, visibility);
+        if (width / Lanes == 1) return count_with<rows<Lanes, 1>>(at, count, visibility);
+        if (width / Lanes == 2) return count_with<rows<Lanes, 2>>(at, count, visibility);
+        if constexpr (Lanes == 4) {
+            if (width / Lanes == 3) return count_with<rows<4, 3>>(at, count, visibility);
             count_with<rows<4, 4>>(at, count, visibility);
         }
     }
 
-private:
     template <class Boxes>
     UMBRAGE_INLINE void count_with(const placed& at, int count, float* visibility) const {
         const int width = 2 * radius + 1, last_load = map.size.x - Boxes::reach;
@@ -5335,9 +5352,15 @@ struct hierarchical_box_blocks {
             open[i] = at.compared[i] & ~-(lit | dark);
             any |= open[i];
         }
-        if (!any) return;
+        if (any) out_of_line(set, [&](auto) UMBRAGE_INLINE { count_open(r, open, count, visibility, set); });
+    }
 
-        receiver_block rest;  // those that need the box
+private:
+    /// Those that need the box.
+    template <class Isa>
+    UMBRAGE_INLINE void count_open(const receiver_block& r, const std::int32_t* open, int count, float* visibility,
+                                   Isa set) const {
+        receiver_block rest;
         alignas(64) float shares[block];
         int indices[block], found = 0;
         for (int i = 0; i < count; ++i) {
@@ -7245,34 +7268,31 @@ enum class outside_map {
 
 namespace detail {
 
-/// Every receiver through a filter's blocks.
-template <class Receivers, class Blocks, class ParallelFor>
-void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<float> out, ParallelFor&& parallel) {
-    parallel(out.size.y, [&](int first, int last) {
-        const bool large = past_cache(out);
-        on_best_isa([&](auto set) UMBRAGE_INLINE {
-            constexpr unsigned ring = 4;  // blocks on their way
-            typename Blocks::placed placed[ring];
-            alignas(64) float visibility[block];
-            block_walk ahead{0, first, out.size.x}, at = ahead;
-            for (unsigned n = 0; at.y < last; ++n) {
-                if (ahead.y < last) {
-                    prefetch(receivers, ahead);
-                    use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE {
-                        blocks.place(of_block, placed[n % ring]);
-                    });
-                    ahead.step();
-                }
-                if (n + 1 < ring) continue;
-                blocks(placed[(n + 1) % ring], at.count(), visibility, set);
-                float* const to = out.row(at.y) + at.x;
-                if (large && at.count() == block) stream_block(to, visibility);
-                else copy_floats(to, visibility, at.count());
-                at.step();
+/// The receivers of some rows through a filter's blocks.
+template <class Receivers, class Blocks>
+void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<float> out, int first, int last) {
+    const bool large = past_cache(out);
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        constexpr unsigned ring = 4;  // blocks on their way
+        typename Blocks::placed placed[ring];
+        alignas(64) float visibility[block];
+        block_walk ahead{0, first, out.size.x}, at = ahead;
+        for (unsigned n = 0; at.y < last; ++n) {
+            if (ahead.y < last) {
+                prefetch(receivers, ahead);
+                use_receivers(receivers, ahead, set,
+                              [&](const auto& of_block) UMBRAGE_INLINE { blocks.place(of_block, placed[n % ring]); });
+                ahead.step();
             }
-        });
-        if (large) finish_streaming();
+            if (n + 1 < ring) continue;
+            blocks(placed[(n + 1) % ring], at.count(), visibility, set);
+            float* const to = out.row(at.y) + at.x;
+            if (large && at.count() == block) stream_block(to, visibility);
+            else copy_floats(to, visibility, at.count());
+            at.step();
+        }
     });
+    if (large) finish_streaming();
 }
 
 /// Calls use(visibility, coord, receiver) for one receiver after the other.
@@ -7368,7 +7388,9 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     if (size_of(receivers) != out.size) fail("umbrage::visibility: sizes differ");
     if (map.empty()) fail("umbrage::visibility: empty map");
     if (out.empty()) return;
-    const auto rows = [&](const auto& blocks) { filter_rows(receivers, blocks, out, parallel); };
+    const auto rows = [&](const auto& blocks) {
+        parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, out, first, last); });
+    };
     const auto clamped_map = decoded(map, encoding);
     const auto bordered_map = [&, far = far_depth(encoding, filter)](glm::ivec2 texel) {
         const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;

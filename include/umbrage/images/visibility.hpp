@@ -34,34 +34,31 @@ enum class outside_map {
 
 namespace detail {
 
-/// Every receiver through a filter's blocks.
-template <class Receivers, class Blocks, class ParallelFor>
-void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<float> out, ParallelFor&& parallel) {
-    parallel(out.size.y, [&](int first, int last) {
-        const bool large = past_cache(out);
-        on_best_isa([&](auto set) UMBRAGE_INLINE {
-            constexpr unsigned ring = 4;  // blocks on their way
-            typename Blocks::placed placed[ring];
-            alignas(64) float visibility[block];
-            block_walk ahead{0, first, out.size.x}, at = ahead;
-            for (unsigned n = 0; at.y < last; ++n) {
-                if (ahead.y < last) {
-                    prefetch(receivers, ahead);
-                    use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE {
-                        blocks.place(of_block, placed[n % ring]);
-                    });
-                    ahead.step();
-                }
-                if (n + 1 < ring) continue;
-                blocks(placed[(n + 1) % ring], at.count(), visibility, set);
-                float* const to = out.row(at.y) + at.x;
-                if (large && at.count() == block) stream_block(to, visibility);
-                else copy_floats(to, visibility, at.count());
-                at.step();
+/// The receivers of some rows through a filter's blocks.
+template <class Receivers, class Blocks>
+void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<float> out, int first, int last) {
+    const bool large = past_cache(out);
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        constexpr unsigned ring = 4;  // blocks on their way
+        typename Blocks::placed placed[ring];
+        alignas(64) float visibility[block];
+        block_walk ahead{0, first, out.size.x}, at = ahead;
+        for (unsigned n = 0; at.y < last; ++n) {
+            if (ahead.y < last) {
+                prefetch(receivers, ahead);
+                use_receivers(receivers, ahead, set,
+                              [&](const auto& of_block) UMBRAGE_INLINE { blocks.place(of_block, placed[n % ring]); });
+                ahead.step();
             }
-        });
-        if (large) finish_streaming();
+            if (n + 1 < ring) continue;
+            blocks(placed[(n + 1) % ring], at.count(), visibility, set);
+            float* const to = out.row(at.y) + at.x;
+            if (large && at.count() == block) stream_block(to, visibility);
+            else copy_floats(to, visibility, at.count());
+            at.step();
+        }
     });
+    if (large) finish_streaming();
 }
 
 /// Calls use(visibility, coord, receiver) for one receiver after the other.
@@ -157,7 +154,9 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
     if (size_of(receivers) != out.size) fail("umbrage::visibility: sizes differ");
     if (map.empty()) fail("umbrage::visibility: empty map");
     if (out.empty()) return;
-    const auto rows = [&](const auto& blocks) { filter_rows(receivers, blocks, out, parallel); };
+    const auto rows = [&](const auto& blocks) {
+        parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, out, first, last); });
+    };
     const auto clamped_map = decoded(map, encoding);
     const auto bordered_map = [&, far = far_depth(encoding, filter)](glm::ivec2 texel) {
         const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;

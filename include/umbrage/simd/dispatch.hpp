@@ -82,6 +82,18 @@ void on_best_isa_without_fma(const Body& body) {
     body(isa_constant<isa::base>{});
 }
 
+/// Runs the body in a function of its own, of the instruction set that its caller is compiled for: large bodies with
+/// several callers are then compiled once.
+template <class Body>
+void out_of_line(isa_constant<isa::base> set, const Body& body) {
+    body(set);
+}
+template <isa Set, class Body>
+void out_of_line(isa_constant<Set>, const Body& body) {
+    if constexpr (Set == isa::avx512) on_avx512(body);
+    else on_avx2(body);
+}
+
 /// Elements of a loop whose count the compiler knows. Arrays of as many start at a cache line: where they do not, which
 /// on a stack is chance, a loop over them can take several times as long.
 inline constexpr int block = 64;

@@ -149,24 +149,29 @@ struct box_blocks {
     }
 
     template <class Isa>
-    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa) const {
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+        out_of_line(set,
+                    [&](auto) UMBRAGE_INLINE { count_all<Isa::value == isa::base ? 4 : 8>(at, count, visibility); });
+    }
+
+private:
+    template <int Lanes>
+    UMBRAGE_INLINE void count_all(const placed& at, int count, float* visibility) const {
         const int width = 2 * radius + 1;
-        constexpr int lanes = Isa::value == isa::base ? 4 : 8;
-        if constexpr (lanes == 8) {
+        if constexpr (Lanes == 8) {
             if (width == 3) return count_with<rows<8, 0, 3>>(at, count, visibility);
             if (width == 5) return count_with<rows<8, 0, 5>>(at, count, visibility);
             if (width == 7) return count_with<rows<8, 0, 7>>(at, count, visibility);
         }
-        if (width / lanes == 0) return count_with<rows<lanes, 0>>(at, count, visibility);
-        if (width / lanes == 1) return count_with<rows<lanes, 1>>(at, count, visibility);
-        if (width / lanes == 2) return count_with<rows<lanes, 2>>(at, count, visibility);
-        if constexpr (lanes == 4) {
-            if (width / lanes == 3) return count_with<rows<4, 3>>(at, count, visibility);
+        if (width / Lanes == 0) return count_with<rows<Lanes, 0>>(at, count, visibility);
+        if (width / Lanes == 1) return count_with<rows<Lanes, 1>>(at, count, visibility);
+        if (width / Lanes == 2) return count_with<rows<Lanes, 2>>(at, count, visibility);
+        if constexpr (Lanes == 4) {
+            if (width / Lanes == 3) return count_with<rows<4, 3>>(at, count, visibility);
             count_with<rows<4, 4>>(at, count, visibility);
         }
     }
 
-private:
     template <class Boxes>
     UMBRAGE_INLINE void count_with(const placed& at, int count, float* visibility) const {
         const int width = 2 * radius + 1, last_load = map.size.x - Boxes::reach;

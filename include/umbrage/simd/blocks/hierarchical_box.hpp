@@ -166,9 +166,15 @@ struct hierarchical_box_blocks {
             open[i] = at.compared[i] & ~-(lit | dark);
             any |= open[i];
         }
-        if (!any) return;
+        if (any) out_of_line(set, [&](auto) UMBRAGE_INLINE { count_open(r, open, count, visibility, set); });
+    }
 
-        receiver_block rest;  // those that need the box
+private:
+    /// Those that need the box.
+    template <class Isa>
+    UMBRAGE_INLINE void count_open(const receiver_block& r, const std::int32_t* open, int count, float* visibility,
+                                   Isa set) const {
+        receiver_block rest;
         alignas(64) float shares[block];
         int indices[block], found = 0;
         for (int i = 0; i < count; ++i) {

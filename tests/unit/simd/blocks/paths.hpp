@@ -23,19 +23,27 @@ namespace paths {
 using umbrage::image;
 using umbrage::detail::isa;
 
+/// Calls use(mode) in each rounding mode.
+template <class Use>
+void each_rounding(Use&& use) {
+    for (int mode : {FE_TONEAREST, FE_TOWARDZERO, FE_UPWARD, FE_DOWNWARD}) {
+        std::fesetround(mode);
+        use(mode);
+        std::fesetround(FE_TONEAREST);
+    }
+}
+
 template <class Use>
 void for_each_path(Use&& use) {
     const isa best = umbrage::detail::isa_in_use;
     for (isa set : {isa::base, isa::avx2, isa::avx512}) {
         if (umbrage::detail::best_isa() < set) continue;
-        for (int rounding : {FE_TONEAREST, FE_TOWARDZERO, FE_UPWARD, FE_DOWNWARD}) {
+        umbrage::detail::isa_in_use = set;
+        each_rounding([&](int mode) {
             CAPTURE(static_cast<int>(set));
-            CAPTURE(rounding);
-            umbrage::detail::isa_in_use = set;
-            std::fesetround(rounding);
+            CAPTURE(mode);
             use();
-            std::fesetround(FE_TONEAREST);
-        }
+        });
     }
     umbrage::detail::isa_in_use = best;
 }
