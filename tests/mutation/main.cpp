@@ -19,6 +19,7 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -55,27 +56,30 @@ options parse(int argc, char** argv) {
     return o;
 }
 
-/// "primitive: operator: site" and why it is equivalent. In the file a reason stands above its mutants, after "= ".
-std::map<std::string, std::string> read_equivalent(const std::string& path) {
-    std::ifstream file(path);
-    if (!file) throw std::runtime_error("cannot read " + path);
-    std::map<std::string, std::string> all;
-    std::string reason;
-    for (std::string line; std::getline(file, line);) {
-        if (line.empty() || line[0] == '#') continue;
-        if (line.starts_with("= ")) reason = line.substr(2);
-        else if (reason.empty()) throw std::runtime_error(path + ": no reason above: " + line);
-        else if (!all.emplace(line, reason).second) throw std::runtime_error(path + ": twice: " + line);
-    }
-    return all;
-}
+/// Mutants that compute the same, as "primitive: operator: site", and shapes of such, which need not occur. In the file a
+/// reason stands above both, after "= "; a shape is a regular expression for the whole of it, after "~ ".
+struct equivalents {
+    std::set<std::string> names;
+    std::vector<std::regex> shapes;
 
-/// One name in `every`, whichever others there are: FNV-1a.
-bool sampled(std::string_view name, std::size_t every) {
-    std::uint64_t hash = 14695981039346656037u;
-    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-    return hash % every == 0;
-}
+    explicit equivalents(const std::string& path) {
+        std::ifstream file(path);
+        if (!file) throw std::runtime_error("cannot read " + path);
+        bool reason = false;
+        for (std::string line; std::getline(file, line);) {
+            if (line.empty() || line[0] == '#') continue;
+            if (line.starts_with("= ")) reason = true;
+            else if (!reason) throw std::runtime_error(path + ": no reason above: " + line);
+            else if (line.starts_with("~ ")) shapes.emplace_back(line.substr(2));
+            else if (!names.insert(line).second) throw std::runtime_error(path + ": twice: " + line);
+        }
+    }
+    [[nodiscard]] bool contains(const std::string& name) const {
+        return names.contains(name) || std::any_of(shapes.begin(), shapes.end(), [&](const std::regex& shape) {
+                   return std::regex_match(name, shape);
+               });
+    }
+};
 
 enum class fate { alive, refused, caught };
 
@@ -130,7 +134,7 @@ void run(const entry& e, std::vector<candidate*>& mutants, std::size_t count, ba
 int run_all(int argc, char** argv) {
     const options o = parse(argc, argv);
     const auto start = std::chrono::steady_clock::now();
-    const auto equivalent = read_equivalent(o.equivalent);
+    const equivalents equivalent(o.equivalent);
 
     std::vector<std::pair<const snippet*, std::vector<candidate>>> all;
     std::size_t total = 0;
@@ -201,7 +205,7 @@ int run_all(int argc, char** argv) {
             if (c.end == fate::alive && !listed) left.push_back(c.name);
             if (listed && c.end == fate::alive) met.insert(c.name);
         }
-    for (const auto& [name, reason] : equivalent) {
+    for (const std::string& name : equivalent.names) {
         const bool wanted = name.substr(0, name.find(':')).find(o.filter) != std::string::npos;
         if (wanted && !met.contains(name) && !left_out.contains(name)) stale.push_back(name);
     }

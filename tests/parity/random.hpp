@@ -4,9 +4,18 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace parity {
+
+/// One name in `every`, whichever others there are: FNV-1a.
+[[nodiscard]] inline bool sampled(std::string_view name, std::size_t every) {
+    std::uint64_t hash = 14695981039346656037u;
+    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+    return hash % every == 0;
+}
 
 class random {
 public:
