@@ -100,8 +100,8 @@ prove:
 	cmake --build --preset dev --target prove
 	cmake --build --preset dev --target prove_glsl
 	cmake --build --preset dev --target mutate
-	cmake --build --preset dev --target hostile hostile_images
-	ctest --preset dev -R "^hostile/images$$"
+	cmake --build --preset dev --target hostile hostile_tier_a hostile_images hostile_aarch64
+	ctest --preset dev -R "^hostile/"
 
 # The peers' shaders come from npm; the table goes to build/bench-packing/packing.tsv too.
 bench-packing:

@@ -3,8 +3,10 @@
 // Every entry on one implementation, in all its dialects, against C++.
 //
 //     parity --backend llvmpipe|softpipe|lavapipe|swiftshader|swiftshader_vulkan|hardware|c++|metal [--count N]
-//            [--other-count N] [--whole N] [--versions "100,300 es,450"] [--filter TEXT] [--out FOLDER]
+//            [--other-count N] [--other-every N] [--whole N] [--versions "100,300 es,450"]
+//            [--filter TEXT] [--out FOLDER]
 //
+// --other-every: one in N of the other dialects, by a hash of its name and the entry's.
 // --whole: as many of each enumeration, in one dialect; 16777216 is all of every one.
 //
 // Ends with a table, written as parity-BACKEND.tsv too. Exit status: 0 agrees, 1 differs, 77 nothing here to run on.
@@ -28,7 +30,7 @@ struct options {
     std::string driver = "llvmpipe", filter, versions, out = ".";
     std::size_t count = std::size_t(1) << 20;        ///< in the main dialects: one of each kind of GLSL, and languages
     std::size_t other_count = std::size_t(1) << 16;  ///< in the others
-
+    std::size_t other_every = 1;
     std::size_t whole = std::size_t(1) << 16;  ///< of an enumeration, in the last of the main dialects of GLSL
 
     [[nodiscard]] bool wants(const backend& b, dialect d) const {
@@ -40,6 +42,9 @@ struct options {
     }
     [[nodiscard]] std::size_t inputs(dialect d, bool only) const {
         return only || main(d) ? count : std::min(count, other_count);
+    }
+    [[nodiscard]] bool samples(const entry& e, const backend& b, dialect d) const {
+        return b.dialects().size() == 1 || main(d) || sampled(e.name() + b.label(d), other_every);
     }
 };
 
@@ -56,6 +61,7 @@ options parse(int argc, char** argv) {
         else if (name == "--whole") o.whole = std::stoull(value);
         else if (name == "--count") o.count = std::stoull(value);
         else if (name == "--other-count") o.other_count = std::stoull(value);
+        else if (name == "--other-every") o.other_every = std::stoull(value);
         else throw std::invalid_argument("unknown option " + name);
     }
     return o;
@@ -84,7 +90,7 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
     const bool only = b.dialects().size() == 1;
     std::vector<dialect> dialects;
     for (dialect d : b.dialects())
-        if (e.runs_in(d) && o.wants(b, d) && o.inputs(d, only) > 0) dialects.push_back(d);
+        if (e.runs_in(d) && o.wants(b, d) && o.samples(e, b, d) && o.inputs(d, only) > 0) dialects.push_back(d);
     std::vector<row> rows;
     for (dialect d : dialects)
         rows.push_back({e.name(), tier_name(*e.primitive), b.name(), b.label(d), b.obstacle(e), {}});
