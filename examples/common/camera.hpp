@@ -18,7 +18,7 @@
 
 #include <umbrage/clip_space.hpp>
 #include <umbrage/image.hpp>
-#include <umbrage/images/rasterize.hpp>
+#include <umbrage/images/mesh.hpp>
 
 #include "scene.hpp"
 
@@ -56,16 +56,6 @@ struct camera {
 inline constexpr std::uint32_t nothing = ~std::uint32_t(0);
 
 /// Number of the triangle seen at each sample, or `nothing`.
-[[nodiscard]] inline umbrage::image<std::uint32_t> camera_pass(const mesh& m, const camera& c, glm::ivec2 size) {
-    umbrage::image<float> depth(size, umbrage::cleared_depth(picture_clip));
-    umbrage::image<std::uint32_t> seen(size, nothing);
-    umbrage::rasterize(size, view_of(m), c.world_to_clip, picture_clip,
-                       [&](glm::ivec2 texel, float z, std::uint32_t triangle) {
-                           if (z > depth[texel] || (z == depth[texel] && triangle > seen[texel])) return;
-                           depth[texel] = z;
-                           seen[texel] = triangle;
-                       });
-    return seen;
-}
+[[nodiscard]] umbrage::image<std::uint32_t> camera_pass(const mesh& m, const camera& c, glm::ivec2 size);
 
 }  // namespace example

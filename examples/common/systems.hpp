@@ -21,8 +21,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <umbrage/depth/kinds.hpp>
-#include <umbrage/light/directional_light.hpp>
-#include <umbrage/light/spot_light.hpp>
+#include <umbrage/light/light_space.hpp>
 #include <umbrage/shade/lighting.hpp>
 
 #include "camera.hpp"
@@ -139,13 +138,8 @@ inline constexpr std::array systems{radeon_8500, dx_sdk, exercise, self_shadowin
 inline constexpr glm::vec3 sky{0.30f, 0.36f, 0.44f};  ///< where the camera sees nothing; lit in visibility masks
 
 /// The system's scene: the built-in one, or a mesh on a floor.
-[[nodiscard]] inline scene make_scene(const shadow_system& s, const std::filesystem::path& mesh_file = {},
-                                      up_axis up = up_axis::y) {
-    scene out = mesh_file.empty() ? default_scene() : on_floor(load_mesh(mesh_file), up);
-    for (glm::vec3& p : out.geometry.positions) p *= s.scene_scale;
-    for (glm::vec3* p : {&out.low, &out.high, &out.target}) *p *= s.scene_scale;
-    return out;
-}
+[[nodiscard]] scene make_scene(const shadow_system& s, const std::filesystem::path& mesh_file = {},
+                               up_axis up = up_axis::y);
 
 /// Where the camera stands to begin with.
 [[nodiscard]] inline camera_setup make_camera_setup(const shadow_system& s, const scene& scene, float aspect) {
@@ -184,49 +178,8 @@ struct light {
 };
 
 /// @param azimuth, elevation  degrees; azimuth 0 is towards the camera, 90 to its right; elevation 90 straight above
-[[nodiscard]] inline light make_light(const shadow_system& s, const scene& scene, float azimuth, float elevation,
-                                      int map_size, umbrage::clip_space clip = picture_clip) {
-    const glm::vec3 towards = direction_at(azimuth, elevation);
-    const glm::vec3 up = direction_at(azimuth, elevation + 90);  // turns with the light, never parallel to it
-    light out{.spot = s.light == light_kind::spot, .direction = -towards};
-    switch (s.light) {
-        case light_kind::spot: {
-            out.position = scene.target + s.distance * s.scene_scale * towards;
-            const glm::vec3 middle = 0.5f * (scene.low + scene.high), half = 0.5f * (scene.high - scene.low);
-            out.z_near = 0.1f;
-            out.z_far =
-                1.01f * (glm::dot(middle - out.position, out.direction) + glm::dot(half, glm::abs(out.direction)));
-            const float angle = glm::radians(s.outer_angle);
-            out.cos_outer = std::cos(angle);
-            out.space = umbrage::make_spot_light<float>({.position = out.position,
-                                                         .direction = out.direction,
-                                                         .up = up,
-                                                         .outer_angle_radians = angle,
-                                                         .z_near = out.z_near,
-                                                         .z_far = out.z_far,
-                                                         .clip = clip});
-            break;
-        }
-        case light_kind::fitted:
-            out.space = umbrage::fit_directional_light<float>(
-                {.direction = out.direction, .up = up, .low = scene.low, .high = scene.high, .clip = clip});
-            break;
-        case light_kind::exercise:
-            out.z_near = s.z_near;
-            out.z_far = s.z_far;
-            out.space = umbrage::make_directional_light<float>({.direction = out.direction,
-                                                                .up = up,
-                                                                .offset = s.offset,
-                                                                .map_size = map_size,
-                                                                .texels_per_unit = s.texels_per_unit,
-                                                                .z_near = out.z_near,
-                                                                .z_far = out.z_far,
-                                                                .clip = clip});
-            break;
-    }
-    out.spread = 2 / std::min(out.space.projection[0][0], out.space.projection[1][1]);
-    return out;
-}
+[[nodiscard]] light make_light(const shadow_system& s, const scene& scene, float azimuth, float elevation, int map_size,
+                               umbrage::clip_space clip = picture_clip);
 
 /// The point to look up instead of the surface itself: off it by so many texels that the surface cannot shadow
 /// itself at any angle. Without it (lift = 0) a system has the bias in depth alone, as the originals had.

@@ -8,6 +8,7 @@
 
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/rg_table.hpp>
+#include <umbrage/light/spot_light.hpp>
 #include <umbrage/shader/registry.hpp>
 
 #include "sections.hpp"
@@ -73,7 +74,7 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
              double(reach)));
     umbrage::for_each_encoding([&](const auto& encoding) {
         const std::string name(encoding.name);
-        const stored_depth map = store(depth, encoding, 1.0f);
+        const stored_depth map = stored(depth, name, 1.0f);
         const double bound = std::max(encoding.error().below, encoding.error().above);
         if (map.error > bound) throw std::logic_error("the encoding " + name + " is worse than stated");
         system.bias = rounding + static_cast<float>(encoding.error().below);

@@ -121,7 +121,7 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
         shadow_system plain = system;
         plain.receiver = receiver_kind::plain;
         const auto exact = visibility_of(plain, stage, light, depth);
-        const auto coarse = visibility_of(plain, stage, light, store(depth, eight_bits{}, empty).depth);
+        const auto coarse = visibility_of(plain, stage, light, stored(depth, "8_bits", empty).depth);
         const auto others = [&](const umbrage::image<float>& v) {
             std::size_t n = 0;
             for (std::size_t i = 0; i < v.texels().size(); ++i) n += v.texels()[i] != exact.texels()[i];

@@ -45,8 +45,4 @@ void run(const options& o) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    return example::run("dx_sdk", [&] {
-        if (const auto options = read_options(dx_sdk, argc, argv)) run(*options);
-    });
-}
+int main(int argc, char** argv) { return example::run_original(example::dx_sdk, argc, argv, run); }

@@ -10,6 +10,8 @@
 #include <umbrage/compare.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
+#include <command_line.hpp>
+
 #include "rays.hpp"
 #include "stage.hpp"
 

@@ -121,8 +121,4 @@ void run(const options& o) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    return example::run("radeon_8500", [&] {
-        if (const auto options = read_options(radeon_8500, argc, argv)) run(*options);
-    });
-}
+int main(int argc, char** argv) { return example::run_original(example::radeon_8500, argc, argv, run); }

@@ -4,116 +4,16 @@
 // compare themselves with it.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdio>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-
-#include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/image.hpp>
 
 #include "stage.hpp"
 
 namespace example {
 
-class ray_tracer {
-public:
-    explicit ray_tracer(const mesh& m) : mesh_(m) {
-        for (std::size_t first = 0; first < m.triangles.size(); first += bundle) {
-            const std::span<const glm::uvec3> some(&m.triangles[first], std::min(bundle, m.triangles.size() - first));
-            glm::vec3 low = m.positions[some[0].x], high = low;
-            for (glm::uvec3 t : some)
-                for (int i = 0; i < 3; ++i) {
-                    low = glm::min(low, m.positions[t[i]]);
-                    high = glm::max(high, m.positions[t[i]]);
-                }
-            balls_.push_back({some, 0.5f * (low + high), 0.5f * glm::length(high - low)});
-        }
-    }
-
-    /// Whether a triangle lies on the way.
-    /// @param way  of length one
-    [[nodiscard]] bool blocked(glm::vec3 from, glm::vec3 way, float distance) const {
-        for (const ball& b : balls_) {
-            const glm::vec3 to = b.centre - from;
-            const float along = glm::dot(to, way);
-            if (along < -b.radius || glm::dot(to, to) - along * along > b.radius * b.radius * 1.001f) continue;
-            for (glm::uvec3 t : b.triangles)
-                if (hits(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z], from, way, distance))
-                    return true;
-        }
-        return false;
-    }
-
-private:
-    static constexpr std::size_t bundle = 32;
-    struct ball {
-        std::span<const glm::uvec3> triangles;
-        glm::vec3 centre;
-        float radius;
-    };
-
-    /// Moeller, Trumbore: Fast, minimum storage ray/triangle intersection, 1997.
-    static bool hits(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 from, glm::vec3 way, float distance) {
-        const glm::vec3 ab = b - a, ac = c - a, p = glm::cross(way, ac);
-        const float det = glm::dot(ab, p);
-        if (det == 0) return false;
-        const glm::vec3 s = (from - a) / det, q = glm::cross(s, ab);
-        const float u = glm::dot(s, p), v = glm::dot(way, q), t = glm::dot(ac, q);
-        return u >= 0 && v >= 0 && u + v <= 1 && t > 0 && t < distance;
-    }
-
-    const mesh& mesh_;
-    std::vector<ball> balls_;
-};
-
 /// --rays: whether a shadow is where it belongs, away from edges by as much as filter and bias reach.
 /// @param reach  how far they may move a shadow's edge, texels
 /// @throws std::runtime_error  it is not, or no place is far enough from edges to tell
-inline void compare_with_rays(const stage& on, const light& l, const umbrage::image<float>& visibility, int map_size,
-                              float reach) {
-    const ray_tracer rays(on.scene.geometry);
-    const glm::mat4 to_texels = umbrage::texture_matrix(l.space, glm::ivec2(map_size));
-    int certain = 0, shadow = 0, leaks = 0, acne = 0;
-    on.for_each_surface([&](glm::ivec2 pixel, const surface& s) {
-        const glm::vec3 way = l.to_light(s.position);
-        const float facing = glm::dot(s.face_normal, way);
-        if (facing < 0.05f || l.cone(s.position) == 0) return;  // dark without any shadow
-        const glm::vec3 place = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, s.position));
-        const auto inside = [&](float at) { return at > reach && at < static_cast<float>(map_size) - reach; };
-        if (!inside(place.x) || !inside(place.y)) return;  // the map knows only one side of what is there
-        const float step = reach * l.texel_world(s.position, map_size);
-        const glm::vec3 side = glm::normalize(glm::cross(way, s.face_normal + glm::vec3(0.1f, 0.2f, 0.3f)));
-        const glm::vec3 across = glm::cross(way, side);
-        // Beside the surface in its plane, as a texel beside has it; and as far above as the bias may lift it.
-        const auto blocked = [&](float i, float j, float above) {
-            const glm::vec3 aside = step * (i * side + j * across);
-            const glm::vec3 start =
-                s.position + aside - way * (glm::dot(s.face_normal, aside) / facing) + 0.001f * s.face_normal;
-            const glm::vec3 to_light = l.to_light(start);
-            const float distance = l.spot ? glm::length(l.position - start) : 1e3f;
-            return rays.blocked(start + above * to_light, to_light, distance - above);
-        };
-        const bool dark = blocked(0, 0, 0);
-        for (float i = -1; i <= 1; i += 0.5f)
-            for (float j = -1; j <= 1; j += 0.5f)
-                if (blocked(i, j, dark ? step : 0) != dark) return;  // near an edge
-        ++certain;
-        shadow += dark;
-        leaks += dark && visibility[pixel] > 0.5f;
-        acne += !dark && visibility[pixel] < 0.5f;
-    });
-    std::printf("rays: %d pixels away from edges, %d of them in shadow; lit there %d, dark elsewhere %d\n", certain,
-                shadow, leaks, acne);
-    if ((leaks + acne) * 500 > certain) throw std::runtime_error("the shadow map disagrees with rays to the light");
-    if (shadow == 0 || certain == shadow)
-        throw std::runtime_error("rays tell nothing: with " + std::to_string(map_size) + " texels no " +
-                                 (shadow == 0 ? "shadow" : "light") + " is wider than what filter and bias reach");
-}
+void compare_with_rays(const stage& on, const light& l, const umbrage::image<float>& visibility, int map_size,
+                       float reach);
 
 }  // namespace example

@@ -71,8 +71,4 @@ void run(const options& o) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    return example::run("self_shadowing", [&] {
-        if (const auto options = read_options(self_shadowing, argc, argv)) run(*options);
-    });
-}
+int main(int argc, char** argv) { return example::run_original(example::self_shadowing, argc, argv, run); }

@@ -4,32 +4,23 @@
 // from light to visibility, is written out in each program.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
-#include <system_error>
-#include <utility>
-#include <vector>
 
-#include <umbrage/filter/filters.hpp>
-#include <umbrage/images/rasterize.hpp>
-#include <umbrage/unorm.hpp>
-#include <umbrage/images/overlay.hpp>
+#include <glm/gtc/type_precision.hpp>
 
-#include <camera.hpp>
-#include <choices.hpp>
-#include <command_line.hpp>
-#include <png.hpp>
-#include <shadow_map.hpp>
-#include <srgb.hpp>
+#include <umbrage/image.hpp>
+
 #include <surface.hpp>
 #include <systems.hpp>
+
+namespace CLI {
+class App;
+}
 
 namespace example {
 
@@ -52,37 +43,11 @@ struct options {
 };
 
 /// Nothing when only help was asked for. `more` may add options of the program's own.
-template <class More>
-std::optional<options> read_options(const shadow_system& s, int argc, char** argv, More&& more) {
-    options o{.azimuth = s.azimuth,
-              .elevation = s.elevation,
-              .map_size = s.map_size,
-              .lift = s.lift,
-              .bias = s.bias,
-              .encoding = std::string(s.encoding),
-              .filter = std::string(s.filter)};
-    CLI::App app{std::string(s.title), std::string(s.name)};
-    app.option_defaults()->always_capture_default();
-    add_mesh(app, "mesh", o.mesh);
-    app.add_option("-o,--output", o.output, "folder for the pictures, made when missing");
-    app.add_option("--azimuth", o.azimuth, "of the light, degrees")->check(within(-360, 360));
-    app.add_option("--elevation", o.elevation, "90 is straight above")->check(within(5, 90));
-    app.add_option("--size", o.size, "width of the picture, pixels; its height is two thirds")->check(within(3, 4096));
-    app.add_option("--map-size", o.map_size, "texels along an edge")->check(within(16, 8192));
-    app.add_option("--lift", o.lift, "texels along the normal; 0 leaves the original's bias alone")
-        ->check(within(0, 16));
-    app.add_option("--bias,--epsilon", o.bias, "in the map's depth")->check(within(-1, 1));
-    add_encoding(app, o.encoding)
-        ->description("how a depth is stored; all but the original's own are decoded by their readers");
-    add_filter(app, o.filter);
-    app.add_flag("--rays", o.rays, "compare the shadow with rays to the light; fails where they disagree");
-    more(app);
-    if (!parse(app, argc, argv)) return std::nullopt;
-    return o;
-}
-inline std::optional<options> read_options(const shadow_system& s, int argc, char** argv) {
-    return read_options(s, argc, argv, [](CLI::App&) {});
-}
+[[nodiscard]] std::optional<options> read_options(const shadow_system& s, int argc, char** argv,
+                                                  const std::function<void(CLI::App&)>& more = {});
+
+/// Runs an original with its options; what it throws becomes one line and an exit code.
+int run_original(const shadow_system& s, int argc, char** argv, const std::function<void(const options&)>& program);
 
 using picture = umbrage::image<glm::u8vec3>;
 
@@ -92,15 +57,7 @@ struct stage {
     example::camera camera;
     umbrage::image<std::uint32_t> seen;  ///< triangle behind each pixel
 
-    stage(const shadow_system& s, const options& o)
-        : scene(make_scene(s, o.mesh)),
-          camera(make_camera(make_camera_setup(s, scene, 1.5f))),
-          seen(camera_pass(scene.geometry, camera, {o.size, o.size * 2 / 3})) {
-        std::error_code error;
-        std::filesystem::create_directories(o.output, error);
-        if (!std::filesystem::is_directory(o.output))
-            throw std::runtime_error("cannot make the folder " + o.output.string());
-    }
+    stage(const shadow_system& s, const options& o);
 
     /// Calls use(pixel, surface) wherever the camera sees one.
     template <class Use>
@@ -121,73 +78,32 @@ struct stage {
     }
 
     /// The surfaces' colours under the light.
-    [[nodiscard]] picture shade(const shadow_system& s, const light& l, const umbrage::image<float>& visibility) const {
-        picture out(seen.size(), to_srgb(sky));
-        for_each_surface([&](glm::ivec2 pixel, const surface& at) {
-            const glm::vec3 colour = at.colour * (s.textured ? texture(at.position) : 1.0f);
-            out[pixel] = to_srgb(example::shade(s, colour, at.normal, l.to_light(at.position), visibility[pixel]));
-        });
-        return out;
-    }
+    [[nodiscard]] picture shade(const shadow_system& s, const light& l, const umbrage::image<float>& visibility) const;
 };
 
 /// The depth pass: the distance to what the light sees first, in the system's kind of depth.
-[[nodiscard]] inline umbrage::image<float> depth_pass(const shadow_system& s, const scene& scene, const light& l,
-                                                      int map_size) {
-    umbrage::image<float> depth(glm::ivec2(map_size), umbrage::cleared_depth(l.space.clip));
-    umbrage::rasterize_depth(depth, view_of(scene.geometry), l.world_to_clip(), l.space.clip);
-    for (float& z : depth.texels()) z = l.depth(s, z);
-    return depth;
-}
+[[nodiscard]] umbrage::image<float> depth_pass(const shadow_system& s, const scene& scene, const light& l,
+                                               int map_size);
 
 /// What the system's encoding keeps of a depth image.
-[[nodiscard]] inline umbrage::image<float> stored(const shadow_system& s, const light& l,
-                                                  const umbrage::image<float>& depth) {
-    const float empty = l.depth(s, umbrage::cleared_depth(l.space.clip));
-    return store(s.encoding, umbrage::upper_edge<float>, depth, empty).depth;
-}
+[[nodiscard]] umbrage::image<float> stored(const shadow_system& s, const light& l, const umbrage::image<float>& depth);
 
 /// Any of the filters, where a system's own does not do.
 /// @param fetch  texel -> depth
-template <class Fetch>
-[[nodiscard]] float filtered(const shadow_system& s, const Fetch& fetch, glm::vec2 coord, float receiver) {
-    float visibility = 1;
-    umbrage::with_filter(s.filter, [&](const auto& filter) { visibility = filter(fetch, coord, receiver); });
-    return visibility;
-}
+[[nodiscard]] float filtered(const shadow_system& s, const std::function<float(glm::ivec2)>& fetch, glm::vec2 coord,
+                             float receiver);
 
 /// The map in the top left corner, its histogram stretched.
-inline void show_map(picture& on, const umbrage::image<float>& depth) {
-    const int edge = std::max(1, on.size().y * 3 / 10);
-    umbrage::overlay(on, depth, {.size{edge, edge}, .map_origin = picture_clip.origin}, umbrage::stretch(depth));
-}
+void show_map(picture& on, const umbrage::image<float>& depth);
 
 /// Pictures of one size in a row.
-[[nodiscard]] inline picture side_by_side(std::span<const picture> pictures) {
-    const glm::ivec2 size = pictures.front().size();
-    picture out({size.x * static_cast<int>(pictures.size()), size.y});
-    for (int i = 0; i < static_cast<int>(pictures.size()); ++i)
-        for (int y = 0; y < size.y; ++y)
-            std::copy_n(pictures[static_cast<std::size_t>(i)].view().row(y), size.x, out.view().row(y) + i * size.x);
-    return out;
-}
+[[nodiscard]] picture side_by_side(std::span<const picture> pictures);
 
-[[nodiscard]] inline picture grey(const umbrage::image<float>& values) {
-    picture out(values.size());
-    std::ranges::transform(values.texels(), out.texels().begin(),
-                           [](float v) { return glm::u8vec3(umbrage::store_unorm8(v)); });
-    return out;
-}
+[[nodiscard]] picture grey(const umbrage::image<float>& values);
 
-inline void write(const options& o, const char* name, const picture& p) { write_png(o.output / name, p.view()); }
+void write(const options& o, const char* name, const picture& p);
 
 /// picture.png, visibility.png and, its histogram stretched, depth.png.
-inline void write(const options& o, const picture& p, const umbrage::image<float>& visibility,
-                  umbrage::image<float> depth) {
-    write(o, "picture.png", p);
-    write(o, "visibility.png", grey(visibility));
-    std::ranges::transform(depth.texels(), depth.texels().begin(), umbrage::stretch(depth));
-    write(o, "depth.png", grey(depth));
-}
+void write(const options& o, const picture& p, const umbrage::image<float>& visibility, umbrage::image<float> depth);
 
 }  // namespace example

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // Runs shadow_render as a newcomer would, and looks at what comes out.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include <doctest/doctest.h>
 
 #include <algorithm>

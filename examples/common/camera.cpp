@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "camera.hpp"
+
+#include <umbrage/images/rasterize.hpp>
+
+namespace example {
+
+umbrage::image<std::uint32_t> camera_pass(const mesh& m, const camera& c, glm::ivec2 size) {
+    umbrage::image<float> depth(size, umbrage::cleared_depth(picture_clip));
+    umbrage::image<std::uint32_t> seen(size, nothing);
+    umbrage::rasterize(size, view_of(m), c.world_to_clip, picture_clip,
+                       [&](glm::ivec2 texel, float z, std::uint32_t triangle) {
+                           if (z > depth[texel] || (z == depth[texel] && triangle > seen[texel])) return;
+                           depth[texel] = z;
+                           seen[texel] = triangle;
+                       });
+    return seen;
+}
+
+}  // namespace example
