@@ -8001,8 +8001,9 @@ template <class Replacement>
         return replace_words(expression, [&](std::string_view word, bool) -> std::string {
             if (word.starts_with("umbrage_")) return suffixed(word);
             if (word == "at" && origin.empty()) return "texel";
-            if (word == "UMBRAGE_TEXTURE_SIZE") return texture_size;
-            return std::string(word);
+            if (word != "UMBRAGE_TEXTURE_SIZE") return std::string(word);
+            if (texture_size.empty()) umbrage::detail::fail("umbrage::glsl::bind: this language needs texture_size");
+            return texture_size;
         });
     };
     return replace_words(text, [&](std::string_view word, bool comment) -> std::string {
@@ -8611,27 +8612,37 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
                                                   .vectors_of_one_are_cast = true,
                                                   .reserved = reserved};
 
-[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
+[[nodiscard]] constexpr glsl::detail::texture_words reads(glsl::texture kind) {
     using enum glsl::texture;
     switch (kind) {
         case texture_2d:
-            return {.parameters = "Texture2D<float4> map", .arguments = "map", .texel = "map.Load(int3(int2(at), 0))"};
+            return {.parameters = "Texture2D<float4> map",
+                    .arguments = "map",
+                    .texel = "map.Load(int3(int2(at), 0))",
+                    .gather_red = "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
+                    .gather_green = "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case depth:
             return {.parameters = "Texture2D<float> map",
                     .arguments = "map",
-                    .texel = "(float4)map.Load(int3(int2(at), 0))"};
+                    .texel = "(float4)map.Load(int3(int2(at), 0))",
+                    .gather_red = "map.Gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case atlas:
             return {.parameters = "Texture2D<float4> map, float2 origin",
                     .arguments = "map, origin",
-                    .texel = "map.Load(int3(int2(at), 0))"};
+                    .texel = "map.Load(int3(int2(at), 0))",
+                    .gather_red = "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
+                    .gather_green = "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case array:
             return {.parameters = "Texture2DArray<float4> map, float layer",
                     .arguments = "map, layer",
-                    .texel = "map.Load(int4(int2(at), int(layer), 0))"};
+                    .texel = "map.Load(int4(int2(at), int(layer), 0))",
+                    .gather_red = "map.GatherRed(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))",
+                    .gather_green = "map.GatherGreen(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))"};
         case depth_array:
             return {.parameters = "Texture2DArray<float> map, float layer",
                     .arguments = "map, layer",
-                    .texel = "(float4)map.Load(int4(int2(at), int(layer), 0))"};
+                    .texel = "(float4)map.Load(int4(int2(at), int(layer), 0))",
+                    .gather_red = "map.Gather(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))"};
         case cube:
             return {.parameters = "TextureCube<float4> map, SamplerState map_sampler, float face",
                     .arguments = "map, map_sampler, face",
@@ -8659,6 +8670,14 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
     return {};
 }
 
+[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
+    glsl::detail::texture_words words = reads(kind);
+    if (words.gather_red.empty()) return words;
+    words.sampler = ", SamplerState map_sampler";
+    words.sampler_argument = ", map_sampler";
+    return words;
+}
+
 inline constexpr glsl::detail::language language{
     .prelude = "", .texture = texture, .translate = [](const glsl::snippet& s) {
         return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source).print());
@@ -8668,6 +8687,11 @@ inline constexpr glsl::detail::language language{
 
 /// The snippets, or what bind() gives for a map, and all they need, each once and guarded: text to paste into any
 /// shader.
+///
+/// They give the bits of the others languages' through FXC, DXC and glslang: where FXC would lose a NaN, functions are
+/// `precise`. Nothing in HLSL says how large a texture is within an expression: a map that is a region of a texture, and
+/// is gathered from or compared by its sampler, needs the binding's texture_size.
+///
 /// @throws std::invalid_argument   for what HLSL has no word for
 [[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
     return glsl::detail::compose(detail::language, items);
@@ -8710,26 +8734,41 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
                                                   .vectors_of_one_are_cast = false,
                                                   .reserved = reserved};
 
-[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
+[[nodiscard]] constexpr glsl::detail::texture_words reads(glsl::texture kind) {
     using enum glsl::texture;
     switch (kind) {
         case texture_2d:
-            return {.parameters = "metal::texture2d<float> map", .arguments = "map", .texel = "map.read(uint2(at))"};
+            return {.parameters = "metal::texture2d<float> map",
+                    .arguments = "map",
+                    .texel = "map.read(uint2(at))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
+                    .gather_green =
+                        "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)"};
         case depth:
-            return {
-                .parameters = "metal::depth2d<float> map", .arguments = "map", .texel = "float4(map.read(uint2(at)))"};
+            return {.parameters = "metal::depth2d<float> map",
+                    .arguments = "map",
+                    .texel = "float4(map.read(uint2(at)))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case atlas:
             return {.parameters = "metal::texture2d<float> map, float2 origin",
                     .arguments = "map, origin",
-                    .texel = "map.read(uint2(at))"};
+                    .texel = "map.read(uint2(at))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
+                    .gather_green =
+                        "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)"};
         case array:
             return {.parameters = "metal::texture2d_array<float> map, float layer",
                     .arguments = "map, layer",
-                    .texel = "map.read(uint2(at), uint(layer))"};
+                    .texel = "map.read(uint2(at), uint(layer))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))",
+                    .gather_green =
+                        "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), int2(0), "
+                        "metal::component::y)"};
         case depth_array:
             return {.parameters = "metal::depth2d_array<float> map, float layer",
                     .arguments = "map, layer",
-                    .texel = "float4(map.read(uint2(at), uint(layer)))"};
+                    .texel = "float4(map.read(uint2(at), uint(layer)))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))"};
         case cube:
             return {.parameters = "metal::texturecube<float> map, float face",
                     .arguments = "map, face",
@@ -8738,13 +8777,12 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
             return {
                 .parameters = "metal::texture2d<uint> map", .arguments = "map", .texel = "float4(map.read(uint2(at)))"};
         case shadow:
-            return {
-                .parameters = "metal::depth2d<float> map, metal::sampler map_sampler",
-                .arguments = "map, map_sampler",
-                .lit =
-                    "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))",
-                .gather_lit = "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                .size = "float2(map.get_width(), map.get_height())"};
+            return {.parameters = "metal::depth2d<float> map, metal::sampler map_sampler",
+                    .arguments = "map, map_sampler",
+                    .lit =
+                        "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, "
+                        "metal::level(0.0))",
+                    .gather_lit = "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)"};
         case shadow_array:
             return {.parameters = "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer",
                     .arguments = "map, map_sampler, layer",
@@ -8752,10 +8790,18 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
                         "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, "
                         "metal::level(0.0))",
                     .gather_lit =
-                        "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)",
-                    .size = "float2(map.get_width(), map.get_height())"};
+                        "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)"};
     }
     return {};
+}
+
+[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
+    glsl::detail::texture_words words = reads(kind);
+    words.size = "float2(map.get_width(), map.get_height())";
+    if (words.gather_red.empty()) return words;
+    words.sampler = ", metal::sampler map_sampler";
+    words.sampler_argument = ", map_sampler";
+    return words;
 }
 
 inline constexpr glsl::detail::language language{

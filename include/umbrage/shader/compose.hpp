@@ -154,8 +154,9 @@ template <class Replacement>
         return replace_words(expression, [&](std::string_view word, bool) -> std::string {
             if (word.starts_with("umbrage_")) return suffixed(word);
             if (word == "at" && origin.empty()) return "texel";
-            if (word == "UMBRAGE_TEXTURE_SIZE") return texture_size;
-            return std::string(word);
+            if (word != "UMBRAGE_TEXTURE_SIZE") return std::string(word);
+            if (texture_size.empty()) umbrage::detail::fail("umbrage::glsl::bind: this language needs texture_size");
+            return texture_size;
         });
     };
     return replace_words(text, [&](std::string_view word, bool comment) -> std::string {

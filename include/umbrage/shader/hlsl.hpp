@@ -32,27 +32,37 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
                                                   .vectors_of_one_are_cast = true,
                                                   .reserved = reserved};
 
-[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
+[[nodiscard]] constexpr glsl::detail::texture_words reads(glsl::texture kind) {
     using enum glsl::texture;
     switch (kind) {
         case texture_2d:
-            return {.parameters = "Texture2D<float4> map", .arguments = "map", .texel = "map.Load(int3(int2(at), 0))"};
+            return {.parameters = "Texture2D<float4> map",
+                    .arguments = "map",
+                    .texel = "map.Load(int3(int2(at), 0))",
+                    .gather_red = "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
+                    .gather_green = "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case depth:
             return {.parameters = "Texture2D<float> map",
                     .arguments = "map",
-                    .texel = "(float4)map.Load(int3(int2(at), 0))"};
+                    .texel = "(float4)map.Load(int3(int2(at), 0))",
+                    .gather_red = "map.Gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case atlas:
             return {.parameters = "Texture2D<float4> map, float2 origin",
                     .arguments = "map, origin",
-                    .texel = "map.Load(int3(int2(at), 0))"};
+                    .texel = "map.Load(int3(int2(at), 0))",
+                    .gather_red = "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
+                    .gather_green = "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case array:
             return {.parameters = "Texture2DArray<float4> map, float layer",
                     .arguments = "map, layer",
-                    .texel = "map.Load(int4(int2(at), int(layer), 0))"};
+                    .texel = "map.Load(int4(int2(at), int(layer), 0))",
+                    .gather_red = "map.GatherRed(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))",
+                    .gather_green = "map.GatherGreen(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))"};
         case depth_array:
             return {.parameters = "Texture2DArray<float> map, float layer",
                     .arguments = "map, layer",
-                    .texel = "(float4)map.Load(int4(int2(at), int(layer), 0))"};
+                    .texel = "(float4)map.Load(int4(int2(at), int(layer), 0))",
+                    .gather_red = "map.Gather(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))"};
         case cube:
             return {.parameters = "TextureCube<float4> map, SamplerState map_sampler, float face",
                     .arguments = "map, map_sampler, face",
@@ -80,6 +90,14 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
     return {};
 }
 
+[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
+    glsl::detail::texture_words words = reads(kind);
+    if (words.gather_red.empty()) return words;
+    words.sampler = ", SamplerState map_sampler";
+    words.sampler_argument = ", map_sampler";
+    return words;
+}
+
 inline constexpr glsl::detail::language language{
     .prelude = "", .texture = texture, .translate = [](const glsl::snippet& s) {
         return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source).print());
@@ -89,6 +107,11 @@ inline constexpr glsl::detail::language language{
 
 /// The snippets, or what bind() gives for a map, and all they need, each once and guarded: text to paste into any
 /// shader.
+///
+/// They give the bits of the others languages' through FXC, DXC and glslang: where FXC would lose a NaN, functions are
+/// `precise`. Nothing in HLSL says how large a texture is within an expression: a map that is a region of a texture, and
+/// is gathered from or compared by its sampler, needs the binding's texture_size.
+///
 /// @throws std::invalid_argument   for what HLSL has no word for
 [[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
     return glsl::detail::compose(detail::language, items);

@@ -41,26 +41,41 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
                                                   .vectors_of_one_are_cast = false,
                                                   .reserved = reserved};
 
-[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
+[[nodiscard]] constexpr glsl::detail::texture_words reads(glsl::texture kind) {
     using enum glsl::texture;
     switch (kind) {
         case texture_2d:
-            return {.parameters = "metal::texture2d<float> map", .arguments = "map", .texel = "map.read(uint2(at))"};
+            return {.parameters = "metal::texture2d<float> map",
+                    .arguments = "map",
+                    .texel = "map.read(uint2(at))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
+                    .gather_green =
+                        "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)"};
         case depth:
-            return {
-                .parameters = "metal::depth2d<float> map", .arguments = "map", .texel = "float4(map.read(uint2(at)))"};
+            return {.parameters = "metal::depth2d<float> map",
+                    .arguments = "map",
+                    .texel = "float4(map.read(uint2(at)))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case atlas:
             return {.parameters = "metal::texture2d<float> map, float2 origin",
                     .arguments = "map, origin",
-                    .texel = "map.read(uint2(at))"};
+                    .texel = "map.read(uint2(at))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
+                    .gather_green =
+                        "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)"};
         case array:
             return {.parameters = "metal::texture2d_array<float> map, float layer",
                     .arguments = "map, layer",
-                    .texel = "map.read(uint2(at), uint(layer))"};
+                    .texel = "map.read(uint2(at), uint(layer))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))",
+                    .gather_green =
+                        "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), int2(0), "
+                        "metal::component::y)"};
         case depth_array:
             return {.parameters = "metal::depth2d_array<float> map, float layer",
                     .arguments = "map, layer",
-                    .texel = "float4(map.read(uint2(at), uint(layer)))"};
+                    .texel = "float4(map.read(uint2(at), uint(layer)))",
+                    .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))"};
         case cube:
             return {.parameters = "metal::texturecube<float> map, float face",
                     .arguments = "map, face",
@@ -69,13 +84,12 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
             return {
                 .parameters = "metal::texture2d<uint> map", .arguments = "map", .texel = "float4(map.read(uint2(at)))"};
         case shadow:
-            return {
-                .parameters = "metal::depth2d<float> map, metal::sampler map_sampler",
-                .arguments = "map, map_sampler",
-                .lit =
-                    "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))",
-                .gather_lit = "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                .size = "float2(map.get_width(), map.get_height())"};
+            return {.parameters = "metal::depth2d<float> map, metal::sampler map_sampler",
+                    .arguments = "map, map_sampler",
+                    .lit =
+                        "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, "
+                        "metal::level(0.0))",
+                    .gather_lit = "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)"};
         case shadow_array:
             return {.parameters = "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer",
                     .arguments = "map, map_sampler, layer",
@@ -83,10 +97,18 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
                         "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, "
                         "metal::level(0.0))",
                     .gather_lit =
-                        "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)",
-                    .size = "float2(map.get_width(), map.get_height())"};
+                        "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)"};
     }
     return {};
+}
+
+[[nodiscard]] constexpr glsl::detail::texture_words texture(glsl::texture kind) {
+    glsl::detail::texture_words words = reads(kind);
+    words.size = "float2(map.get_width(), map.get_height())";
+    if (words.gather_red.empty()) return words;
+    words.sampler = ", metal::sampler map_sampler";
+    words.sampler_argument = ", map_sampler";
+    return words;
 }
 
 inline constexpr glsl::detail::language language{

@@ -72,9 +72,25 @@ TEST_CASE("hlsl: every snippet") {
     }
 }
 
+TEST_CASE("hlsl: every kind of map, and nothing of it left open") {
+    using enum glsl::texture;
+    for (const auto kind : {texture_2d, atlas, array, cube, integer, depth, depth_array, shadow, shadow_array})
+        for (const bool gather : {false, true}) {
+            if (gather && (kind == cube || kind == integer)) continue;
+            CAPTURE(static_cast<int>(kind));
+            const glsl::binding map{.texture = kind, .gather = gather, .texture_size = "float2(64.0, 64.0)"};
+            const std::string text = hlsl::text({glsl::bind(glsl::pcf_2x2, "a", map)});
+            for (auto at = text.find("UMBRAGE_"); at != text.npos; at = text.find("UMBRAGE_", at + 1))
+                CHECK(text.substr(at, 12) == "UMBRAGE_HAS_");
+            CHECK((text.find("ather") != text.npos) == gather);
+        }
+}
+
 TEST_CASE("hlsl: what it has no word for") {
     constexpr glsl::snippet swirl{.name = "swirl", .source = "\nfloat umbrage_swirl(float v) { return dFdx(v); }\n"};
     CHECK_THROWS_WITH_AS((void)hlsl::text({swirl}), "umbrage::hlsl::text: no word for dFdx", std::invalid_argument);
     constexpr glsl::snippet point{.name = "point", .source = "\nfloat umbrage_point(float point) { return point; }\n"};
     CHECK_THROWS_AS((void)hlsl::text({point}), std::invalid_argument);
+    const glsl::binding tile{.texture = glsl::texture::shadow, .origin = "float2(64.0, 0.0)"};
+    CHECK_THROWS_AS((void)hlsl::text({glsl::bind(glsl::hard, "tile", tile)}), std::invalid_argument);  // how large?
 }

@@ -59,6 +59,20 @@ TEST_CASE("msl: every snippet") {
     }
 }
 
+TEST_CASE("msl: every kind of map, and nothing of it left open") {
+    using enum glsl::texture;
+    for (const auto kind : {texture_2d, atlas, array, cube, integer, depth, depth_array, shadow, shadow_array})
+        for (const bool gather : {false, true}) {
+            if (gather && (kind == cube || kind == integer)) continue;
+            CAPTURE(static_cast<int>(kind));
+            const glsl::binding map{.texture = kind, .gather = gather, .texture_size = "float2(64.0, 64.0)"};
+            const std::string text = msl::text({glsl::bind(glsl::pcf_2x2, "a", map)});
+            for (auto at = text.find("UMBRAGE_"); at != text.npos; at = text.find("UMBRAGE_", at + 1))
+                CHECK(text.substr(at, 12) == "UMBRAGE_HAS_");
+            CHECK((text.find("ather") != text.npos) == gather);
+        }
+}
+
 TEST_CASE("msl: what it has no word for") {
     constexpr glsl::snippet swirl{.name = "swirl", .source = "\nfloat umbrage_swirl(float v) { return dFdx(v); }\n"};
     CHECK_THROWS_WITH_AS((void)msl::text({swirl}), "umbrage::msl::text: no word for dFdx", std::invalid_argument);
