@@ -2,19 +2,24 @@
 //
 //     bench bench.json
 //     bench --filter 'PCF 5x5|Embree' bench.json
+//     bench --isa avx2 bench.json   ours as on a machine without AVX-512; the others as they are
 #include "bench.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <deque>
 #include <exception>
+#include <map>
 #include <regex>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+
+#include <umbrage/simd/dispatch.hpp>
 
 #include "measure.hpp"
 #include "report.hpp"
@@ -107,7 +112,13 @@ int main(int argc, char** argv) try {
     app.add_option("--spread", within.spread, "repeat until the ratio's spread is below");
     app.add_option("--at-least", within.at_least, "seconds a row");
     app.add_option("--at-most", within.at_most, "seconds a row, settled or not");
+    using umbrage::detail::isa;
+    isa& set = umbrage::detail::isa_in_use;
+    const std::map<std::string, isa> sets{{"base", isa::base}, {"avx2", isa::avx2}, {"avx512", isa::avx512}};
+    app.add_option("--isa", set, "the best instruction set that ours may use")
+        ->transform(CLI::CheckedTransformer(sets));
     CLI11_PARSE(app, argc, argv);
+    set = std::min(set, umbrage::detail::best_isa());
     filter = pattern;
 
     for (const auto& make : registrations()) make();
