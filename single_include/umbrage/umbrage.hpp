@@ -4110,6 +4110,11 @@ namespace umbrage::detail {
     return -std::int32_t((detail::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000);
 }
 
+/// Mask of the floats that are neither NaN nor infinite.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t finite_mask(float v) {
+    return -std::int32_t((detail::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) < 0x7F800000);
+}
+
 /// inside_texel_space as a mask.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t texel_space_mask(float x, float y) {
     constexpr auto limit = detail::bit_cast<std::int32_t>(32768.0f);
@@ -4324,6 +4329,9 @@ struct plain_lanes {
 };
 
 #if defined(__GNUC__) || defined(__clang__)
+/// Whether the compiler has vectors of its own, with all operators of the language.
+inline constexpr bool has_lanes = true;
+
 template <class T, int Count>
 struct compiler_lanes {
     typedef T type __attribute__((vector_size(Count * sizeof(T))));
@@ -4331,6 +4339,7 @@ struct compiler_lanes {
 template <class T, int Count>
 using lanes_of = typename compiler_lanes<T, Count>::type;
 #else
+inline constexpr bool has_lanes = false;
 template <class T, int Count>
 using lanes_of = plain_lanes<T, Count>;
 #endif
@@ -4378,6 +4387,23 @@ UMBRAGE_INLINE inline void shuffle(const Lanes& a, const Lanes& b, Lanes& result
 #endif
 }
 
+/// 0, 1, 2 ...
+template <class T, int Count>
+UMBRAGE_INLINE inline void count_lanes(lanes_of<T, Count>& v) {
+    [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE { v = lanes_of<T, Count>{T(I)...}; }
+    (std::make_integer_sequence<int, Count>{});
+}
+
+/// The lanes of `low`, then those of `high`, each converted to half as many bits.
+template <class T, int Count, class Half>
+UMBRAGE_INLINE inline void narrow_lanes(const Half& low, const Half& high, lanes_of<T, Count>& v) {
+    using half = lanes_of<T, Count / 2>;
+    [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
+        v = __builtin_shufflevector(__builtin_convertvector(low, half), __builtin_convertvector(high, half), I...);
+    }
+    (std::make_integer_sequence<int, Count>{});
+}
+
 template <int Count, bool Forward>
 UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count>& stored,
                                      lanes_of<std::int32_t, Count>& lit) {
@@ -4385,6 +4411,23 @@ UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count
     else lit = receiver >= stored;
     if constexpr (finite_math_only)
         lit &= (reinterpret_cast<lanes_of<std::int32_t, Count>>(stored) & 0x7FFFFFFF) <= 0x7F800000;
+}
+
+/// The nearer depth of each lane, but what is there where it is a NaN, or where `outside` is negative.
+/// @param depth   no NaN, not 0
+template <bool Forward, int Count>
+UMBRAGE_INLINE inline void take_nearer(const lanes_of<float, Count>& depth,
+                                       const lanes_of<std::int32_t, Count>& outside, lanes_of<float, Count>& there) {
+    using ints = lanes_of<std::int32_t, Count>;
+    const ints bits = reinterpret_cast<ints>(depth), mask = outside >> 31;
+    if constexpr (finite_math_only) {
+        const ints old = reinterpret_cast<ints>(there);
+        const ints kept = mask | ((old & 0x7FFFFFFF) > 0x7F800000) | (Forward ? depth > there : depth < there);
+        there = reinterpret_cast<lanes_of<float, Count>>((bits & ~kept) | (old & kept));
+    } else {
+        const auto seen = reinterpret_cast<lanes_of<float, Count>>(bits | mask);  // or a NaN, which is not nearer
+        there = (Forward ? seen < there : seen > there) ? seen : there;
+    }
 }
 
 template <int Count>
@@ -6125,7 +6168,8 @@ struct snapped_vertex {
 /// Products of two floats are exact in double, so contraction to FMA changes no bit here.
 class projection {
 public:
-    static constexpr int planes = 6;  ///< w > 0, the near plane, four sides of the guard band
+    static constexpr int planes = 6;                   ///< w > 0, the near plane, four sides of the guard band
+    static constexpr unsigned nowhere = 1u << planes;  ///< stands for a position that is not finite
 
     /// @param world_to_clip  projection * view; its elements must be finite
     /// @throws std::invalid_argument  a side of `size` is negative or above guard_band
@@ -6192,10 +6236,10 @@ public:
         return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
     }
 
-    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes become
-    /// `outside_vertex`.
+    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes, and those that are
+    /// not finite, become `outside_vertex`.
     /// @exactness  the bits of one by one
-    void snap(const glm::vec3 (&positions)[block], snapped_vertex (&vertices)[block]) const {
+    void snap(const glm::vec3 (&positions)[block], snapped_vertex* vertices) const {
         using bits = std::int64_t;
         constexpr bits minus_zero = std::numeric_limits<bits>::min();
         const bool forward = clip_.direction == depth_direction::forward;
@@ -6207,7 +6251,12 @@ public:
             alignas(64) float x[block], y[block], z[block];
             alignas(64) double column[block], row[block], depth[block];
             alignas(64) bits outside[block];
+            alignas(64) std::int32_t finite[block];  // masks
             for (int i = 0; i < block; ++i) x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
+            for (int i = 0; i < block; ++i) {
+                finite[i] = finite_mask(x[i]) & finite_mask(y[i]) & finite_mask(z[i]);
+                x[i] = masked(x[i], finite[i]), y[i] = masked(y[i], finite[i]), z[i] = masked(z[i], finite[i]);
+            }
             const glm::dmat4 m = matrix_;
             const glm::dvec2 half_size = half_size_;
             for (int i = 0; i < block; ++i) {
@@ -6222,7 +6271,8 @@ public:
                     return bits((d < 0) & (d != minus_zero)) << plane;
                 };
                 outside[i] = bit(w - smallest_w, 0) | bit(near_z * hz + near_w * w, 1) | bit(band + hx, 2) |
-                             bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5);
+                             bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5) |
+                             (~bits(finite[i]) & bits(nowhere));
                 const bits inside = -bits(outside[i] == 0);
                 column[i] = bit_cast<double>(bit_cast<bits>(hx / w * subtexels + 0.5) & inside);
                 row[i] = bit_cast<double>(bit_cast<bits>(hy / w * subtexels + 0.5) & inside);
@@ -6325,6 +6375,423 @@ private:
 }  // namespace umbrage
 UMBRAGE_END_STRICT_MATH
 
+// ---- umbrage/simd/raster/triangles.hpp
+// Triangles on the vertex grid, 64 at a time: which way round, edges and depth planes in loops that vectorise.
+//
+//     triangles batch;
+//     batch.add(p, q, r, id);  // and more, until it is full()
+//     batch.set_up({{0, 0}, size}, cull_mode::none);
+//     for (int i = 0; i < batch.count; ++i)
+//         batch.for_each_row(i, [&](int y, int first, int last) { ... });
+//
+// A sample is inside an edge from a to b where E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0, or > 0 where the
+// edge is neither a top nor a left one, which is E - 1 >= 0. From texel to texel E grows by multiples of 256, so that
+// the sign is that of floor(E / 256), or of floor((E - 1) / 256): 32 bits for triangles up to 2048 texels.
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// Texels first <= t < last; y counts from the bottom.
+struct texel_bounds {
+    glm::ivec2 first, last;
+};
+
+/// Depth over a triangle, exact on its grid: z + dx * x + dy * y for texels x, y counted from `first`.
+struct depth_plane {
+    glm::ivec2 first;        ///< a texel within the triangle's bounds
+    double z, dx, dy;        ///< multiples of one power of two, so that no sum of theirs within the bounds is rounded
+    double lowest, highest;  ///< of the vertices; samples never leave it
+
+    [[nodiscard]] UMBRAGE_INLINE double operator()(int x, int y) const {
+        const double depth = z + dx * (x - first.x) + dy * (y - first.y);
+        return depth > lowest ? (depth < highest ? depth : highest) : lowest;
+    }
+};
+
+/// Up to 64 triangles, each coordinate an array of its own.
+class triangles {
+public:
+    int count = 0;
+    alignas(64) unsigned id[block];
+    // After set_up():
+    alignas(64) std::int32_t first_x[block], first_y[block], columns[block];  ///< texels that may be covered
+    alignas(64) std::int32_t rows[block];                                     ///< 0: none is
+    alignas(64) std::int32_t right[3][block], up[3][block];  ///< steps of edges / 256 from texel to texel
+    alignas(64) std::int32_t edge[3][block];                 ///< edges / 256 at the first texel, if is_small
+    alignas(64) float per_row[3][block];                     ///< -1 / up, anything where that is 0
+
+    triangles() {  // every lane is set up, used or not
+        for (int i = 0; i < block; ++i) {
+            id[i] = 0;
+            for (int k = 0; k < 3; ++k) x_[k][i] = y_[k][i] = 0, z_[k][i] = 0.0;
+        }
+    }
+
+    /// Rows first <= y < second whose centres are above the lowest corner, the highest included: a bottom edge and
+    /// a corner cover no centre that they meet.
+    [[nodiscard]] static UMBRAGE_INLINE glm::ivec2 rows_between(std::int32_t lowest, std::int32_t highest) {
+        return {(lowest + subtexels - centre) >> 8, ((highest - centre) >> 8) + 1};
+    }
+
+    [[nodiscard]] bool full() const { return count == block; }
+
+    /// There must be room.
+    UMBRAGE_INLINE void add(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c,
+                            unsigned triangle) {
+        const snapped_vertex* const corners[] = {&a, &b, &c};
+        for (int k = 0; k < 3; ++k)
+            x_[k][count] = corners[k]->x, y_[k][count] = corners[k]->y, z_[k][count] = corners[k]->depth;
+        id[count++] = triangle;
+    }
+
+    /// All triangles; those that face away, have no area or no texel within `bounds` get no rows.
+    ///
+    /// @exactness  edges A: integers. Planes B: the same bits with and without FMA. With n the bounds' larger side in
+    ///             1/256 texel and m the sum of the depth's and the two slopes' magnitudes over the bounds, a sample is
+    ///             within 2^-48 n m of the plane through the snapped vertices
+    void set_up(const texel_bounds& bounds, cull_mode cull) {
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            set_up_bounds(bounds);
+            set_up_areas(cull);
+            set_up_planes();
+            for (int k = 0; k < 3; ++k) set_up_edge(k);
+        });
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE depth_plane plane(int i) const {
+        const double a = z_[0][i], b = z_[1][i], c = z_[2][i];
+        const double low = a < b ? a : b, high = a < b ? b : a;
+        return {{first_x[i], first_y[i]}, depth_[i], dx_[i], dy_[i], low < c ? low : c, high < c ? c : high};
+    }
+
+    /// Whether 32 bits hold the edges over the triangle's bounds, and some texels beyond.
+    [[nodiscard]] UMBRAGE_INLINE bool is_small(int i) const { return side_[i] < 2048 * subtexels; }
+
+    /// An edge / 256 at a texel; inside where that is not negative.
+    [[nodiscard]] UMBRAGE_INLINE std::int64_t edge_at(int k, int i, int x, int y) const {
+        const std::int64_t step_x = right[k][i], step_y = up[k][i];
+        const std::int64_t e =
+            step_y * (y * subtexels + centre - y_[k][i]) + step_x * (x * subtexels + centre - x_[k][i]);
+        return (e - is_open(step_x, step_y)) >> 8;
+    }
+
+    /// @param row   (int y, int first, int last): texels first <= x < last of row y are covered; there is at least one
+    template <class Row>
+    UMBRAGE_INLINE void for_each_row(int i, const Row& row) const {
+        // Of an edge's value its sign: from texel `at` on, the first of the row where it is not negative, the
+        // triangle begins or has ended. From row to row it moves as far as the edge does, so that no row is searched.
+        struct side {
+            bool begins;
+            std::int64_t value, step, step_up;
+            int at = 0;
+        } sides[3];
+        for (int k = 0; k < 3; ++k) {
+            const std::int64_t value = edge_at(k, i, first_x[i], first_y[i]), r = right[k][i], u = up[k][i];
+            if (r > 0) sides[k] = {true, value, r, u};
+            else sides[k] = {false, -1 - value, -r, -u};
+        }
+        const int width = columns[i];
+        for (int y = 0; y < rows[i]; ++y) {
+            int first = 0, last = width;
+            for (side& s : sides) {
+                for (; s.at > 0 && s.value >= s.step; s.value -= s.step) --s.at;
+                for (; s.at < width && s.value < 0; s.value += s.step) ++s.at;
+                if (s.begins) first = std::max(first, s.at);
+                else last = std::min(last, s.at);
+                s.value += s.step_up;
+            }
+            if (first < last) row(first_y[i] + y, first_x[i] + first, first_x[i] + last);
+        }
+    }
+
+private:
+    using bits = std::int64_t;
+    static constexpr int centre = subtexels / 2;
+
+    /// Right edges, and bottom ones.
+    template <class Int>
+    [[nodiscard]] static UMBRAGE_INLINE Int is_open(Int right_step, Int up_step) {
+        return Int(right_step < 0) | (Int(right_step == 0) & Int(up_step > 0));
+    }
+
+    /// The smallest vertex first, so that results do not depend on the order in the mesh; texels within the bounds.
+    UMBRAGE_INLINE void set_up_bounds(const texel_bounds& bounds) {
+        const int min_x = bounds.first.x, min_y = bounds.first.y, max_x = bounds.last.x - 1, max_y = bounds.last.y - 1;
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t ax = x_[0][i], bx = x_[1][i], cx = x_[2][i], ay = y_[0][i], by = y_[1][i], cy = y_[2][i];
+            const std::int32_t b_first = -std::int32_t((bx < ax) | ((bx == ax) & (by < ay)));
+            const std::int32_t x = b_first ? bx : ax, y = b_first ? by : ay;
+            const std::int32_t c_first = -std::int32_t((cx < x) | ((cx == x) & (cy < y)));
+            const auto pick = [=](std::int32_t p, std::int32_t q, std::int32_t r) UMBRAGE_INLINE {
+                const std::int32_t of_two = b_first ? q : p;
+                return c_first ? r : of_two;
+            };
+            second_is_first_[i] = b_first & ~c_first;
+            third_is_first_[i] = c_first;
+            x_[0][i] = pick(ax, bx, cx), x_[1][i] = pick(bx, cx, ax), x_[2][i] = pick(cx, ax, bx);
+            y_[0][i] = pick(ay, by, cy), y_[1][i] = pick(by, cy, ay), y_[2][i] = pick(cy, ay, by);
+
+            const std::int32_t left = std::min(std::min(ax, bx), cx), end = std::max(std::max(ax, bx), cx);
+            const std::int32_t bottom = std::min(std::min(ay, by), cy), top = std::max(std::max(ay, by), cy);
+            width_[i] = end - left, height_[i] = top - bottom;
+            side_[i] = std::max(end - left, top - bottom);
+            const std::int32_t from_x = std::max((left + subtexels - 1 - centre) >> 8, min_x);
+            const std::int32_t from_y = std::max((bottom + subtexels - centre) >> 8, min_y);
+            const std::int32_t to_x = std::min((end - centre) >> 8, max_x), to_y = std::min((top - centre) >> 8, max_y);
+            first_x[i] = from_x, first_y[i] = from_y;
+            columns[i] = to_x - from_x + 1;
+            rows[i] = (to_y - from_y + 1) & -std::int32_t((to_x >= from_x) & (to_y >= from_y));
+        }
+        for (int i = 0; i < block; ++i) {
+            const bits second = second_is_first_[i], third = third_is_first_[i];
+            const bits a = bit_cast<bits>(z_[0][i]), b = bit_cast<bits>(z_[1][i]), c = bit_cast<bits>(z_[2][i]);
+            const auto pick = [=](bits p, bits q, bits r) UMBRAGE_INLINE {
+                return bit_cast<double>((p & ~(second | third)) | (q & second) | (r & third));
+            };
+            z_[0][i] = pick(a, b, c), z_[1][i] = pick(b, c, a), z_[2][i] = pick(c, a, b);
+        }
+    }
+
+    UMBRAGE_INLINE void set_up_areas(cull_mode cull) {
+        const bits keep_front = -bits(cull != cull_mode::front), keep_back = -bits(cull != cull_mode::back);
+        for (int i = 0; i < block; ++i) {
+            const double x1 = x_[1][i] - x_[0][i], y1 = y_[1][i] - y_[0][i];
+            const double x2 = x_[2][i] - x_[0][i], y2 = y_[2][i] - y_[0][i];
+            area_[i] = x1 * y2 - x2 * y1;
+        }
+        for (int i = 0; i < block; ++i) {
+            const bits area = bit_cast<bits>(area_[i]), clockwise = -bits(area < 0);
+            const bits kept = -bits(area != 0) & ((keep_back & clockwise) | (keep_front & ~clockwise));
+            clockwise_[i] = static_cast<std::int32_t>(clockwise);
+            rows[i] &= static_cast<std::int32_t>(kept);
+        }
+    }
+
+    UMBRAGE_INLINE void set_up_edge(int k) {
+        const auto &ax = x_[k], &ay = y_[k], &bx = x_[k == 2 ? 0 : k + 1], &by = y_[k == 2 ? 0 : k + 1];
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t turn = clockwise_[i];  // the other way round all signs change
+            const std::int32_t step_x = ((ay[i] - by[i]) ^ turn) - turn, step_y = ((bx[i] - ax[i]) ^ turn) - turn;
+            right[k][i] = step_x, up[k][i] = step_y;
+            per_row[k][i] = -1.0f / static_cast<float>(step_y | std::int32_t(step_y == 0));
+            const double e = double(step_y) * (first_y[i] * subtexels + centre - ay[i]) +
+                             double(step_x) * (first_x[i] * subtexels + centre - ax[i]) - is_open(step_x, step_y);
+            // As an integer, of which the lower 51 bits are kept, without its last 8.
+            edge[k][i] = static_cast<std::int32_t>(bit_cast<std::uint64_t>(e + 0x1.8p52) >> 8);
+        }
+    }
+
+    UMBRAGE_INLINE void set_up_planes() {
+        constexpr bits exponent = 0x7FF0000000000000, magnitude = 0x7FFFFFFFFFFFFFFF, short_digits = ~bits(0x3FFFFFF);
+        constexpr bits tiny = bit_cast<bits>(0x1p-200);
+        const auto power_of_two = [](double a, double b, double c) UMBRAGE_INLINE {  // the largest's, rounded down
+            const bits p = bit_cast<bits>(a) & exponent, q = bit_cast<bits>(b) & exponent;
+            const bits r = bit_cast<bits>(c) & exponent;
+            const bits largest = p < q ? q : p, other = r < tiny ? tiny : r;
+            return bit_cast<double>(largest < other ? other : largest);
+        };
+        const auto one_over = [](double power) UMBRAGE_INLINE {
+            return bit_cast<double>((bits(2046) << 52) - bit_cast<bits>(power));
+        };
+        const auto truncate = [](double v) UMBRAGE_INLINE {  // |v| < 2^52; GCC has no vectors of trunc() for AVX2
+            const double size = masked(v, magnitude), near = (size + 0x1p52) - 0x1p52;
+            const double whole = near - masked(1.0, -bits(near > size));
+            return bit_cast<double>(bit_cast<bits>(whole) | (bit_cast<bits>(v) & ~magnitude));
+        };
+        for (int i = 0; i < block; ++i) {
+            const double x1 = x_[1][i] - x_[0][i], y1 = y_[1][i] - y_[0][i];
+            const double x2 = x_[2][i] - x_[0][i], y2 = y_[2][i] - y_[0][i];
+            const double per_area = 1.0 / area_[i];
+
+            // Depths with so few digits that the products with x1 .. y2 and their differences need no rounding.
+            double unit = power_of_two(z_[0][i], z_[1][i], z_[2][i]) * masked(double(side_[i]), exponent) * 0x1p-49;
+            double units = one_over(unit);
+            const double z0 = truncate(z_[0][i] * units) * unit;
+            const double z1 = truncate(z_[1][i] * units) * unit;
+            const double z2 = truncate(z_[2][i] * units) * unit;
+            const double slope_x = ((z1 - z0) * y2 + (z2 - z0) * -y1) * per_area;
+            const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) * per_area;
+
+            // Slopes with so few digits that the same holds for every sample; here for the products.
+            const double reach = masked(z0, magnitude) + masked(slope_x, magnitude & short_digits) * double(width_[i]) +
+                                 masked(slope_y, magnitude & short_digits) * double(height_[i]);
+            unit = power_of_two(reach, 0.0, 0.0) * 0x1p-51;
+            units = one_over(unit);
+            const double dx = truncate(slope_x * units) * unit;
+            const double dy = truncate(slope_y * units) * unit;
+            depth_[i] = truncate(z0 * units) * unit + dx * (first_x[i] * subtexels + centre - x_[0][i]) +
+                        dy * (first_y[i] * subtexels + centre - y_[0][i]);
+            dx_[i] = dx * subtexels;
+            dy_[i] = dy * subtexels;
+            z_[0][i] = z0, z_[1][i] = z1, z_[2][i] = z2;
+        }
+    }
+
+    alignas(64) std::int32_t x_[3][block], y_[3][block];
+    alignas(64) double z_[3][block];
+    alignas(64) std::int32_t second_is_first_[block], third_is_first_[block], clockwise_[block];  // masks
+    alignas(64) std::int32_t width_[block], height_[block], side_[block];  // in 1/256 texel; the larger of both
+    alignas(64) double area_[block], depth_[block], dx_[block], dy_[block];
+};
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/simd/raster/depth_writer.hpp
+// Triangles into a depth image: the nearer of what is there and the plane's depth, in columns of some texels' width.
+//
+//     draw<true>(depth, flipped, batch);
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// @tparam Lanes  texels side by side, two registers of doubles
+template <bool Forward, int Lanes>
+class depth_writer {
+public:
+    UMBRAGE_INLINE depth_writer(image_view<float> depth, bool flipped)
+        : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
+          up_(flipped ? -depth.stride : depth.stride),
+          width_(depth.size.x),
+          skew_(static_cast<int>(reinterpret_cast<std::uintptr_t>(bottom_) / sizeof(float) % Lanes)) {}
+
+    /// Prefetches the texels of a triangle: their latency is about the time that it takes to draw another small one.
+    UMBRAGE_INLINE void expect(const triangles& batch, int i) const {
+        const int last = batch.first_y[i] + std::min(batch.rows[i], 16);
+        for (int y = batch.first_y[i]; y < last; ++y) prefetch_line(row(y) + batch.first_x[i]);
+    }
+
+    UMBRAGE_INLINE void draw(const triangles& batch, int i) const {
+        if (batch.rows[i] == 0) return;
+        const depth_plane plane = batch.plane(i);
+        if (Forward ? plane.lowest > 1.0 : plane.highest < 0.0) return;
+        if constexpr (has_lanes)  // depths of one sign, and none that is flushed: their bits are in their order
+            if (width_ >= Lanes && plane.lowest >= 0x1p-126 && plane.highest <= 1.0)
+                return draw_columns(batch, i, plane);
+        draw_rows(batch, i, plane);
+    }
+
+private:
+    using ints = lanes_of<std::int32_t, Lanes>;
+    using floats = lanes_of<float, Lanes>;
+    using doubles = lanes_of<double, Lanes / 2>;
+
+    static constexpr int tile_columns = 64, tile_rows = 32, few_rows = 16;
+
+    /// Texel by texel.
+    void draw_rows(const triangles& batch, int i, const depth_plane& plane) const {
+        batch.for_each_row(i, [&](int y, int first, int last) {
+            float* const texels = row(y);
+            for (int x = first; x < last; ++x) {
+                const double z = plane(x, y);
+                if (!(z >= 0.0 && z <= 1.0)) continue;
+                const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
+                if (!is_nan(texels[x]) && (Forward ? stored <= texels[x] : stored >= texels[x])) texels[x] = stored;
+            }
+        });
+    }
+
+    /// Column by column, in rows of a block each; the depths are within (0, 1] and normal numbers.
+    UMBRAGE_INLINE void draw_columns(const triangles& batch, int i, const depth_plane& plane) const {
+        // Columns begin where blocks do in memory: what two triangles share is then whole blocks, which the processor
+        // hands from a store to the next load.
+        const int first_x = batch.first_x[i], first_y = batch.first_y[i], rows = batch.rows[i];
+        const int from = ((first_x + skew_) & -Lanes) - skew_, end = first_x + batch.columns[i];
+        const std::int32_t right[] = {batch.right[0][i], batch.right[1][i], batch.right[2][i]};
+        const std::int32_t up[] = {batch.up[0][i], batch.up[1][i], batch.up[2][i]};
+        const ints lowest = bit_cast<std::int32_t>(static_cast<float>(plane.lowest)) + ints{};
+        const ints highest = bit_cast<std::int32_t>(static_cast<float>(plane.highest)) + ints{};
+        ints ramp;
+        count_lanes<std::int32_t, Lanes>(ramp);
+        doubles ramp_low;
+        count_lanes<double, Lanes / 2>(ramp_low);
+
+        // Texels x .. x_end - 1 of `height` rows; e: the edges at x and y.
+        const double dx = plane.dx, dy = plane.dy, corner = plane.z;
+        const std::int32_t up0 = up[0], up1 = up[1], up2 = up[2];
+        const std::ptrdiff_t stride = up_;
+        const auto draw_tile = [&](int x, int y, int x_end, int height, const std::int32_t(&e)[3]) UMBRAGE_INLINE {
+            ints e0 = right[0] * ramp + e[0], e1 = right[1] * ramp + e[1], e2 = right[2] * ramp + e[2];
+            for (; x < x_end; x += Lanes, e0 += right[0] * Lanes, e1 += right[1] * Lanes, e2 += right[2] * Lanes) {
+                int first = 0, last = height;
+                if (height > few_rows) {
+                    // Rows in which a texel of the column can be inside all edges, or one more on either side.
+                    float low = 0.0f, high = static_cast<float>(height);
+                    const std::int32_t start[] = {e0[0], e1[0], e2[0]};
+                    for (int k = 0; k < 3; ++k) {
+                        const std::int32_t best = start[k] + std::max(0, right[k] * (Lanes - 1));
+                        const float crossed = static_cast<float>(best) * batch.per_row[k][i];
+                        low = up[k] > 0 && crossed > low ? crossed : low;
+                        high = up[k] < 0 && crossed < high ? crossed : high;
+                    }
+                    first = static_cast<int>(low + 0.99f), last = std::min(static_cast<int>(high + 1.01f), height);
+                }
+                // At the image's borders other texels, as many, which get the same bits again.
+                const int within = std::min(std::max(x, 0), width_ - Lanes), moved = within - x;
+                ints f0 = e0, f1 = e1, f2 = e2;
+                const double z = corner + dy * (y + first - first_y);
+                if ((moved | first) != 0) {
+                    f0 += right[0] * moved + up[0] * first;
+                    f1 += right[1] * moved + up[1] * first;
+                    f2 += right[2] * moved + up[2] * first;
+                }
+                doubles z_low = z + dx * (ramp_low + double(within - first_x));
+                doubles z_high = z + dx * (ramp_low + double(within - first_x + Lanes / 2));
+                std::byte* at = reinterpret_cast<std::byte*>(row(y + first) + within);
+                for (int rest = last - first; rest > 0; --rest, at += stride) {
+                    floats rounded, there;
+                    narrow_lanes<float, Lanes>(z_low, z_high, rounded);
+                    ints here = reinterpret_cast<ints>(rounded);
+                    here = here < lowest ? lowest : here;
+                    here = here > highest ? highest : here;
+                    load_lanes(at, there);
+                    take_nearer<Forward, Lanes>(reinterpret_cast<floats>(here), f0 | f1 | f2, there);
+                    store_lanes(there, at);
+                    f0 += up0, f1 += up1, f2 += up2;
+                    z_low += dy, z_high += dy;
+                }
+            }
+        };
+        std::int32_t e[3];
+        if (batch.is_small(i)) {
+            for (int k = 0; k < 3; ++k) e[k] = batch.edge[k][i] + right[k] * (from - first_x);
+            return draw_tile(from, first_y, end, rows, e);
+        }
+        for (int y = first_y; y < first_y + rows; y += tile_rows)
+            for (int x = from; x < end; x += tile_columns) {
+                for (int k = 0; k < 3; ++k) {  // as near to 0 as a tile's steps leave the sign
+                    constexpr std::int64_t limit = 1 << 30;
+                    e[k] = static_cast<std::int32_t>(std::clamp(batch.edge_at(k, i, x, y), -limit, limit));
+                }
+                draw_tile(x, y, std::min(x + tile_columns, end), std::min(first_y + rows - y, tile_rows), e);
+            }
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const { return reinterpret_cast<float*>(bottom_ + y * up_); }
+
+    std::byte* bottom_;
+    std::ptrdiff_t up_;
+    int width_, skew_;
+};
+
+template <bool Forward>
+void draw(image_view<float> depth, bool flipped, const triangles& batch) {
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        constexpr isa in_use = decltype(set)::value;
+        constexpr int lanes = in_use == isa::base ? 4 : in_use == isa::avx2 ? 8 : 16;
+        const depth_writer<Forward, lanes> writer(depth, flipped);
+        for (int i = 0; i < batch.count; ++i) {
+            if (i + 1 < batch.count) writer.expect(batch, i + 1);
+            writer.draw(batch, i);
+        }
+    });
+}
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
 // ---- umbrage/simd/raster/clip.hpp
 // The part of a triangle that can be drawn: in front of the near plane, within the guard band.
 //
@@ -6374,263 +6841,14 @@ struct clipped_polygon {
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
-// ---- umbrage/simd/raster/triangle_batch.hpp
-// Triangles on the vertex grid, 64 at a time: edges and depth planes set up in loops that vectorise, then spans row by
-// row without a division.
+// ---- umbrage/simd/raster/snapped_mesh.hpp
+// A mesh on the grid of an image, some ten thousand triangles at a time: their vertices projected and snapped, they
+// themselves clipped and handed out in batches, in the mesh's order or band by band of the image's rows.
 //
-//     triangle_batch batch;
-//     batch.add(p, q, r, id, {{0, 0}, size}, cull_mode::none);  // and more, until it is full()
-//     batch.set_up();
-//     for (int i = 0; i < batch.count; ++i)
-//         batch.for_each_row(i, [&](int y, int first, int last) { ... });
-//
-// A sample is inside an edge from a to b where E = (b.x - a.x)(y - a.y) - (b.y - a.y)(x - a.x) >= 0, or > 0 where the
-// edge is neither a top nor a left one. In a row the last such sample is a quotient of integers; from row to row the
-// quotient and its remainder grow by constants, so that it stays exact.
-
-UMBRAGE_STRICT_MATH
-namespace umbrage::detail {
-
-/// Depth over a triangle, exact on its grid: z + dx * x + dy * y for texels x, y counted from `first`.
-struct depth_plane {
-    glm::ivec2 first;        ///< a texel within the triangle's bounds
-    double z, dx, dy;        ///< multiples of one power of two, so that no sum of theirs within the bounds is rounded
-    double lowest, highest;  ///< of the vertices; samples never leave it
-
-    [[nodiscard]] UMBRAGE_INLINE double unclamped(int x, int y) const {
-        return z + dx * (x - first.x) + dy * (y - first.y);
-    }
-    [[nodiscard]] UMBRAGE_INLINE double operator()(int x, int y) const {
-        const double depth = unclamped(x, y);
-        return depth > lowest ? (depth < highest ? depth : highest) : lowest;
-    }
-};
-
-/// Texels first <= t < last; y counts from the bottom.
-struct texel_bounds {
-    glm::ivec2 first, last;
-};
-
-/// A whole number to an integer, anything else to one of its neighbours; |v| < 2^51. AVX2 has no conversion.
-[[nodiscard]] UMBRAGE_INLINE inline std::int64_t to_integer(double v) {
-    constexpr double magic = 0x1.8p52;
-    return bit_cast<std::int64_t>(v + magic) - bit_cast<std::int64_t>(magic);
-}
-
-/// Towards zero; |v| < 2^63.
-template <isa Set>
-[[nodiscard]] UMBRAGE_INLINE inline double truncate(double v) {
-    if constexpr (Set == isa::avx2) return std::trunc(v);
-    else return static_cast<double>(static_cast<std::int64_t>(v));
-}
-
-/// Up to 64 triangles, each coordinate an array of its own.
-class triangle_batch {
-public:
-    int count = 0;
-    alignas(64) unsigned id[block];
-
-    triangle_batch() {  // every lane is set up, used or not
-        for (int i = 0; i < block; ++i) {
-            id[i] = 0;
-            first_[0][i] = first_[1][i] = last_[0][i] = last_[1][i] = 0;
-            for (auto& depth : z_) depth[i] = 0.0;
-            for (int k = 0; k < 3; ++k) x_[k][i] = k == 1, y_[k][i] = k == 2;
-        }
-    }
-
-    /// Rows first <= y < second whose centres are above the lowest corner, the highest included: a bottom edge and
-    /// a corner cover no centre that they meet.
-    [[nodiscard]] static UMBRAGE_INLINE std::pair<int, int> rows(std::int32_t lowest, std::int32_t highest) {
-        return {(lowest + subtexels - centre) >> 8, ((highest - centre) >> 8) + 1};
-    }
-
-    [[nodiscard]] bool full() const { return count == block; }
-
-    /// Takes a triangle unless it faces away, has no area or no sample in its bounds can be within `bounds`.
-    /// There must be room.
-    UMBRAGE_INLINE void add(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c,
-                            unsigned triangle, const texel_bounds& bounds, cull_mode cull) {
-        const auto [lowest, highest] = rows(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}));
-        const int first_y = std::max(lowest, bounds.first.y), last_y = std::min(highest, bounds.last.y) - 1;
-        const int left = std::min({a.x, b.x, c.x}) + subtexels - 1 - centre, right = std::max({a.x, b.x, c.x}) - centre;
-        const int first_x = std::max(left >> 8, bounds.first.x), last_x = std::min(right >> 8, bounds.last.x - 1);
-        if (first_x > last_x || first_y > last_y) return;
-
-        const std::int64_t area = std::int64_t(b.x - a.x) * (c.y - a.y) - std::int64_t(c.x - a.x) * (b.y - a.y);
-        if (area == 0 || cull == (area > 0 ? cull_mode::front : cull_mode::back)) return;
-
-        // Counter-clockwise, the smallest vertex first, whatever the order in the mesh was.
-        const snapped_vertex* const around[] = {&a, area > 0 ? &b : &c, area > 0 ? &c : &b, &a, area > 0 ? &b : &c};
-        const auto key = [](const snapped_vertex& v) { return std::int64_t(v.x) * (std::int64_t(1) << 32) + v.y; };
-        const std::int64_t keys[] = {key(*around[0]), key(*around[1]), key(*around[2])};
-        const int second_or_third = keys[1] < keys[2] ? 1 : 2;
-        const int smallest = keys[0] < keys[second_or_third] ? 0 : second_or_third;
-        for (int k = 0; k < 3; ++k) {
-            const snapped_vertex& v = *around[smallest + k];
-            x_[k][count] = v.x, y_[k][count] = v.y, z_[k][count] = v.depth;
-        }
-        first_[0][count] = first_x, first_[1][count] = first_y;
-        last_[0][count] = last_x, last_[1][count] = last_y;
-        id[count++] = triangle;
-    }
-
-    /// Edges and planes of all triangles.
-    ///
-    /// @exactness  edges A: integers. Planes B: the same bits with and without FMA. With n the bounds' larger side in
-    ///             1/256 texel and m the sum of the depth's and the two slopes' magnitudes over the bounds, a sample is
-    ///             within 2^-48 n m of the plane through the snapped vertices
-    void set_up() {
-        on_best_isa([this](auto set) UMBRAGE_INLINE {
-            for (int k = 0; k < 3; ++k) set_up_edges(k);
-            set_up_planes<decltype(set)::value>();
-        });
-    }
-
-    [[nodiscard]] UMBRAGE_INLINE depth_plane plane(int i) const {
-        const double a = z_[0][i], b = z_[1][i], c = z_[2][i];
-        const auto smaller = [](double p, double q) { return p < q ? p : q; };
-        const auto larger = [](double p, double q) { return p < q ? q : p; };
-        return {{first_[0][i], first_[1][i]}, depth_[i], dx_[i], dy_[i], smaller(smaller(a, b), c),
-                larger(larger(a, b), c)};
-    }
-
-    [[nodiscard]] UMBRAGE_INLINE texel_bounds bounds(int i) const {
-        return {{first_[0][i], first_[1][i]}, {last_[0][i] + 1, last_[1][i] + 1}};
-    }
-
-    /// @param row   (int y, int first, int last): texels first <= x < last of row y are covered; there is at least one
-    template <class Row>
-    UMBRAGE_INLINE void for_each_row(int i, const Row& row) const {
-        // One edge bounds the rows on its side alone, the others on theirs.
-        const bool left[] = {is_left(0, i), is_left(1, i), is_left(2, i)};
-        const bool lone_is_left = left[0] + left[1] + left[2] == 1;
-        const int lone = left[0] == lone_is_left ? 0 : left[1] == lone_is_left ? 1 : 2;
-        auto p = edge_at(lone, i), q = edge_at(lone == 2 ? 0 : lone + 1, i), r = edge_at(lone == 0 ? 2 : lone - 1, i);
-        const int x = first_[0][i], last_y = last_[1][i];
-        const std::int64_t width = last_[0][i] - x;
-        for (int y = first_[1][i]; y <= last_y; ++y) {
-            const std::int64_t single = p.quotient, pair = q.quotient < r.quotient ? q.quotient : r.quotient;
-            const std::int64_t before = lone_is_left ? single : pair, behind = lone_is_left ? pair : single;
-            const std::int64_t low = before < 0 ? -before : 0, high = behind < width ? behind : width;
-            if (low <= high) row(y, x + int(low), x + int(high) + 1);
-            p.step(), q.step(), r.step();
-        }
-    }
-
-private:
-    static constexpr int centre = subtexels / 2;
-
-    /// E divided by the magnitude of its step from texel to texel: how many texels further E still is not negative.
-    struct edge {
-        std::int64_t quotient, remainder, quotient_step, remainder_step, divisor;
-
-        UMBRAGE_INLINE void step() {
-            quotient += quotient_step;
-            remainder += remainder_step;
-            const bool carry = remainder >= divisor;
-            quotient += carry;
-            remainder -= carry ? divisor : 0;
-        }
-    };
-    struct edges {
-        alignas(64) std::int64_t quotient[block], remainder[block], quotient_step[block],
-            remainder_step[block], divisor[block];
-    };
-
-    [[nodiscard]] UMBRAGE_INLINE edge edge_at(int k, int i) const {
-        const edges& e = edges_[k];
-        return {e.quotient[i], e.remainder[i], e.quotient_step[i], e.remainder_step[i], e.divisor[i]};
-    }
-    [[nodiscard]] UMBRAGE_INLINE bool is_left(int k, int i) const { return y_[k == 2 ? 0 : k + 1][i] < y_[k][i]; }
-
-    UMBRAGE_INLINE void set_up_edges(int k) {
-        edges& e = edges_[k];
-        const auto &ax = x_[k], &ay = y_[k], &bx = x_[k == 2 ? 0 : k + 1], &by = y_[k == 2 ? 0 : k + 1];
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t up = by[i] - ay[i], level = up == 0, right = (bx[i] - ax[i]) & (level - 1);
-            const std::int32_t from_a_x = first_[0][i] * subtexels + centre - ax[i];
-            const std::int32_t from_a_y = first_[1][i] * subtexels + centre - ay[i];
-            const double value = double(right) * from_a_y + double(-up) * from_a_x - double(up > 0);
-            const double divisor = double((up < 0 ? -up : up) + level) * subtexels, step = double(right) * subtexels;
-            const std::int64_t d = to_integer(divisor);
-            const auto divide = [&](double dividend, std::int64_t& quotient, std::int64_t& remainder) UMBRAGE_INLINE {
-                const std::int64_t q = to_integer(dividend / divisor);  // or one off
-                const std::int64_t rest = to_integer(dividend) - q * d;
-                const std::int64_t below = -std::int64_t(rest < 0), above = -std::int64_t(rest >= d);
-                quotient = q + below - above;
-                remainder = rest + (d & below) - (d & above);
-            };
-            std::int64_t quotient;
-            divide(value, quotient, e.remainder[i]);
-            divide(step, e.quotient_step[i], e.remainder_step[i]);
-            e.quotient[i] = quotient | std::int64_t(level) << 40;  // a level edge bounds no row from the side
-            e.divisor[i] = d;
-        }
-    }
-
-    template <isa Set>
-    UMBRAGE_INLINE void set_up_planes() {
-        using bits = std::int64_t;
-        constexpr bits exponent = 0x7FF0000000000000, magnitude = 0x7FFFFFFFFFFFFFFF, short_digits = ~bits(0x3FFFFFF);
-        constexpr bits tiny = bit_cast<bits>(0x1p-200);
-        const auto power_of_two = [](double a, double b, double c) UMBRAGE_INLINE {  // the largest's, rounded down
-            const bits p = bit_cast<bits>(a) & exponent, q = bit_cast<bits>(b) & exponent;
-            const bits r = bit_cast<bits>(c) & exponent;
-            const bits largest = p < q ? q : p, other = r < tiny ? tiny : r;
-            return bit_cast<double>(largest < other ? other : largest);
-        };
-        for (int i = 0; i < block; ++i) {
-            const double x1 = x_[1][i] - x_[0][i], y1 = y_[1][i] - y_[0][i];
-            const double x2 = x_[2][i] - x_[0][i], y2 = y_[2][i] - y_[0][i];
-            const std::int32_t left = std::min(std::min(x_[0][i], x_[1][i]), x_[2][i]);
-            const std::int32_t right = std::max(std::max(x_[0][i], x_[1][i]), x_[2][i]);
-            const std::int32_t bottom = std::min(std::min(y_[0][i], y_[1][i]), y_[2][i]);
-            const std::int32_t top = std::max(std::max(y_[0][i], y_[1][i]), y_[2][i]);
-            const double width = right - left, height = top - bottom;
-            const double per_area = 1.0 / (x1 * y2 + x2 * -y1);
-
-            // Depths with so few digits that the products with x1 .. y2 and their differences need no rounding.
-            const double side = std::max(right - left, top - bottom);
-            double unit = power_of_two(z_[0][i], z_[1][i], z_[2][i]) * masked(side, exponent) * 0x1p-49;
-            double units = 1.0 / unit;
-            const double z0 = truncate<Set>(z_[0][i] * units) * unit;
-            const double z1 = truncate<Set>(z_[1][i] * units) * unit;
-            const double z2 = truncate<Set>(z_[2][i] * units) * unit;
-            const double slope_x = ((z1 - z0) * y2 + (z2 - z0) * -y1) * per_area;
-            const double slope_y = ((z2 - z0) * x1 + (z1 - z0) * -x2) * per_area;
-
-            // Slopes with so few digits that the same holds for every sample; here for the products.
-            const double reach = masked(z0, magnitude) + masked(slope_x, magnitude & short_digits) * width +
-                                 masked(slope_y, magnitude & short_digits) * height;
-            unit = power_of_two(reach, 0.0, 0.0) * 0x1p-51;
-            units = 1.0 / unit;
-            const double dx = truncate<Set>(slope_x * units) * unit;
-            const double dy = truncate<Set>(slope_y * units) * unit;
-            depth_[i] = truncate<Set>(z0 * units) * unit + dx * (first_[0][i] * subtexels + centre - x_[0][i]) +
-                        dy * (first_[1][i] * subtexels + centre - y_[0][i]);
-            dx_[i] = dx * subtexels;
-            dy_[i] = dy * subtexels;
-            z_[0][i] = z0, z_[1][i] = z1, z_[2][i] = z2;
-        }
-    }
-
-    alignas(64) std::int32_t x_[3][block], y_[3][block];  // counter-clockwise from the smallest
-    alignas(64) double z_[3][block];
-    alignas(64) std::int32_t first_[2][block], last_[2][block];  // texels whose centres are within the bounds
-    edges edges_[3];
-    alignas(64) double depth_[block], dx_[block], dy_[block];
-};
-
-}  // namespace umbrage::detail
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/simd/raster/projected_mesh.hpp
-// A mesh on the grid of an image: its vertices projected and snapped in blocks, its triangles clipped and handed out in
-// batches, in the order that the caller chooses.
-//
-//     const projected_mesh projected(size, mesh, world_to_clip, clip, serial{});
-//     projected.for_each_batch(triangles, bounds, cull_mode::none, [&](const triangle_batch& batch) { ... });
+//     snapped_mesh snapped(size, mesh, world_to_clip, clip, cull_mode::none);
+//     snapped.for_each_chunk(serial{}, [&] {
+//         snapped.for_each_batch([&](const triangles& batch) { ... });
+//     });
 //
 
 UMBRAGE_STRICT_MATH
@@ -6645,97 +6863,133 @@ public:
     unwritten_vertices& operator=(const unwritten_vertices&) = delete;
     ~unwritten_vertices() { delete[] data_; }
 
-    void make(std::size_t count) { data_ = new snapped_vertex[count]; }
-    [[nodiscard]] snapped_vertex& operator[](std::size_t i) { return data_[i]; }
+    /// Of which nothing is kept.
+    void make(std::size_t count) {
+        if (count <= count_) return;
+        delete[] data_;
+        data_ = nullptr;
+        data_ = new snapped_vertex[count];
+        count_ = count;
+    }
+    [[nodiscard]] snapped_vertex* data() { return data_; }
     [[nodiscard]] const snapped_vertex& operator[](std::size_t i) const { return data_[i]; }
 
 private:
     snapped_vertex* data_ = nullptr;
+    std::size_t count_ = 0;
 };
 
-/// The vertices of a mesh on the grid of an image, and its triangles batch by batch.
-class projected_mesh {
+/// The triangles of a mesh, chunk by chunk.
+class snapped_mesh {
 public:
     /// @throws std::invalid_argument  an index is out of range; a side of the image is above guard_band
-    template <class ParallelFor>
-    projected_mesh(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
-                   ParallelFor&& parallel)
-        : mesh_(mesh), project_(world_to_clip, clip, size) {
-        for (const auto& t : mesh.triangles)
-            if (t.x >= mesh.positions.size() || t.y >= mesh.positions.size() || t.z >= mesh.positions.size())
-                detail::fail("umbrage::rasterize: a triangle's index is out of range");
+    snapped_mesh(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+                 cull_mode cull)
+        : mesh_(mesh), size_(size), cull_(cull), project_(world_to_clip, clip, size) {
+        if (mesh.triangles.empty()) return;
+        if (indices(0, mesh.triangles.size()).highest >= mesh.positions.size())
+            detail::fail("umbrage::rasterize: a triangle's index is out of range");
         if (size.x == 0 || size.y == 0 || !all_finite(world_to_clip)) mesh_.triangles = {};
-        if (mesh_.triangles.empty()) return;
-        const std::size_t count = mesh.positions.size();
-        vertices_.make((count + block - 1) / block * block);
-        constexpr std::size_t piece = 64 * block;
-        parallel(static_cast<int>((count + piece - 1) / piece), [&](int first, int last) {
-            for (std::size_t i = std::size_t(first) * piece; i < std::min(std::size_t(last) * piece, count); i += block)
-                project_block(i);
-        });
     }
 
-    /// Prefetches what comes after the k-th triangle of a list, whose triangles lie anywhere in the mesh. Inlined for
-    /// the reason that prefetch_line() gives.
-    UMBRAGE_INLINE void expect(std::span<const unsigned> list, std::size_t k) const {
-        constexpr std::size_t soon = 16, later = 32;
-        if (k + later < list.size()) prefetch_line(&mesh_.triangles[list[k + later]]);
-        if (k + soon < list.size())
-            for (glm::length_t corner = 0; corner < 3; ++corner)
-                prefetch_line(&vertices_[mesh_.triangles[list[k + soon]][corner]]);
-    }
-
-    [[nodiscard]] unsigned triangle_count() const { return static_cast<unsigned>(mesh_.triangles.size()); }
-
-    /// Rows that a triangle may cover, from the bottom: first <= y < last, of which there may be none.
-    [[nodiscard]] std::pair<int, int> rows(unsigned triangle, int height) const {
-        const auto& t = mesh_.triangles[triangle];
-        const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
-        auto [lowest, highest] = std::minmax({a.y, b.y, c.y});
-        if (const unsigned crossed = planes_crossed(a, b, c)) {
-            const auto polygon = clipped(t, a, b, c, crossed);
-            if (polygon.count == 0) return {0, 0};
-            lowest = highest = polygon.vertices[0].y;
-            for (std::size_t i = 1; int(i) < polygon.count; ++i) {
-                lowest = std::min(lowest, polygon.vertices[i].y);
-                highest = std::max(highest, polygon.vertices[i].y);
-            }
+    /// @param use   (), which draws the chunk
+    template <class ParallelFor, class Use>
+    void for_each_chunk(ParallelFor&& parallel, const Use& use) {
+        // As many vertices as a cache holds; with threads more, which are then started less often.
+        constexpr std::size_t step = is_serial<ParallelFor> ? 1 << 16 : 1 << 20;
+        for (std::size_t first = 0; first < mesh_.triangles.size(); first += step) {
+            first_ = static_cast<unsigned>(first);
+            last_ = static_cast<unsigned>(std::min(first + step, mesh_.triangles.size()));
+            snap_vertices(parallel);
+            use();
         }
-        const auto rows = triangle_batch::rows(lowest, highest);
-        return {std::max(rows.first, 0), std::min(rows.second, height)};
     }
 
-    /// @param triangles  (f): calls f(unsigned triangle) for each
-    /// @param draw       (const triangle_batch&), with the triangles in that order
-    template <class Triangles, class Draw>
-    void for_each_batch(const Triangles& triangles, const texel_bounds& bounds, cull_mode cull,
-                        const Draw& draw) const {
-        triangle_batch batch;
-        const auto flush = [&] {
-            batch.set_up();
-            draw(batch);
-            batch.count = 0;
-        };
-        triangles([&](unsigned i) {
-            const auto& t = mesh_.triangles[i];
-            const snapped_vertex &a = vertices_[t.x], &b = vertices_[t.y], &c = vertices_[t.z];
-            const unsigned crossed = planes_crossed(a, b, c);
-            if (crossed == 0) {
-                batch.add(a, b, c, i, bounds, cull);
-                if (batch.full()) flush();
-                return;
-            }
-            const auto polygon = clipped(t, a, b, c, crossed);
-            for (std::size_t k = 1; int(k) + 1 < polygon.count; ++k) {
-                batch.add(polygon.vertices[0], polygon.vertices[k], polygon.vertices[k + 1], i, bounds, cull);
-                if (batch.full()) flush();
+    /// The chunk in the mesh's order, all over the image.
+    /// @param draw   (const triangles&)
+    template <class Draw>
+    void for_each_batch(const Draw& draw) const {
+        for_each_batch(
+            {{0, 0}, size_}, last_ - first_, [this](std::size_t k) { return first_ + unsigned(k); }, draw);
+    }
+
+    /// The chunk band by band, where that keeps texels in the cache or lets threads draw side by side; else as above.
+    template <class ParallelFor, class Draw>
+    void for_each_batch_in_bands(ParallelFor&& parallel, const Draw& draw) {
+        const int rows = std::clamp(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;
+        if (is_serial<ParallelFor> && (bands == 1 || is_coherent(rows))) return for_each_batch(draw);
+        sort_into_bands(rows, bands, parallel);
+        parallel(bands, [&](int first, int last) {
+            for (int band = first; band < last; ++band) {
+                const texel_bounds bounds{{0, band * rows}, {size_.x, std::min((band + 1) * rows, size_.y)}};
+                for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands)) {
+                    const std::vector<unsigned>& list = lists_[i];
+                    const auto next = [&](std::size_t k) {
+                        expect(list, k);
+                        return list[k];
+                    };
+                    for_each_batch(bounds, list.size(), next, draw);
+                }
             }
         });
-        if (batch.count) flush();
     }
 
 private:
-    static constexpr unsigned nowhere = 1u << projection::planes;
+    template <class ParallelFor>
+    static constexpr bool is_serial = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
+    static constexpr int band_texels = 1 << 16, band_rows = 64;
+    static constexpr unsigned piece = 1 << 16;  // triangles that one thread sorts at a time
+
+    struct index_range {
+        unsigned lowest, highest;
+    };
+
+    [[nodiscard]] index_range indices(std::size_t first, std::size_t last) const {
+        index_range range{~0u, 0u};
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            const glm::uvec3* t = mesh_.triangles.data() + first;
+            unsigned low = ~0u, high = 0;
+            for (; first + block <= last; first += block, t += block)
+                for (int i = 0; i < block; ++i)
+                    for (glm::length_t k = 0; k < 3; ++k) {
+                        low = low < t[i][k] ? low : t[i][k];
+                        high = high < t[i][k] ? t[i][k] : high;
+                    }
+            for (; first < last; ++first, ++t)
+                for (glm::length_t k = 0; k < 3; ++k) low = std::min(low, (*t)[k]), high = std::max(high, (*t)[k]);
+            range = {low, high};
+        });
+        return range;
+    }
+
+    /// The vertices that the chunk's triangles refer to, or each corner of theirs, whichever is less.
+    template <class ParallelFor>
+    void snap_vertices(ParallelFor&& parallel) {
+        const auto [lowest, highest] = indices(first_, last_);
+        const std::size_t corners = 3 * std::size_t(last_ - first_), range = std::size_t(highest) - lowest + 1;
+        by_corner_ = corners < range;
+        lowest_ = lowest;
+        const std::size_t count = by_corner_ ? corners : range;
+        vertices_.make((count + block - 1) / block * block);
+        constexpr std::size_t blocks = 64;  // that a thread takes at a time
+        parallel(static_cast<int>((count + blocks * block - 1) / (blocks * block)), [&](int first, int last) {
+            for (std::size_t i = std::size_t(first) * blocks * block;
+                 i < std::min(std::size_t(last) * blocks * block, count); i += block) {
+                alignas(64) glm::vec3 positions[block];
+                for (std::size_t k = 0; k < block; ++k) positions[k] = position(std::min(i + k, count - 1));
+                project_.snap(positions, vertices_.data() + i);
+            }
+        });
+    }
+
+    [[nodiscard]] const glm::vec3& position(std::size_t i) const {
+        return mesh_.positions[by_corner_ ? mesh_.triangles[first_ + i / 3][glm::length_t(i % 3)] : lowest_ + i];
+    }
+
+    [[nodiscard]] const snapped_vertex& vertex(unsigned triangle, glm::length_t corner) const {
+        if (by_corner_) return vertices_[3 * std::size_t(triangle - first_) + std::size_t(corner)];
+        return vertices_[mesh_.triangles[triangle][corner] - lowest_];
+    }
 
     [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b,
                                                  const snapped_vertex& c) {
@@ -6743,198 +6997,104 @@ private:
     }
 
     /// Of a triangle that crosses planes; empty where it is outside of one, or not finite.
-    [[nodiscard]] clipped_polygon clipped(const glm::uvec3& t, const snapped_vertex& a, const snapped_vertex& b,
+    [[nodiscard]] clipped_polygon clipped(unsigned triangle, const snapped_vertex& a, const snapped_vertex& b,
                                           const snapped_vertex& c, unsigned crossed) const {
-        if ((planes_outside(a) & planes_outside(b) & planes_outside(c)) || (crossed & nowhere)) return {};
+        if ((planes_outside(a) & planes_outside(b) & planes_outside(c)) || (crossed & projection::nowhere)) return {};
+        const auto& t = mesh_.triangles[triangle];
         const auto h = [&](unsigned index) { return project_.homogeneous(mesh_.positions[index]); };
         return clip_triangle(project_, h(t.x), h(t.y), h(t.z), crossed);
     }
 
-    void project_block(std::size_t first) {
-        alignas(64) glm::vec3 positions[block];
-        for (std::size_t i = 0; i < block; ++i)
-            positions[i] = mesh_.positions[std::min(first + i, mesh_.positions.size() - 1)];
-        bool finite[block];
-        for (std::size_t i = 0; i < block; ++i) {
-            finite[i] = all_finite(positions[i]);
-            if (!finite[i]) positions[i] = glm::vec3(0.0f);
+    /// @param next   (std::size_t k) -> the k-th triangle
+    template <class Next, class Draw>
+    void for_each_batch(const texel_bounds& bounds, std::size_t count, const Next& next, const Draw& draw) const {
+        triangles batch;
+        const auto add = [&](const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c, unsigned i) {
+            batch.add(a, b, c, i);
+            if (!batch.full()) return;
+            batch.set_up(bounds, cull_);
+            draw(batch);
+            batch.count = 0;
+        };
+        for (std::size_t k = 0; k < count; ++k) {
+            const unsigned i = next(k);
+            const snapped_vertex &a = vertex(i, 0), &b = vertex(i, 1), &c = vertex(i, 2);
+            if (const unsigned crossed = planes_crossed(a, b, c)) {
+                const auto polygon = clipped(i, a, b, c, crossed);
+                for (std::size_t v = 1; int(v) + 1 < polygon.count; ++v)
+                    add(polygon.vertices[0], polygon.vertices[v], polygon.vertices[v + 1], i);
+            } else {
+                add(a, b, c, i);
+            }
         }
-        alignas(64) snapped_vertex vertices[block];
-        project_.snap(positions, vertices);
-        for (std::size_t i = 0; i < block; ++i)
-            vertices_[first + i] = finite[i] ? vertices[i] : outside_vertex(nowhere);
+        if (batch.count == 0) return;
+        batch.set_up(bounds, cull_);
+        draw(batch);
     }
 
-    mesh_view mesh_;
-    projection project_;
-    unwritten_vertices vertices_;
-};
+    /// Whether triangles that follow each other lie in a band's rows, by a look at some.
+    [[nodiscard]] bool is_coherent(int rows) const {
+        constexpr unsigned looks = 64;
+        const unsigned step = std::max(1u, (last_ - first_) / looks);
+        unsigned near = 0, all = 0;
+        for (unsigned i = first_; i + 1 < last_; i += step, ++all) {
+            const int here = vertex(i, 0).y >> 8, next = vertex(i + 1, 0).y >> 8;
+            near += next - here < rows && here - next < rows;
+        }
+        return 4 * near >= 3 * all;
+    }
 
-}  // namespace umbrage::detail
-UMBRAGE_END_STRICT_MATH
+    /// Rows that a triangle may cover, from the bottom: first <= y < last, of which there may be none.
+    [[nodiscard]] glm::ivec2 rows(unsigned triangle) const {
+        const snapped_vertex &a = vertex(triangle, 0), &b = vertex(triangle, 1), &c = vertex(triangle, 2);
+        std::int32_t lowest = std::min({a.y, b.y, c.y}), highest = std::max({a.y, b.y, c.y});
+        if (const unsigned crossed = planes_crossed(a, b, c)) {
+            const auto polygon = clipped(triangle, a, b, c, crossed);
+            if (polygon.count == 0) return {0, 0};
+            lowest = highest = polygon.vertices[0].y;
+            for (std::size_t i = 1; int(i) < polygon.count; ++i) {
+                lowest = std::min(lowest, polygon.vertices[i].y);
+                highest = std::max(highest, polygon.vertices[i].y);
+            }
+        }
+        const auto between = triangles::rows_between(lowest, highest);
+        return {std::max(between.x, 0), std::min(between.y, size_.y)};
+    }
 
-// ---- umbrage/simd/raster/banded_triangles.hpp
-// The triangles of a mesh sorted into bands of rows, which threads draw side by side.
-//
-//     const banded_triangles banded(projected, size, parallel);
-//     banded.for_each(band, [&](unsigned triangle) { ... });
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage::detail {
-
-/// Which triangles may touch which band of rows, so that a band stays in the cache while it is drawn.
-class banded_triangles {
-public:
     template <class ParallelFor>
-    banded_triangles(const projected_mesh& mesh, glm::ivec2 size, ParallelFor&& parallel)
-        : mesh_(mesh),
-          rows_(std::clamp(band_texels / std::max(size.x, 1), 1, band_rows)),
-          bands_((size.y + rows_ - 1) / rows_) {
-        const unsigned triangles = mesh.triangle_count(), pieces = (triangles + piece - 1) / piece;
-        lists_.resize(std::size_t(pieces) * std::size_t(bands_));
-        parallel(static_cast<int>(pieces), [&](int first, int last) {
-            for (unsigned i = unsigned(first) * piece; i < std::min(unsigned(last) * piece, triangles); ++i) {
-                const auto [low, high] = mesh.rows(i, size.y);
-                for (int band = low / rows_; band * rows_ < high; ++band)
-                    lists_[std::size_t(i / piece) * std::size_t(bands_) + std::size_t(band)].push_back(i);
+    void sort_into_bands(int rows_a_band, int bands, ParallelFor&& parallel) {
+        const unsigned pieces = (last_ - first_ + piece - 1) / piece;
+        for (auto& list : lists_) list.clear();
+        lists_.resize(std::size_t(pieces) * std::size_t(bands));
+        parallel(static_cast<int>(pieces), [&](int from, int to) {
+            for (unsigned i = first_ + unsigned(from) * piece; i < std::min(first_ + unsigned(to) * piece, last_);
+                 ++i) {
+                auto* const lists = lists_.data() + std::size_t((i - first_) / piece) * std::size_t(bands);
+                const glm::ivec2 covered = rows(i);
+                for (int band = covered.x / rows_a_band; band * rows_a_band < covered.y; ++band)
+                    lists[band].push_back(i);
             }
         });
     }
 
-    [[nodiscard]] int bands() const { return bands_; }
-    [[nodiscard]] int rows() const { return rows_; }
-
-    /// In the mesh's order.
-    template <class Use>
-    void for_each(int band, const Use& use) const {
-        for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands_))
-            for (std::size_t k = 0; k < lists_[i].size(); ++k) {
-                mesh_.expect(lists_[i], k);
-                use(lists_[i][k]);
-            }
+    /// Prefetches what comes after the k-th triangle of a list, whose triangles lie anywhere in the chunk. Inlined for
+    /// the reason that prefetch_line() gives.
+    UMBRAGE_INLINE void expect(const std::vector<unsigned>& list, std::size_t k) const {
+        constexpr std::size_t soon = 16, later = 32;
+        if (k + later < list.size()) prefetch_line(&mesh_.triangles[list[k + later]]);
+        if (k + soon < list.size())
+            for (glm::length_t corner = 0; corner < 3; ++corner) prefetch_line(&vertex(list[k + soon], corner));
     }
 
-private:
-    static constexpr int band_texels = 1 << 16, band_rows = 64;
-    static constexpr unsigned piece = 1 << 16;  // triangles that one thread sorts at a time
-
-    const projected_mesh& mesh_;
-    int rows_, bands_;
+    mesh_view mesh_;
+    glm::ivec2 size_;
+    cull_mode cull_;
+    projection project_;
+    unsigned first_ = 0, last_ = 0, lowest_ = 0;  // triangles of the chunk; its lowest index
+    bool by_corner_ = false;                      // three vertices a triangle, rather than a range of the mesh's
+    unwritten_vertices vertices_;
     std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band
 };
-
-}  // namespace umbrage::detail
-UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/simd/raster/span_writer.hpp
-// Spans of triangles into a depth image: the nearer of what is there and the plane's depth, some texels at a time.
-//
-//     draw_batch<true>(depth, flipped, batch);
-//
-
-UMBRAGE_STRICT_MATH
-namespace umbrage::detail {
-
-/// A triangle's depths into an image, that many texels of a row at a time.
-template <bool Forward, int Lanes>
-class span_writer {
-public:
-    UMBRAGE_INLINE span_writer(image_view<float> depth, bool flipped)
-        : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
-          up_(flipped ? -depth.stride : depth.stride),
-          last_block_(depth.size.x - Lanes) {}
-
-    /// Prefetches the texels of a triangle: their latency is about the time that it takes to draw another small one.
-    UMBRAGE_INLINE void expect(const triangle_batch& batch, int i) const {
-        const auto bounds = batch.bounds(i);
-        for (int y = bounds.first.y; y < std::min(bounds.last.y, bounds.first.y + 16); ++y)
-            prefetch_line(row(y) + bounds.first.x);
-    }
-
-    UMBRAGE_INLINE void draw(const triangle_batch& batch, int i) const {
-        const auto plane = batch.plane(i);
-        // Depths of one sign, and none that is flushed: their bits are in their order.
-        if (plane.lowest >= 0x1p-126 && plane.highest <= 1.0) {
-            const block_writer write(plane);
-            const double step = plane.dx * Lanes;
-            batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
-                float* const texels = row(y);
-                double z = plane.unclamped(first, y);
-                for (; first < last; first += Lanes, z += step) {
-                    if (first > last_block_) return write.at_border(texels + first, z, last - first);
-                    write(texels + first, z, last - first);
-                }
-            });
-        } else {
-            batch.for_each_row(i, [&](int y, int first, int last) UMBRAGE_INLINE {
-                float* const texels = row(y);
-                for (int x = first; x < last; ++x) {
-                    const double z = plane(x, y);
-                    if (!(z >= 0.0 && z <= 1.0)) continue;
-                    const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
-                    if (!is_nan(texels[x]) && (Forward ? stored <= texels[x] : stored >= texels[x])) texels[x] = stored;
-                }
-            });
-        }
-    }
-
-private:
-    struct block_writer {
-        double ramp[std::size_t(Lanes)];
-        std::int32_t lowest, highest;
-
-        UMBRAGE_INLINE explicit block_writer(const depth_plane& plane)
-            : lowest(bit_cast<std::int32_t>(static_cast<float>(plane.lowest))),
-              highest(bit_cast<std::int32_t>(static_cast<float>(plane.highest))) {
-            for (int i = 0; i < Lanes; ++i) ramp[i] = plane.dx * i;
-        }
-
-        /// The first `count` of a block's texels; what is there can be anything.
-        UMBRAGE_INLINE void operator()(float* texels, double z, int count) const {
-            constexpr std::int32_t infinity = 0x7F800000, sign = std::numeric_limits<std::int32_t>::min();
-            std::int32_t there[std::size_t(Lanes)], here[std::size_t(Lanes)];
-            float rounded[std::size_t(Lanes)];
-            for (int i = 0; i < Lanes; ++i) rounded[i] = static_cast<float>(z + ramp[i]);
-            std::memcpy(here, rounded, sizeof here);
-            std::memcpy(there, texels, sizeof there);
-            for (int i = 0; i < Lanes; ++i) {
-                const std::int32_t above = here[i] < lowest ? lowest : here[i];
-                const std::int32_t depth = above > highest ? highest : above;
-                const bool nearer = Forward ? depth <= there[i] : depth >= there[i];
-                const bool number = (Forward ? there[i] : there[i] ^ sign) <= infinity;  // or a NaN of the other sign
-                const std::int32_t mask = -std::int32_t(nearer & number & (i < count));
-                there[i] = (depth & mask) | (there[i] & ~mask);
-            }
-            std::memcpy(texels, there, sizeof there);
-        }
-
-        /// The same where the row ends before the block.
-        void at_border(float* texels, double z, int count) const {
-            float copy[std::size_t(Lanes)]{};
-            for (int i = 0; i < count; ++i) copy[i] = texels[i];
-            (*this)(copy, z, count);
-            for (int i = 0; i < count; ++i) texels[i] = copy[i];
-        }
-    };
-
-    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const { return reinterpret_cast<float*>(bottom_ + y * up_); }
-
-    std::byte* bottom_;
-    std::ptrdiff_t up_;
-    int last_block_;
-};
-
-template <bool Forward>
-void draw_batch(image_view<float> depth, bool flipped, const triangle_batch& batch) {
-    on_best_isa([&](auto set) UMBRAGE_INLINE {
-        const span_writer<Forward, decltype(set)::value == isa::avx512 ? 8 : 4> writer(depth, flipped);
-        for (int i = 0; i < batch.count; ++i) {
-            if (i + 1 < batch.count) writer.expect(batch, i + 1);
-            writer.draw(batch, i);
-        }
-    });
-}
 
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
@@ -6974,23 +7134,17 @@ namespace umbrage {
 /// @throws std::invalid_argument  an index is out of range; a side of the image is above 16384
 /// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
 ///              the far plane; never -0
-/// @exactness   coverage A from the snapped vertices on; depth B, see simd/raster/triangle_batch.hpp: set_up
+/// @exactness   coverage A from the snapped vertices on; depth B, see simd/raster/triangles.hpp: set_up
 template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      cull_mode cull = cull_mode::none, ParallelFor&& parallel = {}) {
-    const detail::projected_mesh projected(depth.size, mesh, world_to_clip, clip, parallel);
+    detail::snapped_mesh snapped(depth.size, mesh, world_to_clip, clip, cull);
     const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
-    const detail::banded_triangles banded(projected, depth.size, parallel);
-    parallel(banded.bands(), [&](int first, int last) {
-        for (int band = first; band < last; ++band) {
-            const detail::texel_bounds bounds{{0, band * banded.rows()},
-                                              {depth.size.x, std::min((band + 1) * banded.rows(), depth.size.y)}};
-            const auto triangles = [&](const auto& use) { banded.for_each(band, use); };
-            projected.for_each_batch(triangles, bounds, cull, [&](const detail::triangle_batch& batch) {
-                if (forward) detail::draw_batch<true>(depth, flipped, batch);
-                else detail::draw_batch<false>(depth, flipped, batch);
-            });
-        }
+    snapped.for_each_chunk(parallel, [&] {
+        snapped.for_each_batch_in_bands(parallel, [&](const detail::triangles& batch) {
+            if (forward) detail::draw<true>(depth, flipped, batch);
+            else detail::draw<false>(depth, flipped, batch);
+        });
     });
 }
 
@@ -7004,20 +7158,19 @@ template <class Sample>
 void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
                cull_mode cull = cull_mode::none) {
     const bool flipped = clip.origin == texture_origin::top;
-    const detail::projected_mesh projected(size, mesh, world_to_clip, clip, serial{});
-    const auto triangles = [&](const auto& use) {
-        for (unsigned i = 0; i < projected.triangle_count(); ++i) use(i);
-    };
-    projected.for_each_batch(triangles, {{0, 0}, size}, cull, [&](const detail::triangle_batch& batch) {
-        for (int i = 0; i < batch.count; ++i) {
-            const auto plane = batch.plane(i);
-            batch.for_each_row(i, [&](int y, int first, int last) {
-                for (int x = first; x < last; ++x)
-                    if (const double z = plane(x, y); z >= 0.0 && z <= 1.0)
-                        sample(glm::ivec2(x, flipped ? size.y - 1 - y : y), z > 0.0 ? static_cast<float>(z) : 0.0f,
-                               batch.id[i]);
-            });
-        }
+    detail::snapped_mesh snapped(size, mesh, world_to_clip, clip, cull);
+    snapped.for_each_chunk(serial{}, [&] {
+        snapped.for_each_batch([&](const detail::triangles& batch) {
+            for (int i = 0; i < batch.count; ++i) {
+                const auto plane = batch.plane(i);
+                batch.for_each_row(i, [&](int y, int first, int last) {
+                    for (int x = first; x < last; ++x)
+                        if (const double z = plane(x, y); z >= 0.0 && z <= 1.0)
+                            sample(glm::ivec2(x, flipped ? size.y - 1 - y : y), z > 0.0 ? static_cast<float>(z) : 0.0f,
+                                   batch.id[i]);
+                });
+            }
+        });
     });
 }
 

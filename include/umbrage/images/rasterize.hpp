@@ -20,9 +20,6 @@
 //
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -33,11 +30,9 @@
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/scalar.hpp>
-#include <umbrage/simd/raster/banded_triangles.hpp>
-#include <umbrage/simd/raster/projected_mesh.hpp>
-#include <umbrage/simd/raster/projection.hpp>
-#include <umbrage/simd/raster/span_writer.hpp>
-#include <umbrage/simd/raster/triangle_batch.hpp>
+#include <umbrage/simd/raster/depth_writer.hpp>
+#include <umbrage/simd/raster/snapped_mesh.hpp>
+#include <umbrage/simd/raster/triangles.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
 UMBRAGE_STRICT_MATH
@@ -55,23 +50,17 @@ namespace umbrage {
 /// @throws std::invalid_argument  an index is out of range; a side of the image is above 16384
 /// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
 ///              the far plane; never -0
-/// @exactness   coverage A from the snapped vertices on; depth B, see simd/raster/triangle_batch.hpp: set_up
+/// @exactness   coverage A from the snapped vertices on; depth B, see simd/raster/triangles.hpp: set_up
 template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      cull_mode cull = cull_mode::none, ParallelFor&& parallel = {}) {
-    const detail::projected_mesh projected(depth.size, mesh, world_to_clip, clip, parallel);
+    detail::snapped_mesh snapped(depth.size, mesh, world_to_clip, clip, cull);
     const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
-    const detail::banded_triangles banded(projected, depth.size, parallel);
-    parallel(banded.bands(), [&](int first, int last) {
-        for (int band = first; band < last; ++band) {
-            const detail::texel_bounds bounds{{0, band * banded.rows()},
-                                              {depth.size.x, std::min((band + 1) * banded.rows(), depth.size.y)}};
-            const auto triangles = [&](const auto& use) { banded.for_each(band, use); };
-            projected.for_each_batch(triangles, bounds, cull, [&](const detail::triangle_batch& batch) {
-                if (forward) detail::draw_batch<true>(depth, flipped, batch);
-                else detail::draw_batch<false>(depth, flipped, batch);
-            });
-        }
+    snapped.for_each_chunk(parallel, [&] {
+        snapped.for_each_batch_in_bands(parallel, [&](const detail::triangles& batch) {
+            if (forward) detail::draw<true>(depth, flipped, batch);
+            else detail::draw<false>(depth, flipped, batch);
+        });
     });
 }
 
@@ -85,20 +74,19 @@ template <class Sample>
 void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
                cull_mode cull = cull_mode::none) {
     const bool flipped = clip.origin == texture_origin::top;
-    const detail::projected_mesh projected(size, mesh, world_to_clip, clip, serial{});
-    const auto triangles = [&](const auto& use) {
-        for (unsigned i = 0; i < projected.triangle_count(); ++i) use(i);
-    };
-    projected.for_each_batch(triangles, {{0, 0}, size}, cull, [&](const detail::triangle_batch& batch) {
-        for (int i = 0; i < batch.count; ++i) {
-            const auto plane = batch.plane(i);
-            batch.for_each_row(i, [&](int y, int first, int last) {
-                for (int x = first; x < last; ++x)
-                    if (const double z = plane(x, y); z >= 0.0 && z <= 1.0)
-                        sample(glm::ivec2(x, flipped ? size.y - 1 - y : y), z > 0.0 ? static_cast<float>(z) : 0.0f,
-                               batch.id[i]);
-            });
-        }
+    detail::snapped_mesh snapped(size, mesh, world_to_clip, clip, cull);
+    snapped.for_each_chunk(serial{}, [&] {
+        snapped.for_each_batch([&](const detail::triangles& batch) {
+            for (int i = 0; i < batch.count; ++i) {
+                const auto plane = batch.plane(i);
+                batch.for_each_row(i, [&](int y, int first, int last) {
+                    for (int x = first; x < last; ++x)
+                        if (const double z = plane(x, y); z >= 0.0 && z <= 1.0)
+                            sample(glm::ivec2(x, flipped ? size.y - 1 - y : y), z > 0.0 ? static_cast<float>(z) : 0.0f,
+                                   batch.id[i]);
+                });
+            }
+        });
     });
 }
 

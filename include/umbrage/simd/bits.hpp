@@ -19,6 +19,11 @@ namespace umbrage::detail {
     return -std::int32_t((detail::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) <= 0x7F800000);
 }
 
+/// Mask of the floats that are neither NaN nor infinite.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t finite_mask(float v) {
+    return -std::int32_t((detail::bit_cast<std::int32_t>(v) & 0x7FFFFFFF) < 0x7F800000);
+}
+
 /// inside_texel_space as a mask.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t texel_space_mask(float x, float y) {
     constexpr auto limit = detail::bit_cast<std::int32_t>(32768.0f);

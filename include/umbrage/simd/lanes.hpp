@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #include <umbrage/config.hpp>
 #include <umbrage/simd/bits.hpp>
@@ -44,6 +45,9 @@ struct plain_lanes {
 };
 
 #if defined(__GNUC__) || defined(__clang__)
+/// Whether the compiler has vectors of its own, with all operators of the language.
+inline constexpr bool has_lanes = true;
+
 template <class T, int Count>
 struct compiler_lanes {
     typedef T type __attribute__((vector_size(Count * sizeof(T))));
@@ -51,6 +55,7 @@ struct compiler_lanes {
 template <class T, int Count>
 using lanes_of = typename compiler_lanes<T, Count>::type;
 #else
+inline constexpr bool has_lanes = false;
 template <class T, int Count>
 using lanes_of = plain_lanes<T, Count>;
 #endif
@@ -98,6 +103,23 @@ UMBRAGE_INLINE inline void shuffle(const Lanes& a, const Lanes& b, Lanes& result
 #endif
 }
 
+/// 0, 1, 2 ...
+template <class T, int Count>
+UMBRAGE_INLINE inline void count_lanes(lanes_of<T, Count>& v) {
+    [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE { v = lanes_of<T, Count>{T(I)...}; }
+    (std::make_integer_sequence<int, Count>{});
+}
+
+/// The lanes of `low`, then those of `high`, each converted to half as many bits.
+template <class T, int Count, class Half>
+UMBRAGE_INLINE inline void narrow_lanes(const Half& low, const Half& high, lanes_of<T, Count>& v) {
+    using half = lanes_of<T, Count / 2>;
+    [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
+        v = __builtin_shufflevector(__builtin_convertvector(low, half), __builtin_convertvector(high, half), I...);
+    }
+    (std::make_integer_sequence<int, Count>{});
+}
+
 template <int Count, bool Forward>
 UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count>& stored,
                                      lanes_of<std::int32_t, Count>& lit) {
@@ -105,6 +127,23 @@ UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count
     else lit = receiver >= stored;
     if constexpr (finite_math_only)
         lit &= (reinterpret_cast<lanes_of<std::int32_t, Count>>(stored) & 0x7FFFFFFF) <= 0x7F800000;
+}
+
+/// The nearer depth of each lane, but what is there where it is a NaN, or where `outside` is negative.
+/// @param depth   no NaN, not 0
+template <bool Forward, int Count>
+UMBRAGE_INLINE inline void take_nearer(const lanes_of<float, Count>& depth,
+                                       const lanes_of<std::int32_t, Count>& outside, lanes_of<float, Count>& there) {
+    using ints = lanes_of<std::int32_t, Count>;
+    const ints bits = reinterpret_cast<ints>(depth), mask = outside >> 31;
+    if constexpr (finite_math_only) {
+        const ints old = reinterpret_cast<ints>(there);
+        const ints kept = mask | ((old & 0x7FFFFFFF) > 0x7F800000) | (Forward ? depth > there : depth < there);
+        there = reinterpret_cast<lanes_of<float, Count>>((bits & ~kept) | (old & kept));
+    } else {
+        const auto seen = reinterpret_cast<lanes_of<float, Count>>(bits | mask);  // or a NaN, which is not nearer
+        there = (Forward ? seen < there : seen > there) ? seen : there;
+    }
 }
 
 template <int Count>

@@ -22,6 +22,7 @@
 #include <umbrage/clip_space.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/scalar.hpp>
+#include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
@@ -56,7 +57,8 @@ struct snapped_vertex {
 /// Products of two floats are exact in double, so contraction to FMA changes no bit here.
 class projection {
 public:
-    static constexpr int planes = 6;  ///< w > 0, the near plane, four sides of the guard band
+    static constexpr int planes = 6;                   ///< w > 0, the near plane, four sides of the guard band
+    static constexpr unsigned nowhere = 1u << planes;  ///< stands for a position that is not finite
 
     /// @param world_to_clip  projection * view; its elements must be finite
     /// @throws std::invalid_argument  a side of `size` is negative or above guard_band
@@ -123,10 +125,10 @@ public:
         return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
     }
 
-    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes become
-    /// `outside_vertex`.
+    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes, and those that are
+    /// not finite, become `outside_vertex`.
     /// @exactness  the bits of one by one
-    void snap(const glm::vec3 (&positions)[block], snapped_vertex (&vertices)[block]) const {
+    void snap(const glm::vec3 (&positions)[block], snapped_vertex* vertices) const {
         using bits = std::int64_t;
         constexpr bits minus_zero = std::numeric_limits<bits>::min();
         const bool forward = clip_.direction == depth_direction::forward;
@@ -138,7 +140,12 @@ public:
             alignas(64) float x[block], y[block], z[block];
             alignas(64) double column[block], row[block], depth[block];
             alignas(64) bits outside[block];
+            alignas(64) std::int32_t finite[block];  // masks
             for (int i = 0; i < block; ++i) x[i] = positions[i].x, y[i] = positions[i].y, z[i] = positions[i].z;
+            for (int i = 0; i < block; ++i) {
+                finite[i] = finite_mask(x[i]) & finite_mask(y[i]) & finite_mask(z[i]);
+                x[i] = masked(x[i], finite[i]), y[i] = masked(y[i], finite[i]), z[i] = masked(z[i], finite[i]);
+            }
             const glm::dmat4 m = matrix_;
             const glm::dvec2 half_size = half_size_;
             for (int i = 0; i < block; ++i) {
@@ -153,7 +160,8 @@ public:
                     return bits((d < 0) & (d != minus_zero)) << plane;
                 };
                 outside[i] = bit(w - smallest_w, 0) | bit(near_z * hz + near_w * w, 1) | bit(band + hx, 2) |
-                             bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5);
+                             bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5) |
+                             (~bits(finite[i]) & bits(nowhere));
                 const bits inside = -bits(outside[i] == 0);
                 column[i] = bit_cast<double>(bit_cast<bits>(hx / w * subtexels + 0.5) & inside);
                 row[i] = bit_cast<double>(bit_cast<bits>(hy / w * subtexels + 0.5) & inside);

@@ -118,3 +118,34 @@ TEST_CASE("rasterize_depth: every instruction set and every cut into pieces give
     CHECK(calls[0] == calls[2]);
     detail::isa_in_use = in_use;
 }
+
+TEST_CASE("rasterize_depth: meshes of several chunks, coherent or not, are drawn like sample by sample") {
+    generator random;
+    const glm::ivec2 size(300, 260);
+    constexpr unsigned side = 190;  // 72200 triangles
+    mesh m;
+    for (unsigned y = 0; y <= side; ++y)
+        for (unsigned x = 0; x <= side; ++x)
+            m.positions.emplace_back(2.0f * float(x) / float(side) - 1.0f, 2.0f * float(y) / float(side) - 1.0f,
+                                     random.real(0.25f, 0.75f));
+    for (unsigned y = 0; y < side; ++y)
+        for (unsigned x = 0; x < side; ++x) {
+            const unsigned i = y * (side + 1) + x, above = i + side + 1;
+            m.triangles.emplace_back(i, i + 1, above);
+            m.triangles.emplace_back(i + 1, above + 1, above);
+        }
+    image<float> reference(size, 1.0f);
+    rasterize(size, m, glm::mat4(1.0f), {},
+              [&](glm::ivec2 texel, float z, unsigned) { reference[texel] = std::min(reference[texel], z); });
+    CHECK(std::count(reference.texels().begin(), reference.texels().end(), 1.0f) == 0);
+    for (const bool scattered : {false, true}) {
+        if (scattered) std::shuffle(m.triangles.begin(), m.triangles.end(), random.engine);
+        CHECK(same_bits(render(size, m), reference));
+        image<float> by_halves(size, 1.0f);
+        rasterize_depth(by_halves, m, glm::mat4(1.0f), {}, cull_mode::none, [](int count, auto&& piece) {
+            piece(count / 2, count);
+            piece(0, count / 2);
+        });
+        CHECK(same_bits(by_halves, reference));
+    }
+}

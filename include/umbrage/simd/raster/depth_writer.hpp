@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+//
+// Triangles into a depth image: the nearer of what is there and the plane's depth, in columns of some texels' width.
+//
+//     draw<true>(depth, flipped, batch);
+//
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include <umbrage/config.hpp>
+#include <umbrage/image.hpp>
+#include <umbrage/scalar.hpp>
+#include <umbrage/simd/dispatch.hpp>
+#include <umbrage/simd/lanes.hpp>
+#include <umbrage/simd/memory.hpp>
+#include <umbrage/simd/raster/triangles.hpp>
+#include <umbrage/simd/strict_math.hpp>
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// @tparam Lanes  texels side by side, two registers of doubles
+template <bool Forward, int Lanes>
+class depth_writer {
+public:
+    UMBRAGE_INLINE depth_writer(image_view<float> depth, bool flipped)
+        : bottom_(reinterpret_cast<std::byte*>(depth.row(flipped ? depth.size.y - 1 : 0))),
+          up_(flipped ? -depth.stride : depth.stride),
+          width_(depth.size.x),
+          skew_(static_cast<int>(reinterpret_cast<std::uintptr_t>(bottom_) / sizeof(float) % Lanes)) {}
+
+    /// Prefetches the texels of a triangle: their latency is about the time that it takes to draw another small one.
+    UMBRAGE_INLINE void expect(const triangles& batch, int i) const {
+        const int last = batch.first_y[i] + std::min(batch.rows[i], 16);
+        for (int y = batch.first_y[i]; y < last; ++y) prefetch_line(row(y) + batch.first_x[i]);
+    }
+
+    UMBRAGE_INLINE void draw(const triangles& batch, int i) const {
+        if (batch.rows[i] == 0) return;
+        const depth_plane plane = batch.plane(i);
+        if (Forward ? plane.lowest > 1.0 : plane.highest < 0.0) return;
+        if constexpr (has_lanes)  // depths of one sign, and none that is flushed: their bits are in their order
+            if (width_ >= Lanes && plane.lowest >= 0x1p-126 && plane.highest <= 1.0)
+                return draw_columns(batch, i, plane);
+        draw_rows(batch, i, plane);
+    }
+
+private:
+    using ints = lanes_of<std::int32_t, Lanes>;
+    using floats = lanes_of<float, Lanes>;
+    using doubles = lanes_of<double, Lanes / 2>;
+
+    static constexpr int tile_columns = 64, tile_rows = 32, few_rows = 16;
+
+    /// Texel by texel.
+    void draw_rows(const triangles& batch, int i, const depth_plane& plane) const {
+        batch.for_each_row(i, [&](int y, int first, int last) {
+            float* const texels = row(y);
+            for (int x = first; x < last; ++x) {
+                const double z = plane(x, y);
+                if (!(z >= 0.0 && z <= 1.0)) continue;
+                const float stored = z > 0.0 ? static_cast<float>(z) : 0.0f;
+                if (!is_nan(texels[x]) && (Forward ? stored <= texels[x] : stored >= texels[x])) texels[x] = stored;
+            }
+        });
+    }
+
+    /// Column by column, in rows of a block each; the depths are within (0, 1] and normal numbers.
+    UMBRAGE_INLINE void draw_columns(const triangles& batch, int i, const depth_plane& plane) const {
+        // Columns begin where blocks do in memory: what two triangles share is then whole blocks, which the processor
+        // hands from a store to the next load.
+        const int first_x = batch.first_x[i], first_y = batch.first_y[i], rows = batch.rows[i];
+        const int from = ((first_x + skew_) & -Lanes) - skew_, end = first_x + batch.columns[i];
+        const std::int32_t right[] = {batch.right[0][i], batch.right[1][i], batch.right[2][i]};
+        const std::int32_t up[] = {batch.up[0][i], batch.up[1][i], batch.up[2][i]};
+        const ints lowest = bit_cast<std::int32_t>(static_cast<float>(plane.lowest)) + ints{};
+        const ints highest = bit_cast<std::int32_t>(static_cast<float>(plane.highest)) + ints{};
+        ints ramp;
+        count_lanes<std::int32_t, Lanes>(ramp);
+        doubles ramp_low;
+        count_lanes<double, Lanes / 2>(ramp_low);
+
+        // Texels x .. x_end - 1 of `height` rows; e: the edges at x and y.
+        const double dx = plane.dx, dy = plane.dy, corner = plane.z;
+        const std::int32_t up0 = up[0], up1 = up[1], up2 = up[2];
+        const std::ptrdiff_t stride = up_;
+        const auto draw_tile = [&](int x, int y, int x_end, int height, const std::int32_t(&e)[3]) UMBRAGE_INLINE {
+            ints e0 = right[0] * ramp + e[0], e1 = right[1] * ramp + e[1], e2 = right[2] * ramp + e[2];
+            for (; x < x_end; x += Lanes, e0 += right[0] * Lanes, e1 += right[1] * Lanes, e2 += right[2] * Lanes) {
+                int first = 0, last = height;
+                if (height > few_rows) {
+                    // Rows in which a texel of the column can be inside all edges, or one more on either side.
+                    float low = 0.0f, high = static_cast<float>(height);
+                    const std::int32_t start[] = {e0[0], e1[0], e2[0]};
+                    for (int k = 0; k < 3; ++k) {
+                        const std::int32_t best = start[k] + std::max(0, right[k] * (Lanes - 1));
+                        const float crossed = static_cast<float>(best) * batch.per_row[k][i];
+                        low = up[k] > 0 && crossed > low ? crossed : low;
+                        high = up[k] < 0 && crossed < high ? crossed : high;
+                    }
+                    first = static_cast<int>(low + 0.99f), last = std::min(static_cast<int>(high + 1.01f), height);
+                }
+                // At the image's borders other texels, as many, which get the same bits again.
+                const int within = std::min(std::max(x, 0), width_ - Lanes), moved = within - x;
+                ints f0 = e0, f1 = e1, f2 = e2;
+                const double z = corner + dy * (y + first - first_y);
+                if ((moved | first) != 0) {
+                    f0 += right[0] * moved + up[0] * first;
+                    f1 += right[1] * moved + up[1] * first;
+                    f2 += right[2] * moved + up[2] * first;
+                }
+                doubles z_low = z + dx * (ramp_low + double(within - first_x));
+                doubles z_high = z + dx * (ramp_low + double(within - first_x + Lanes / 2));
+                std::byte* at = reinterpret_cast<std::byte*>(row(y + first) + within);
+                for (int rest = last - first; rest > 0; --rest, at += stride) {
+                    floats rounded, there;
+                    narrow_lanes<float, Lanes>(z_low, z_high, rounded);
+                    ints here = reinterpret_cast<ints>(rounded);
+                    here = here < lowest ? lowest : here;
+                    here = here > highest ? highest : here;
+                    load_lanes(at, there);
+                    take_nearer<Forward, Lanes>(reinterpret_cast<floats>(here), f0 | f1 | f2, there);
+                    store_lanes(there, at);
+                    f0 += up0, f1 += up1, f2 += up2;
+                    z_low += dy, z_high += dy;
+                }
+            }
+        };
+        std::int32_t e[3];
+        if (batch.is_small(i)) {
+            for (int k = 0; k < 3; ++k) e[k] = batch.edge[k][i] + right[k] * (from - first_x);
+            return draw_tile(from, first_y, end, rows, e);
+        }
+        for (int y = first_y; y < first_y + rows; y += tile_rows)
+            for (int x = from; x < end; x += tile_columns) {
+                for (int k = 0; k < 3; ++k) {  // as near to 0 as a tile's steps leave the sign
+                    constexpr std::int64_t limit = 1 << 30;
+                    e[k] = static_cast<std::int32_t>(std::clamp(batch.edge_at(k, i, x, y), -limit, limit));
+                }
+                draw_tile(x, y, std::min(x + tile_columns, end), std::min(first_y + rows - y, tile_rows), e);
+            }
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE float* row(int y) const { return reinterpret_cast<float*>(bottom_ + y * up_); }
+
+    std::byte* bottom_;
+    std::ptrdiff_t up_;
+    int width_, skew_;
+};
+
+template <bool Forward>
+void draw(image_view<float> depth, bool flipped, const triangles& batch) {
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        constexpr isa in_use = decltype(set)::value;
+        constexpr int lanes = in_use == isa::base ? 4 : in_use == isa::avx2 ? 8 : 16;
+        const depth_writer<Forward, lanes> writer(depth, flipped);
+        for (int i = 0; i < batch.count; ++i) {
+            if (i + 1 < batch.count) writer.expect(batch, i + 1);
+            writer.draw(batch, i);
+        }
+    });
+}
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
