@@ -50,11 +50,14 @@ $(call install,$(bench_packages))
     -D UMBRAGE_BENCH_OUTPUT=$(CURDIR)/build
 endef
 
-# What drives the browser, for the tests in WebGL.
-define browser
-@test -d build/node_modules/playwright-core \
-    || npm install --prefix build --silent --no-audit --no-fund playwright-core@1.56.1 \
-    || echo "npm has no playwright-core for us: the tests in WebGL report themselves skipped."
+# What drives the browser, for the tests in WebGL; and two compilers of WGSL, Tint in Dawn and naga.
+node_modules := playwright-core@1.56.1 webgpu@0.6.2 naga-wasm@30.1.0
+define from_npm
+@for module in $(node_modules); do \
+    test -d build/node_modules/$${module%@*} \
+        || npm install --prefix build --silent --no-audit --no-fund $$module \
+        || echo "npm has no $$module for us: the tests that need it report themselves skipped."; \
+done
 endef
 
 # The newest clang that the packages offer, asked for when their lists have been fetched.
@@ -65,7 +68,7 @@ newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/n
 test:
 	$(call install,$(test_packages))
 	@$(MAKE) --no-print-directory newest-clang
-	$(browser)
+	$(from_npm)
 	cmake --workflow --preset dev
 	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang; \
 	else echo "No clang++-14 here: the pass with it is left out."; fi
@@ -95,7 +98,7 @@ gallery:
 # build/dev/tests/parity/prove/proof.md.
 prove:
 	$(call install,$(test_packages))
-	$(browser)
+	$(from_npm)
 	cmake --preset dev -D UMBRAGE_ALL_HOSTILE_BUILDS=ON
 	cmake --build --preset dev --target prove
 	cmake --build --preset dev --target prove_glsl

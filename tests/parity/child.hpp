@@ -8,11 +8,24 @@
 
 #include <csignal>
 #include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace parity {
+
+/// Whether all of these files are here; says which is not.
+inline bool all_exist(std::initializer_list<const char*> files) {
+    for (const char* file : files) {
+        if (std::filesystem::exists(file)) continue;
+        std::cout << "missing: " << file << '\n';
+        return false;
+    }
+    return true;
+}
 
 /// A program on whose standard input and output blocks of bytes go to and fro.
 class child {

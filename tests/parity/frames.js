@@ -29,6 +29,20 @@ function send(block, then) {
     process.stdout.write(block, then);
 }
 
+/// Answers each block with answer(block), behind a zero; where that throws, with what it says, behind a one.
+function serve(answer) {
+    return collect(process.stdin, async block => {
+        let status = 0, result;
+        try {
+            result = await answer(block);
+        } catch (error) {
+            status = 1;
+            result = Buffer.from(error.formatted || error.message);
+        }
+        send(Buffer.concat([Buffer.from([status]), result]));
+    });
+}
+
 /// Of a block: each with its length before it and padded to four bytes.
 function parts_of(block) {
     const view = new DataView(block.buffer, block.byteOffset, block.byteLength), parts = [];
@@ -40,4 +54,4 @@ function parts_of(block) {
     return parts;
 }
 
-module.exports = { collect, parts_of, send };
+module.exports = { collect, send, serve, parts_of };

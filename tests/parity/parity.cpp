@@ -2,8 +2,8 @@
 //
 // Every entry on one implementation, in all its dialects, against C++.
 //
-//     parity --backend llvmpipe|softpipe|lavapipe|swiftshader|swiftshader_vulkan|hardware|c++|metal [--count N]
-//            [--other-count N] [--other-every N] [--whole N] [--versions "100,300 es,450"]
+//     parity --backend llvmpipe|softpipe|lavapipe|swiftshader|swiftshader_vulkan|naga|tint|hardware|c++|metal
+//            [--count N] [--other-count N] [--other-every N] [--whole N] [--versions "100,300 es,450"]
 //            [--filter TEXT] [--out FOLDER]
 //
 // --other-every: one in N of the other dialects, by a hash of its name and the entry's.
@@ -180,8 +180,9 @@ void print(const std::vector<row>& rows) {
 backends find(const std::string& driver) {
     if (driver == "c++") return cpp_backends();
     if (driver == "metal") return metal_backends();
-    if (driver == "lavapipe" || driver == "swiftshader_vulkan") return vulkan_backends(driver);
+    if (driver == "lavapipe" || driver == "naga" || driver == "swiftshader_vulkan") return vulkan_backends(driver);
     if (driver == "swiftshader") return webgl_backends();
+    if (driver == "tint") return webgpu_backends();
     backends all = egl_backends(driver);
     if (driver == "hardware")
         for (auto& b : vulkan_backends(driver)) all.push_back(std::move(b));

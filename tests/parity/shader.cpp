@@ -45,6 +45,7 @@ call_snippet::call_snippet(const entry& e) : needs_{e.primitive} {
 
 shader make_shader(const entry& e, dialect d) {
     if (d == dialect::hlsl) return {"", make_hlsl(e)};
+    if (d == dialect::wgsl) return {"", make_wgsl(e)};
     const version v = d.of_glsl;
     const bool old = v == version::v100 || v == version::v110 || v == version::v120;
     const bool es = v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;

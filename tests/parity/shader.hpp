@@ -37,6 +37,9 @@ private:
 
 [[nodiscard]] shader make_shader(const entry& e, dialect d);
 
+/// The fragment shader in WGSL.
+[[nodiscard]] std::string make_wgsl(const entry& e);
+
 /// Samplers of an entry in order of their bindings, empty where unused.
 [[nodiscard]] std::array<std::string, max_inputs + 2> samplers(const entry& e);
 

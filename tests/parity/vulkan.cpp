@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Vulkan without a window; SPIR-V from the reference compiler.
+// Vulkan without a window; SPIR-V from the reference compiler, or of WGSL from naga.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "backend.hpp"
+#include "child.hpp"
 #include "shader.hpp"
 #include "spirv.hpp"
 #include "vulkan_device.hpp"
@@ -33,8 +34,10 @@ struct render_target {
 
 class vulkan final : public backend, vulkan_device {
 public:
-    explicit vulkan(vk::raii::PhysicalDevice physical)
+    /// @param naga   what compiles WGSL; empty: the others
+    vulkan(vk::raii::PhysicalDevice physical, std::unique_ptr<child> naga)
         : vulkan_device(std::move(physical)),
+          naga_(std::move(naga)),
           sampler_(device_, {.magFilter = vk::Filter::eNearest,
                              .minFilter = vk::Filter::eNearest,
                              .addressModeU = vk::SamplerAddressMode::eClampToEdge,
@@ -81,10 +84,14 @@ public:
 
     [[nodiscard]] std::string name() const override {
         const std::string device = physical_.getProperties().deviceName.data();
+        if (naga_) return "naga (" + device + ")";
         return device.starts_with("llvmpipe") ? "lavapipe (" + device + ")"
                                               : "Vulkan on " + device;  // not OpenGL's own, nor WebGL's
     }
-    [[nodiscard]] std::vector<dialect> dialects() const override { return {version::vulkan, dialect::hlsl}; }
+    [[nodiscard]] std::vector<dialect> dialects() const override {
+        if (naga_) return {dialect::wgsl};
+        return {version::vulkan, dialect::hlsl};
+    }
     [[nodiscard]] std::string label(dialect d) const override {
         return d == version::vulkan ? "Vulkan" : parity::name(d);
     }
@@ -174,6 +181,15 @@ private:
         serial_ = j.serial;
     }
 
+    [[nodiscard]] std::vector<std::uint32_t> compile_fragment(dialect d, const std::string& source) const {
+        if (d != dialect::wgsl)
+            return compiler_.compile("frag", source, d == dialect::hlsl ? spirv_compiler::hlsl : spirv_compiler::glsl);
+        const std::string module = naga_->answer(source);
+        std::vector<std::uint32_t> code(module.size() / 4);
+        std::memcpy(code.data(), module.data(), module.size());
+        return code;
+    }
+
     [[nodiscard]] vk::raii::ShaderModule make_module(const std::vector<std::uint32_t>& code) const {
         return {device_, vk::ShaderModuleCreateInfo{.codeSize = code.size() * 4, .pCode = code.data()}};
     }
@@ -181,8 +197,7 @@ private:
     [[nodiscard]] vk::raii::Pipeline make_pipeline(const entry& e, dialect d, const vk::raii::RenderPass& pass) {
         if (!*vertex_)  // the same for all
             vertex_ = make_module(compiler_.compile("vert", make_shader(e, version::vulkan).vertex));
-        const auto language = d == dialect::hlsl ? spirv_compiler::hlsl : spirv_compiler::glsl;
-        const auto fragment = make_module(compiler_.compile("frag", make_shader(e, d).fragment, language));
+        const auto fragment = make_module(compile_fragment(d, make_shader(e, d).fragment));
         const std::array stages{vk::PipelineShaderStageCreateInfo{
                                     .stage = vk::ShaderStageFlagBits::eVertex, .module = *vertex_, .pName = "main"},
                                 vk::PipelineShaderStageCreateInfo{
@@ -219,6 +234,7 @@ private:
     }
 
     spirv_compiler compiler_;
+    std::unique_ptr<child> naga_;
     vk::raii::Sampler sampler_;
     vk::raii::DescriptorSetLayout set_layout_ = nullptr;
     vk::raii::PipelineLayout layout_ = nullptr;
@@ -234,13 +250,19 @@ private:
     std::uint64_t serial_ = ~std::uint64_t(0);
 };
 
+std::unique_ptr<child> start_naga() {
+    return std::make_unique<child>(
+        std::vector<std::string>{UMBRAGE_NODE, UMBRAGE_SCRIPTS "/naga.js", UMBRAGE_NODE_MODULES});
+}
+
 }  // namespace
 
 backends vulkan_backends(std::string_view driver) {
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     backends all;
+    if (driver == "naga" && !all_exist({UMBRAGE_NODE, UMBRAGE_NODE_MODULES "/naga-wasm"})) return all;
     if (driver == "swiftshader_vulkan") {
-        if (!std::filesystem::exists(UMBRAGE_SWIFTSHADER)) return all;
+        if (!all_exist({UMBRAGE_SWIFTSHADER})) return all;
         setenv("VK_ICD_FILENAMES", UMBRAGE_SWIFTSHADER, 1);
     }
     try {
@@ -248,7 +270,8 @@ backends vulkan_backends(std::string_view driver) {
         static const vk::raii::Instance instance(context, vk::InstanceCreateInfo{});
         for (vk::raii::PhysicalDevice& device : vk::raii::PhysicalDevices(instance)) {
             const bool software = device.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
-            if (software == (driver != "hardware")) all.push_back(std::make_unique<vulkan>(std::move(device)));
+            if (software == (driver != "hardware"))
+                all.push_back(std::make_unique<vulkan>(std::move(device), driver == "naga" ? start_naga() : nullptr));
         }
     } catch (const std::exception&) {  // no loader, no driver, no device: nothing to run on
     }
