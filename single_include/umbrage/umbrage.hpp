@@ -3314,18 +3314,23 @@ inline constexpr auto texture_matrix_snippets = list<&shadow_coordinate, &tap_co
 namespace umbrage {
 
 /// @param fetch        ivec2 texel -> stored depth; called up to four times
-/// @param a, b, c, d   the taps in texels; a tap outside texel space, or NaN, is lit
+/// @param a, b, c, d   the taps in texels; all are lit where the mean magnitude of their texels' numbers is 2^15 or
+///                     more in a direction, and for NaN
 /// @param receiver     depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return             visibility: 0, 1/4, 1/2, 3/4 or 1
-/// @formula            mean of hard() at the four taps
+/// @formula            mean of [receiver <= fetch(floor(tap))]
 /// @exactness          A
 /// @cite               Reeves, Salesin, Cook 1987; ATI Radeon SDK, ShadowMap sample, 2002
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T four_tap(Fetch&& fetch, glm::vec<2, T> a, glm::vec<2, T> b, glm::vec<2, T> c, glm::vec<2, T> d,
                          T receiver, Compare is_lit = {}) {
-    return (hard(fetch, a, receiver, is_lit) + hard(fetch, b, receiver, is_lit) + hard(fetch, c, receiver, is_lit) +
-            hard(fetch, d, receiver, is_lit)) *
-           T(0.25);
+    const std::array<glm::vec<2, T>, 4> texels{glm::floor(a), glm::floor(b), glm::floor(c), glm::floor(d)};
+    const glm::vec<2, T> sum = glm::abs(texels[0]) + glm::abs(texels[1]) + glm::abs(texels[2]) + glm::abs(texels[3]);
+    const auto inside = [](T v) { return !is_nan(v) && v < T(1 << 17); };
+    if (!inside(sum.x) || !inside(sum.y) || beyond_far(receiver, is_lit)) return T(1);
+    T count(0);
+    for (const glm::vec<2, T>& texel : texels) count += lit(fetch, glm::ivec2(texel), receiver, is_lit);
+    return count * T(0.25);
 }
 
 namespace glsl {
@@ -3334,15 +3339,24 @@ inline constexpr snippet four_tap{
     .name = "four_tap",
     .summary = "mean of four taps with coordinates of their own",
     .exactness = tier::a,
-    .needs = list<&hard>,
+    .needs = list<&lit, &beyond_far>,
     .source = R"GLSL(
 // umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels;   receiver  depth, biased
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
+//   or more in a direction;   receiver  depth, biased
 UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 a,
                                      UMBRAGE_HIGHP vec2 b, UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP vec2 d,
                                      UMBRAGE_HIGHP float receiver) {
-    return (umbrage_hard(map, size, a, receiver) + umbrage_hard(map, size, b, receiver) +
-            umbrage_hard(map, size, c, receiver) + umbrage_hard(map, size, d, receiver)) * 0.25;
+    UMBRAGE_HIGHP vec2 a_texel = floor(a);
+    UMBRAGE_HIGHP vec2 b_texel = floor(b);
+    UMBRAGE_HIGHP vec2 c_texel = floor(c);
+    UMBRAGE_HIGHP vec2 d_texel = floor(d);
+    UMBRAGE_HIGHP vec2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    bool compared = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    UMBRAGE_HIGHP float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
+                                umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
+    return compared ? count * 0.25 : 1.0;
 }
 )GLSL",
 };
@@ -4176,6 +4190,15 @@ template <bool Forward>
     const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(highest);
     const std::int32_t positive = bits > 0 ? bits : 0;
     return static_cast<std::int32_t>(detail::bit_cast<float>(positive < top ? positive : top));
+}
+
+/// Magnitude of floor(v), at most `limit`, a whole number below 2^24; NaN counts as it.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_magnitude(float v, float limit) {
+    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(limit);
+    const std::int32_t magnitude = bits & 0x7FFFFFFF;
+    const auto within = detail::bit_cast<float>(magnitude < top ? magnitude : top);
+    const auto whole = static_cast<std::int32_t>(within);
+    return whole + (bits < 0 && static_cast<float>(whole) < within ? 1 : 0);
 }
 
 /// Floats as integers in the same order, -0 below +0, NaN below everything; and back.
@@ -5115,18 +5138,17 @@ namespace umbrage::detail {
 
 /// Taps that are receivers' own texels, clamped to the map.
 struct placed_tap {
-    alignas(64) std::int32_t offsets[block], compared[block];
+    alignas(64) std::int32_t offsets[block];
 
-    template <class Test, class T>
-    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset) {
+    /// @param space   texels that a receiver can ask for, in each direction
+    template <class T>
+    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset, int space) {
         const texel_bytes memory(map);
-        const auto last_x = static_cast<float>(last_in_space(map.size.x)),
-                   last_y = static_cast<float>(last_in_space(map.size.y));
-        for (int i = 0; i < block; ++i) {
-            const float x = receivers.x(i) + offset.x, y = receivers.y(i) + offset.y;
-            compared[i] = Test::compared(x, y, receivers.z(i));
-            offsets[i] = memory.offset(floor_within(x, last_x), floor_within(y, last_y));
-        }
+        const auto last_x = static_cast<float>((map.size.x < space ? map.size.x : space) - 1),
+                   last_y = static_cast<float>((map.size.y < space ? map.size.y : space) - 1);
+        for (int i = 0; i < block; ++i)
+            offsets[i] = memory.offset(floor_within(receivers.x(i) + offset.x, last_x),
+                                       floor_within(receivers.y(i) + offset.y, last_y));
         prefetch(memory, offsets, 1);
     }
 
@@ -5136,8 +5158,7 @@ struct placed_tap {
         const texel_bytes memory(map.map);
         loaded_texels<Map> texels(map);
         texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
-        for (int i = 0; i < block; ++i)
-            lit[i] += (Test::lit(texels.receiver(z[i]), texels.one(i)) & compared[i]) | (1 & ~compared[i]);
+        for (int i = 0; i < block; ++i) lit[i] += Test::lit(texels.receiver(z[i]), texels.one(i));
     }
 };
 
@@ -5147,19 +5168,22 @@ struct hard_blocks {
     struct placed {
         receiver_block r;
         placed_tap tap;
+        alignas(64) std::int32_t compared[block];
     };
     Map map;
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         at.r.copy(receivers);
-        at.tap.template place<test>(map.map, at.r, glm::vec2(0.0f));
+        at.tap.place(map.map, at.r, glm::vec2(0.0f), 1 << 15);
+        for (int i = 0; i < block; ++i) at.compared[i] = test::compared(at.r.x(i), at.r.y(i), at.r.z(i));
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         alignas(64) std::int32_t lit[block]{};
         at.tap.template count<test>(map, at.r.zs, lit);
-        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
+        for (int i = 0; i < block; ++i)
+            visibility[i] = static_cast<float>((lit[i] & at.compared[i]) | (1 & ~at.compared[i]));
     }
 };
 
@@ -5186,20 +5210,31 @@ struct four_tap_blocks {
     struct placed {
         receiver_block r;
         placed_tap taps[4];
+        alignas(64) std::int32_t compared[block];
     };
+    static constexpr int space = 1 << 17;  // of the four taps' sum
     Map map;
     std::array<glm::vec2, 4> offsets;
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         at.r.copy(receivers);
-        for (std::size_t tap = 0; tap < 4; ++tap) at.taps[tap].template place<test>(map.map, at.r, offsets[tap]);
+        for (std::size_t tap = 0; tap < 4; ++tap) at.taps[tap].place(map.map, at.r, offsets[tap], space);
+        for (int i = 0; i < block; ++i) {
+            std::int32_t x = 0, y = 0;
+            for (const glm::vec2& offset : offsets) {
+                x += floor_magnitude(at.r.x(i) + offset.x, float(space));
+                y += floor_magnitude(at.r.y(i) + offset.y, float(space));
+            }
+            at.compared[i] = x < space && y < space ? ~beyond_far_mask<test::forward>(at.r.z(i)) : 0;
+        }
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         alignas(64) std::int32_t lit[block]{};
         for (const placed_tap& tap : at.taps) tap.template count<test>(map, at.r.zs, lit);
-        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]) * 0.25f;
+        for (int i = 0; i < block; ++i)
+            visibility[i] = static_cast<float>((lit[i] & at.compared[i]) | (4 & ~at.compared[i])) * 0.25f;
     }
 };
 

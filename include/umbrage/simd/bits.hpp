@@ -87,6 +87,15 @@ template <bool Forward>
     return static_cast<std::int32_t>(detail::bit_cast<float>(positive < top ? positive : top));
 }
 
+/// Magnitude of floor(v), at most `limit`, a whole number below 2^24; NaN counts as it.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t floor_magnitude(float v, float limit) {
+    const auto bits = detail::bit_cast<std::int32_t>(v), top = detail::bit_cast<std::int32_t>(limit);
+    const std::int32_t magnitude = bits & 0x7FFFFFFF;
+    const auto within = detail::bit_cast<float>(magnitude < top ? magnitude : top);
+    const auto whole = static_cast<std::int32_t>(within);
+    return whole + (bits < 0 && static_cast<float>(whole) < within ? 1 : 0);
+}
+
 /// Floats as integers in the same order, -0 below +0, NaN below everything; and back.
 [[nodiscard]] UMBRAGE_INLINE inline std::int32_t order_key(float v) {
     const auto bits = detail::bit_cast<std::int32_t>(v);

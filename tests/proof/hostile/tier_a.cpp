@@ -175,7 +175,7 @@ bool nan_promises_hold() {
             hard(nowhere, middle, 0.0f) == 0.0f && pcf_2x2(nowhere, astray, nan) == 1.0f &&
             pcf_2x2(lit, middle, nan) == 0.0f && pcf_2x2(nowhere, middle, 0.0f) == 0.0f &&
             box_count(nowhere, astray, nan, 1) == 9.0f && box_count(lit, middle, nan, 1) == 0.0f &&
-            box_count(nowhere, middle, 0.0f, 1) == 0.0f && four_tap(lit, astray, middle, middle, middle, nan) == 0.25f;
+            box_count(nowhere, middle, 0.0f, 1) == 0.0f && four_tap(nowhere, astray, middle, middle, middle, nan) == 1.0f;
         if (!hold) return false;
     }
     return true;

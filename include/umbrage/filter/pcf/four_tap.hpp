@@ -15,18 +15,23 @@
 namespace umbrage {
 
 /// @param fetch        ivec2 texel -> stored depth; called up to four times
-/// @param a, b, c, d   the taps in texels; a tap outside texel space, or NaN, is lit
+/// @param a, b, c, d   the taps in texels; all are lit where the mean magnitude of their texels' numbers is 2^15 or
+///                     more in a direction, and for NaN
 /// @param receiver     depth, biased; beyond the far plane: lit; NaN is in shadow
 /// @return             visibility: 0, 1/4, 1/2, 3/4 or 1
-/// @formula            mean of hard() at the four taps
+/// @formula            mean of [receiver <= fetch(floor(tap))]
 /// @exactness          A
 /// @cite               Reeves, Salesin, Cook 1987; ATI Radeon SDK, ShadowMap sample, 2002
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T four_tap(Fetch&& fetch, glm::vec<2, T> a, glm::vec<2, T> b, glm::vec<2, T> c, glm::vec<2, T> d,
                          T receiver, Compare is_lit = {}) {
-    return (hard(fetch, a, receiver, is_lit) + hard(fetch, b, receiver, is_lit) + hard(fetch, c, receiver, is_lit) +
-            hard(fetch, d, receiver, is_lit)) *
-           T(0.25);
+    const std::array<glm::vec<2, T>, 4> texels{glm::floor(a), glm::floor(b), glm::floor(c), glm::floor(d)};
+    const glm::vec<2, T> sum = glm::abs(texels[0]) + glm::abs(texels[1]) + glm::abs(texels[2]) + glm::abs(texels[3]);
+    const auto inside = [](T v) { return !is_nan(v) && v < T(1 << 17); };
+    if (!inside(sum.x) || !inside(sum.y) || beyond_far(receiver, is_lit)) return T(1);
+    T count(0);
+    for (const glm::vec<2, T>& texel : texels) count += lit(fetch, glm::ivec2(texel), receiver, is_lit);
+    return count * T(0.25);
 }
 
 namespace glsl {
@@ -35,15 +40,24 @@ inline constexpr snippet four_tap{
     .name = "four_tap",
     .summary = "mean of four taps with coordinates of their own",
     .exactness = tier::a,
-    .needs = list<&hard>,
+    .needs = list<&lit, &beyond_far>,
     .source = R"GLSL(
 // umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels;   receiver  depth, biased
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
+//   or more in a direction;   receiver  depth, biased
 UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 a,
                                      UMBRAGE_HIGHP vec2 b, UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP vec2 d,
                                      UMBRAGE_HIGHP float receiver) {
-    return (umbrage_hard(map, size, a, receiver) + umbrage_hard(map, size, b, receiver) +
-            umbrage_hard(map, size, c, receiver) + umbrage_hard(map, size, d, receiver)) * 0.25;
+    UMBRAGE_HIGHP vec2 a_texel = floor(a);
+    UMBRAGE_HIGHP vec2 b_texel = floor(b);
+    UMBRAGE_HIGHP vec2 c_texel = floor(c);
+    UMBRAGE_HIGHP vec2 d_texel = floor(d);
+    UMBRAGE_HIGHP vec2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    bool compared = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    UMBRAGE_HIGHP float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
+                                umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
+    return compared ? count * 0.25 : 1.0;
 }
 )GLSL",
 };

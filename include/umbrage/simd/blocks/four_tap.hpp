@@ -17,20 +17,31 @@ struct four_tap_blocks {
     struct placed {
         receiver_block r;
         placed_tap taps[4];
+        alignas(64) std::int32_t compared[block];
     };
+    static constexpr int space = 1 << 17;  // of the four taps' sum
     Map map;
     std::array<glm::vec2, 4> offsets;
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         at.r.copy(receivers);
-        for (std::size_t tap = 0; tap < 4; ++tap) at.taps[tap].template place<test>(map.map, at.r, offsets[tap]);
+        for (std::size_t tap = 0; tap < 4; ++tap) at.taps[tap].place(map.map, at.r, offsets[tap], space);
+        for (int i = 0; i < block; ++i) {
+            std::int32_t x = 0, y = 0;
+            for (const glm::vec2& offset : offsets) {
+                x += floor_magnitude(at.r.x(i) + offset.x, float(space));
+                y += floor_magnitude(at.r.y(i) + offset.y, float(space));
+            }
+            at.compared[i] = x < space && y < space ? ~beyond_far_mask<test::forward>(at.r.z(i)) : 0;
+        }
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         alignas(64) std::int32_t lit[block]{};
         for (const placed_tap& tap : at.taps) tap.template count<test>(map, at.r.zs, lit);
-        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]) * 0.25f;
+        for (int i = 0; i < block; ++i)
+            visibility[i] = static_cast<float>((lit[i] & at.compared[i]) | (4 & ~at.compared[i])) * 0.25f;
     }
 };
 

@@ -14,18 +14,17 @@ namespace umbrage::detail {
 
 /// Taps that are receivers' own texels, clamped to the map.
 struct placed_tap {
-    alignas(64) std::int32_t offsets[block], compared[block];
+    alignas(64) std::int32_t offsets[block];
 
-    template <class Test, class T>
-    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset) {
+    /// @param space   texels that a receiver can ask for, in each direction
+    template <class T>
+    UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset, int space) {
         const texel_bytes memory(map);
-        const auto last_x = static_cast<float>(last_in_space(map.size.x)),
-                   last_y = static_cast<float>(last_in_space(map.size.y));
-        for (int i = 0; i < block; ++i) {
-            const float x = receivers.x(i) + offset.x, y = receivers.y(i) + offset.y;
-            compared[i] = Test::compared(x, y, receivers.z(i));
-            offsets[i] = memory.offset(floor_within(x, last_x), floor_within(y, last_y));
-        }
+        const auto last_x = static_cast<float>((map.size.x < space ? map.size.x : space) - 1),
+                   last_y = static_cast<float>((map.size.y < space ? map.size.y : space) - 1);
+        for (int i = 0; i < block; ++i)
+            offsets[i] = memory.offset(floor_within(receivers.x(i) + offset.x, last_x),
+                                       floor_within(receivers.y(i) + offset.y, last_y));
         prefetch(memory, offsets, 1);
     }
 
@@ -35,8 +34,7 @@ struct placed_tap {
         const texel_bytes memory(map.map);
         loaded_texels<Map> texels(map);
         texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
-        for (int i = 0; i < block; ++i)
-            lit[i] += (Test::lit(texels.receiver(z[i]), texels.one(i)) & compared[i]) | (1 & ~compared[i]);
+        for (int i = 0; i < block; ++i) lit[i] += Test::lit(texels.receiver(z[i]), texels.one(i));
     }
 };
 
@@ -46,19 +44,22 @@ struct hard_blocks {
     struct placed {
         receiver_block r;
         placed_tap tap;
+        alignas(64) std::int32_t compared[block];
     };
     Map map;
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         at.r.copy(receivers);
-        at.tap.template place<test>(map.map, at.r, glm::vec2(0.0f));
+        at.tap.place(map.map, at.r, glm::vec2(0.0f), 1 << 15);
+        for (int i = 0; i < block; ++i) at.compared[i] = test::compared(at.r.x(i), at.r.y(i), at.r.z(i));
     }
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa) const {
         alignas(64) std::int32_t lit[block]{};
         at.tap.template count<test>(map, at.r.zs, lit);
-        for (int i = 0; i < block; ++i) visibility[i] = static_cast<float>(lit[i]);
+        for (int i = 0; i < block; ++i)
+            visibility[i] = static_cast<float>((lit[i] & at.compared[i]) | (1 & ~at.compared[i]));
     }
 };
 

@@ -20,15 +20,23 @@ TEST_CASE("four_tap: each tap counts a quarter, whatever its place in the order"
     }
 }
 
-TEST_CASE("four_tap: a tap outside texel space is lit, the others count; a NaN receiver is in shadow") {
+TEST_CASE("four_tap: lit where the mean of the taps is outside texel space, or a coordinate NaN") {
     const auto dark = [](glm::ivec2) { return 0.0f; };
-    const glm::vec2 in(1);
-    for (glm::vec2 out : coordinates_outside_texel_space()) {
-        CHECK(four_tap(dark, out, in, in, in, 0.5f) == 0.25f);
-        CHECK(four_tap(dark, in, out, in, out, 0.5f) == 0.5f);
-        CHECK(four_tap(dark, out, out, in, out, 0.5f) == 0.75f);
-    }
-    CHECK(four_tap(dark, in, in, in, in, std::numeric_limits<float>::quiet_NaN()) == 0);
+    const glm::vec2 in(1), zero(0);
+    for (glm::vec2 out : coordinates_outside_texel_space()) CHECK(four_tap(dark, out, out, out, out, 0.5f) == 1.0f);
+    const float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+    for (float bad : {131072.0f, -131072.0f, 1e30f, -1e30f, infinity, -infinity, nan, -nan})
+        for (glm::vec2 out : {glm::vec2(bad, 1), glm::vec2(1, bad), glm::vec2(bad, -bad)}) {
+            CHECK(four_tap(dark, out, in, in, in, 0.5f) == 1.0f);
+            CHECK(four_tap(dark, in, out, in, out, 0.5f) == 1.0f);
+            CHECK(four_tap(dark, in, in, in, glm::vec2(out), 0.5f) == 1.0f);
+        }
+    const glm::vec2 corner(32767.5f, -32766.5f), far(131071.5f, 0), beyond(-131071.5f, 0);
+    CHECK(four_tap(dark, corner, corner, corner, corner, 0.5f) == 0.0f);
+    CHECK(four_tap(dark, zero, far, zero, zero, 0.5f) == 0.0f);
+    CHECK(four_tap(dark, zero, beyond, zero, zero, 0.5f) == 1.0f);
+    CHECK(four_tap(dark, in, in, in, in, nan) == 0);
+    CHECK(four_tap(dark, in, in, in, in, 1.5f) == 1);
 }
 
 TEST_CASE("four_tap: with the default taps it is pcf_2x2 at texel corners") {
