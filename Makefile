@@ -139,9 +139,11 @@ bench-compare:
 	@cmake --build build/bench --target bench_compare
 	@build/bench/tests/bench/bench_compare --before $(A) --after $(B)
 
-# Makes single_include/umbrage/umbrage.hpp anew.
+# Makes single_include anew: the single header, every snippet as a file, the npm package's module.
 single-header:
 	cmake -P single_include/amalgamate.cmake
+	cmake -G Ninja -S . -B build/package -D UMBRAGE_BUILD_EXAMPLES=OFF -D CMAKE_BUILD_TYPE=Debug > build/package.log
+	cmake --build build/package --target package
 
 # Writes the generated tables of README.md anew.
 readme:

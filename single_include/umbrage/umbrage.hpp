@@ -8886,7 +8886,7 @@ inline constexpr glsl::detail::language language{
 }
 
 [[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {
-    return text(std::span(items.begin(), items.size()));
+    return hlsl::text(std::span(items.begin(), items.size()));
 }
 
 }  // namespace umbrage::hlsl
@@ -9007,7 +9007,7 @@ inline constexpr glsl::detail::language language{
 }
 
 [[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {
-    return text(std::span(items.begin(), items.size()));
+    return msl::text(std::span(items.begin(), items.size()));
 }
 
 }  // namespace umbrage::msl
@@ -9754,7 +9754,7 @@ inline void declare(const glsl::snippet& s, signatures& functions) {
 [[nodiscard]] inline std::string translate(const glsl::snippet& s) {
     signatures functions;
     declare(s, functions);
-    return printer(s.source, functions).print();
+    return glsl::detail::laid_out(printer(s.source, functions).print());
 }
 
 inline constexpr glsl::detail::language language{
@@ -9765,7 +9765,7 @@ inline constexpr glsl::detail::language language{
 /// The snippets, or what bind() gives for a map, and all they need, each function once: text to paste into any shader.
 /// @throws std::invalid_argument   for what WGSL has no word for
 [[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::laid_out(glsl::detail::compose(detail::language, items));
+    return glsl::detail::compose(detail::language, items);
 }
 
 [[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {

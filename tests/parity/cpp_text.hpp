@@ -27,6 +27,9 @@ using glm::bvec2, glm::bvec3, glm::bvec4, glm::ivec2, glm::ivec3, glm::ivec4, gl
 
 using sampler2D = umbrage::image_view<const vec4>;
 
+/// Of a NaN the lower limit, as processors of graphics have it; GLM's would make it a texel's number.
+inline vec2 clamp(vec2 v, vec2 low, vec2 high) { return min(max(low, v), high); }
+
 inline vec4 texelFetch(sampler2D map, ivec2 texel, int) { return map[texel]; }
 inline ivec2 textureSize(sampler2D map, int) { return map.size; }
 

@@ -126,7 +126,7 @@ inline constexpr glsl::detail::language language{
 }
 
 [[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {
-    return text(std::span(items.begin(), items.size()));
+    return msl::text(std::span(items.begin(), items.size()));
 }
 
 }  // namespace umbrage::msl

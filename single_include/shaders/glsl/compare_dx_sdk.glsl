@@ -1,0 +1,26 @@
+// umbrage 0.1.0, MIT License: compare_dx_sdk
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE_DX_SDK
+#define UMBRAGE_HAS_COMPARE_DX_SDK
+// umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
+UMBRAGE_HIGHP float umbrage_compare_dx_sdk(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored,
+                                           UMBRAGE_HIGHP float epsilon) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float limit = stored + epsilon;
+    return limit < receiver ? 0.0 : 1.0;
+}
+#endif

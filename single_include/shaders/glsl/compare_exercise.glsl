@@ -1,0 +1,26 @@
+// umbrage 0.1.0, MIT License: compare_exercise
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE_EXERCISE
+#define UMBRAGE_HAS_COMPARE_EXERCISE
+// umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
+UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAGE_HIGHP float stored,
+                                             UMBRAGE_HIGHP float epsilon) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float limit = stored + epsilon;
+    return current < limit ? 1.0 : 0.0;
+}
+#endif

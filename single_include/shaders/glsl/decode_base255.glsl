@@ -1,0 +1,26 @@
+// umbrage 0.1.0, MIT License: decode_base255
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_BASE255
+#define UMBRAGE_HAS_DECODE_BASE255
+// umbrage_decode_base255: base-255 RGBA, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
+        c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
+    return depth;
+}
+#endif

@@ -1,0 +1,25 @@
+// umbrage 0.1.0, MIT License: depth_from_ndc
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_DEPTH_FROM_NDC
+#define UMBRAGE_HAS_DEPTH_FROM_NDC
+// umbrage_depth_from_ndc: depth in [0, 1] from z/w in [-1, 1]
+UMBRAGE_HIGHP float umbrage_depth_from_ndc(UMBRAGE_HIGHP float ndc) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = ndc * 0.5 + 0.5;
+    return depth;
+}
+#endif

@@ -1,0 +1,27 @@
+// umbrage 0.1.0, MIT License: diffuse_ambient
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_DIFFUSE_AMBIENT
+#define UMBRAGE_HAS_DIFFUSE_AMBIENT
+// umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
+UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP float ambient,
+                                           UMBRAGE_HIGHP float n_dot_l, UMBRAGE_HIGHP float visibility) {
+    UMBRAGE_HIGHP float facing = n_dot_l > 0.0 ? n_dot_l : 0.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float light = visibility * facing * (1.0 - ambient) + ambient;
+    return albedo * light;
+}
+#endif

@@ -1,0 +1,25 @@
+// umbrage 0.1.0, MIT License: encode_float_bits
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_ENCODE_FLOAT_BITS
+#define UMBRAGE_HAS_ENCODE_FLOAT_BITS
+// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
+UMBRAGE_HIGHP vec4 umbrage_encode_float_bits(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP uint bits = floatBitsToUint(v);
+    return vec4(float(bits & 255u), float((bits >> 8) & 255u), float((bits >> 16) & 255u), float(bits >> 24));
+}
+#endif

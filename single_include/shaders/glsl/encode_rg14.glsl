@@ -1,0 +1,48 @@
+// umbrage 0.1.0, MIT License: encode_rg14
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ENCODE_RG14
+#define UMBRAGE_HAS_ENCODE_RG14
+// umbrage_encode_rg14: depth to the two channels of a 14-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg14(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16384.0), 16383.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 4.0);
+}
+#endif

@@ -1,0 +1,50 @@
+// umbrage 0.1.0, MIT License: encode_rgb24
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ENCODE_RGB24
+#define UMBRAGE_HAS_ENCODE_RGB24
+// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = x - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    return vec3(high, middle, rest - middle * 256.0);
+}
+#endif

@@ -1,0 +1,33 @@
+// umbrage 0.1.0, MIT License: from_unorm
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_FROM_UNORM
+#define UMBRAGE_HAS_FROM_UNORM
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 255.0 + 0.5);
+}
+#endif

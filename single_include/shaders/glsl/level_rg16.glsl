@@ -1,0 +1,30 @@
+// umbrage 0.1.0, MIT License: level_rg16
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+// depths here are on a scale of their own, on which 1.0 is not the far plane
+#ifndef UMBRAGE_BEYOND_FAR
+#define UMBRAGE_BEYOND_FAR(receiver) false
+#endif
+
+#ifndef UMBRAGE_HAS_LEVEL_RG16
+#define UMBRAGE_HAS_LEVEL_RG16
+// umbrage_level_rg16: two channels of a 16-bit code, as sampled, to the scale of umbrage_receiver_rg16, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg16(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 256.0;  // an exact product: fused or not, it rounds once
+}
+#endif

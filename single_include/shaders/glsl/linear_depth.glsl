@@ -1,0 +1,24 @@
+// umbrage 0.1.0, MIT License: linear_depth
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_LINEAR_DEPTH
+#define UMBRAGE_HAS_LINEAR_DEPTH
+// umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
+UMBRAGE_HIGHP float umbrage_linear_depth(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float inv_z_far) {
+    return z_view * inv_z_far;
+}
+#endif

@@ -1,0 +1,26 @@
+// umbrage 0.1.0, MIT License: orthographic_depth_from_view_z
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_ORTHOGRAPHIC_DEPTH_FROM_VIEW_Z
+#define UMBRAGE_HAS_ORTHOGRAPHIC_DEPTH_FROM_VIEW_Z
+// umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
+// z_near; when reversed, exchange z_near and z_far
+UMBRAGE_HIGHP float umbrage_orthographic_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
+                                                           UMBRAGE_HIGHP float z_far) {
+    return (z_view - z_near) / (z_far - z_near);
+}
+#endif

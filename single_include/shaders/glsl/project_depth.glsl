@@ -1,0 +1,24 @@
+// umbrage 0.1.0, MIT License: project_depth
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_PROJECT_DEPTH
+#define UMBRAGE_HAS_PROJECT_DEPTH
+// umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
+UMBRAGE_HIGHP float umbrage_project_depth(UMBRAGE_HIGHP float z, UMBRAGE_HIGHP float w, UMBRAGE_HIGHP float cleared) {
+    return w > 0.0 ? z / w : cleared;
+}
+#endif

@@ -1,0 +1,26 @@
+// umbrage 0.1.0, MIT License: receiver_rg16
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_RECEIVER_RG16
+#define UMBRAGE_HAS_RECEIVER_RG16
+// umbrage_receiver_rg16: receiver on the scale of umbrage_level_rg16: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg16(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg16(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 65536.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+#endif

@@ -1,0 +1,32 @@
+// umbrage 0.1.0, MIT License: spot_cone
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_SPOT_CONE
+#define UMBRAGE_HAS_SPOT_CONE
+// umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
+//   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
+UMBRAGE_HIGHP float umbrage_spot_cone(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 to_point,
+                                      UMBRAGE_HIGHP float cos_outer) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d =
+        direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float length2 =
+        to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float edge2 = cos_outer * cos_outer * length2;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d2 = d * d;
+    return d > 0.0 && d2 > edge2 ? 1.0 : 0.0;
+}
+#endif

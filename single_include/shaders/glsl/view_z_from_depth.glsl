@@ -1,0 +1,25 @@
+// umbrage 0.1.0, MIT License: view_z_from_depth
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_VIEW_Z_FROM_DEPTH
+#define UMBRAGE_HAS_VIEW_Z_FROM_DEPTH
+// umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
+UMBRAGE_HIGHP float umbrage_view_z_from_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
+                                              UMBRAGE_HIGHP float z_far) {
+    return z_near / (1.0 - depth * (1.0 - z_near / z_far));
+}
+#endif

@@ -1,0 +1,27 @@
+// umbrage 0.1.0, MIT License: view_z_from_orthographic_depth
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_VIEW_Z_FROM_ORTHOGRAPHIC_DEPTH
+#define UMBRAGE_HAS_VIEW_Z_FROM_ORTHOGRAPHIC_DEPTH
+// umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
+// axis; when reversed, exchange z_near and z_far
+UMBRAGE_HIGHP float umbrage_view_z_from_orthographic_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
+                                                           UMBRAGE_HIGHP float z_far) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z_view = z_near + depth * (z_far - z_near);
+    return z_view;
+}
+#endif

@@ -1,0 +1,51 @@
+// umbrage 0.1.0, MIT License: write_base255
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WRITE_BASE255
+#define UMBRAGE_HAS_WRITE_BASE255
+// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
+//   round: umbrage_encode_base255_repaired has neither fault
+UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 e = vec4(v, v * 255.0, v * 65025.0, v * 16581375.0);
+    e = e - floor(e);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c =
+        vec4(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
+    return c;
+}
+#endif

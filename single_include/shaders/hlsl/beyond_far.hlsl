@@ -1,0 +1,9 @@
+// umbrage 0.1.0, MIT License: beyond_far
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// umbrage_beyond_far: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far(float receiver) {
+    return receiver > 1.0;
+}
+#endif

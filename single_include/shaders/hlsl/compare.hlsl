@@ -1,0 +1,9 @@
+// umbrage 0.1.0, MIT License: compare
+
+#ifndef UMBRAGE_HAS_COMPARE
+#define UMBRAGE_HAS_COMPARE
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+float umbrage_compare(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif

@@ -1,0 +1,10 @@
+// umbrage 0.1.0, MIT License: compare_dx_sdk
+
+#ifndef UMBRAGE_HAS_COMPARE_DX_SDK
+#define UMBRAGE_HAS_COMPARE_DX_SDK
+// umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
+float umbrage_compare_dx_sdk(float receiver, float stored, float epsilon) {
+    precise float limit = stored + epsilon;
+    return limit < receiver ? 0.0 : 1.0;
+}
+#endif

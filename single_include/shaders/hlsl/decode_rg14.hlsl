@@ -1,0 +1,28 @@
+// umbrage 0.1.0, MIT License: decode_rg14
+
+#ifndef UMBRAGE_HAS_FROM_UNORM
+#define UMBRAGE_HAS_FROM_UNORM
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+float umbrage_from_unorm(float c) {
+    return floor(c * 255.0 + 0.5);
+}
+float2 umbrage_from_unorm(float2 c) {
+    return floor(c * 255.0 + 0.5);
+}
+float3 umbrage_from_unorm(float3 c) {
+    return floor(c * 255.0 + 0.5);
+}
+float4 umbrage_from_unorm(float4 c) {
+    return floor(c * 255.0 + 0.5);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_RG14
+#define UMBRAGE_HAS_DECODE_RG14
+// umbrage_decode_rg14: two channels of a 14-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+float umbrage_decode_rg14(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 64.0 + edge) * (1.0 / 16384.0);
+}
+#endif

@@ -1,0 +1,10 @@
+// umbrage 0.1.0, MIT License: depth_from_ndc
+
+#ifndef UMBRAGE_HAS_DEPTH_FROM_NDC
+#define UMBRAGE_HAS_DEPTH_FROM_NDC
+// umbrage_depth_from_ndc: depth in [0, 1] from z/w in [-1, 1]
+float umbrage_depth_from_ndc(float ndc) {
+    precise float depth = ndc * 0.5 + 0.5;
+    return depth;
+}
+#endif

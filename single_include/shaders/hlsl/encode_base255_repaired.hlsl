@@ -1,0 +1,31 @@
+// umbrage 0.1.0, MIT License: encode_base255_repaired
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ENCODE_BASE255_REPAIRED
+#define UMBRAGE_HAS_ENCODE_BASE255_REPAIRED
+// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+float4 umbrage_encode_base255_repaired(float depth) {
+    precise float x = umbrage_saturate(depth) * 255.0;
+    precise float y = (x - floor(x)) * 255.0;
+    precise float z = (y - floor(y)) * 255.0;
+    precise float w = (z - floor(z)) * 255.0;
+    return float4(floor(x), floor(y), floor(z), floor(w));
+}
+#endif

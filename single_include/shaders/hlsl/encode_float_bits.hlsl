@@ -1,0 +1,10 @@
+// umbrage 0.1.0, MIT License: encode_float_bits
+
+#ifndef UMBRAGE_HAS_ENCODE_FLOAT_BITS
+#define UMBRAGE_HAS_ENCODE_FLOAT_BITS
+// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
+float4 umbrage_encode_float_bits(float v) {
+    uint bits = asuint(v);
+    return float4(float(bits & 255u), float((bits >> 8) & 255u), float((bits >> 16) & 255u), float(bits >> 24));
+}
+#endif

@@ -1,0 +1,29 @@
+// umbrage 0.1.0, MIT License: encode_rg13
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ENCODE_RG13
+#define UMBRAGE_HAS_ENCODE_RG13
+// umbrage_encode_rg13: depth to the two channels of a 13-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg13(float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 8192.0), 8191.0);
+    float high = floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 8.0);
+}
+#endif

@@ -1,0 +1,64 @@
+// umbrage 0.1.0, MIT License: encode_rg14_table
+
+#ifndef UMBRAGE_HAS_FROM_UNORM
+#define UMBRAGE_HAS_FROM_UNORM
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+float umbrage_from_unorm(float c) {
+    return floor(c * 255.0 + 0.5);
+}
+float2 umbrage_from_unorm(float2 c) {
+    return floor(c * 255.0 + 0.5);
+}
+float3 umbrage_from_unorm(float3 c) {
+    return floor(c * 255.0 + 0.5);
+}
+float4 umbrage_from_unorm(float4 c) {
+    return floor(c * 255.0 + 0.5);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
+    return map.Load(int3(int2(texel), 0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ENCODE_RG14_TABLE
+#define UMBRAGE_HAS_ENCODE_RG14_TABLE
+// umbrage_encode_rg14_table: depth to the two channels of a 14-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 8 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg14_table(Texture2D<float4> table, float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 16384.0), 16383.0);
+    float row = floor(x * (1.0 / 2048.0));
+    float2 texel = float2(x - row * 2048.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(2048.0, 8.0), texel));
+    return float2(k.x, k.y);
+}
+#endif

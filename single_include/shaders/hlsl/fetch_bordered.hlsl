@@ -1,0 +1,34 @@
+// umbrage 0.1.0, MIT License: fetch_bordered
+
+#ifndef UMBRAGE_HAS_INSIDE_MAP
+#define UMBRAGE_HAS_INSIDE_MAP
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+precise bool umbrage_inside_map(float2 size, float2 texel) {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
+    return map.Load(int3(int2(texel), 0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_BORDERED
+#define UMBRAGE_HAS_FETCH_BORDERED
+// umbrage_fetch_bordered: texel of a map, or border outside of it
+float4 umbrage_fetch_bordered(Texture2D<float4> map, float2 size, float2 texel, float4 border) {
+    float4 value = umbrage_fetch_clamped(map, size, texel);
+    return umbrage_inside_map(size, texel) ? value : border;
+}
+#endif

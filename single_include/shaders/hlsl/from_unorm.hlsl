@@ -1,0 +1,18 @@
+// umbrage 0.1.0, MIT License: from_unorm
+
+#ifndef UMBRAGE_HAS_FROM_UNORM
+#define UMBRAGE_HAS_FROM_UNORM
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+float umbrage_from_unorm(float c) {
+    return floor(c * 255.0 + 0.5);
+}
+float2 umbrage_from_unorm(float2 c) {
+    return floor(c * 255.0 + 0.5);
+}
+float3 umbrage_from_unorm(float3 c) {
+    return floor(c * 255.0 + 0.5);
+}
+float4 umbrage_from_unorm(float4 c) {
+    return floor(c * 255.0 + 0.5);
+}
+#endif

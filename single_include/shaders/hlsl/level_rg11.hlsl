@@ -1,0 +1,10 @@
+// umbrage 0.1.0, MIT License: level_rg11
+
+#ifndef UMBRAGE_HAS_LEVEL_RG11
+#define UMBRAGE_HAS_LEVEL_RG11
+// umbrage_level_rg11: two channels of a 11-bit code, as sampled, to the scale of umbrage_receiver_rg11, on which 1.0 is
+//   not the far plane
+float umbrage_level_rg11(float2 c) {
+    return c.x + c.y * 8.0;  // an exact product: fused or not, it rounds once
+}
+#endif

@@ -1,0 +1,10 @@
+// umbrage 0.1.0, MIT License: level_rg16
+
+#ifndef UMBRAGE_HAS_LEVEL_RG16
+#define UMBRAGE_HAS_LEVEL_RG16
+// umbrage_level_rg16: two channels of a 16-bit code, as sampled, to the scale of umbrage_receiver_rg16, on which 1.0 is
+//   not the far plane
+float umbrage_level_rg16(float2 c) {
+    return c.x + c.y * 256.0;  // an exact product: fused or not, it rounds once
+}
+#endif

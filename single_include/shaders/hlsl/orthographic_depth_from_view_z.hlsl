@@ -1,0 +1,10 @@
+// umbrage 0.1.0, MIT License: orthographic_depth_from_view_z
+
+#ifndef UMBRAGE_HAS_ORTHOGRAPHIC_DEPTH_FROM_VIEW_Z
+#define UMBRAGE_HAS_ORTHOGRAPHIC_DEPTH_FROM_VIEW_Z
+// umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
+// z_near; when reversed, exchange z_near and z_far
+float umbrage_orthographic_depth_from_view_z(float z_view, float z_near, float z_far) {
+    return (z_view - z_near) / (z_far - z_near);
+}
+#endif

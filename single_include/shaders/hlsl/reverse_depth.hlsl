@@ -1,0 +1,9 @@
+// umbrage 0.1.0, MIT License: reverse_depth
+
+#ifndef UMBRAGE_HAS_REVERSE_DEPTH
+#define UMBRAGE_HAS_REVERSE_DEPTH
+// umbrage_reverse_depth: forward depth from reversed, or reversed from forward
+float umbrage_reverse_depth(float depth) {
+    return 1.0 - depth;
+}
+#endif

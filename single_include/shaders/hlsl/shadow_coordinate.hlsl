@@ -1,0 +1,11 @@
+// umbrage 0.1.0, MIT License: shadow_coordinate
+
+#ifndef UMBRAGE_HAS_SHADOW_COORDINATE
+#define UMBRAGE_HAS_SHADOW_COORDINATE
+// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+float4 umbrage_shadow_coordinate(float4x4 m, float3 world) {
+    precise float4 c = transpose(m)[3] + transpose(m)[0] * world.x + transpose(m)[1] * world.y + transpose(m)[2] *
+        world.z;
+    return c;
+}
+#endif

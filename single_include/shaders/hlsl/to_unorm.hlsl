@@ -1,0 +1,19 @@
+// umbrage 0.1.0, MIT License: to_unorm
+
+#ifndef UMBRAGE_HAS_TO_UNORM
+#define UMBRAGE_HAS_TO_UNORM
+// umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
+// k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
+float umbrage_to_unorm(float k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+float2 umbrage_to_unorm(float2 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+float3 umbrage_to_unorm(float3 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+float4 umbrage_to_unorm(float4 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+#endif

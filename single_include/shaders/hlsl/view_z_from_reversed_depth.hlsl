@@ -1,0 +1,9 @@
+// umbrage 0.1.0, MIT License: view_z_from_reversed_depth
+
+#ifndef UMBRAGE_HAS_VIEW_Z_FROM_REVERSED_DEPTH
+#define UMBRAGE_HAS_VIEW_Z_FROM_REVERSED_DEPTH
+// umbrage_view_z_from_reversed_depth: perspective depth in [0, 1], 1.0 at z_near, to distance along the light's axis
+float umbrage_view_z_from_reversed_depth(float depth, float z_near, float z_far) {
+    return z_near / (z_near / z_far + depth * (1.0 - z_near / z_far));
+}
+#endif

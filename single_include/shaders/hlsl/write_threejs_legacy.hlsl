@@ -1,0 +1,32 @@
+// umbrage 0.1.0, MIT License: write_threejs_legacy
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WRITE_THREEJS_LEGACY
+#define UMBRAGE_HAS_WRITE_THREEJS_LEGACY
+// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
+//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+float4 umbrage_write_threejs_legacy(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = v * 16777216.0 - floor(v * 16777216.0);
+    float y = v * 65536.0 - floor(v * 65536.0);
+    float z = v * 256.0 - floor(v * 256.0);
+    precise float4 c = float4(x, y - x * (1.0 / 256.0), z - y * (1.0 / 256.0), v - z * (1.0 / 256.0));
+    return c * 1.00392163;
+}
+#endif

@@ -1,0 +1,29 @@
+// umbrage 0.1.0, MIT License: write_threejs_rg
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WRITE_THREEJS_RG
+#define UMBRAGE_HAS_WRITE_THREEJS_RG
+// umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
+float2 umbrage_write_threejs_rg(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = v * 256.0;
+    float whole = floor(x);
+    return v < 1.0 ? float2(whole * 0.00392156886, x - whole) : float2(1.0, 1.0);
+}
+#endif

@@ -1,0 +1,126 @@
+// umbrage 0.1.0, MIT License: box
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BOX_SCALE
+#define UMBRAGE_HAS_BOX_SCALE
+// umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
+inline float umbrage_box_scale(int radius) {
+    float scale = 0.00346020772;  // not returned as a literal: that would have the host's precision
+    if (radius < 8) scale = 0.00444444455;
+    if (radius < 7) scale = 0.00591715984;
+    if (radius < 6) scale = 0.00826446246;
+    if (radius < 5) scale = 0.0123456791;
+    if (radius < 4) scale = 0.0204081628;
+    if (radius < 3) scale = 0.0399999991;
+    if (radius < 2) scale = 0.111111112;
+    if (radius < 1) scale = 1.0;
+    return scale;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// umbrage_beyond_far: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED
+#define UMBRAGE_HAS_IS_COMPARED
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+inline bool umbrage_is_compared(float2 coord, float receiver) {
+    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE
+#define UMBRAGE_HAS_COMPARE
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
+    return map.read(uint2(texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE
+#define UMBRAGE_HAS_DECODE
+// umbrage_decode: depth of a texel's value
+inline float umbrage_decode(float4 value) {
+    return value.x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH
+#define UMBRAGE_HAS_FETCH_DEPTH
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT
+#define UMBRAGE_HAS_LIT
+// umbrage_lit: visibility of one comparison with a texel
+inline float umbrage_lit(metal::texture2d<float> map, float2 size, float2 texel, float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BOX_COUNT
+#define UMBRAGE_HAS_BOX_COUNT
+// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+inline float umbrage_box_count(metal::texture2d<float> map, float2 size, float2 coord, float receiver, int radius) {
+    int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
+    int width = 2 * r + 1;
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 first = compared ? metal::floor(coord) - float(r) : float2(0.0, 0.0);
+    float count = 0.0;
+    for (int j = 0; j < 17; j++) {
+        if (j >= width) break;
+        for (int i = 0; i < 17; i++) {
+            if (i >= width) break;
+            count += umbrage_lit(map, size, first + float2(float(i), float(j)), receiver);
+        }
+    }
+    return compared ? count : float(width * width);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BOX
+#define UMBRAGE_HAS_BOX
+// umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
+inline float umbrage_box(metal::texture2d<float> map, float2 size, float2 coord, float receiver, int radius) {
+    float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
+    return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
+}
+#endif

@@ -1,0 +1,13 @@
+// umbrage 0.1.0, MIT License: cleared_depth
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif

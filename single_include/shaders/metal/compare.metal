@@ -1,0 +1,13 @@
+// umbrage 0.1.0, MIT License: compare
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_COMPARE
+#define UMBRAGE_HAS_COMPARE
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif

@@ -1,0 +1,14 @@
+// umbrage 0.1.0, MIT License: compare_dx_sdk
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_COMPARE_DX_SDK
+#define UMBRAGE_HAS_COMPARE_DX_SDK
+// umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
+inline float umbrage_compare_dx_sdk(float receiver, float stored, float epsilon) {
+    float limit = stored + epsilon;
+    return limit < receiver ? 0.0 : 1.0;
+}
+#endif

@@ -1,0 +1,32 @@
+// umbrage 0.1.0, MIT License: decode_rg11
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_FROM_UNORM
+#define UMBRAGE_HAS_FROM_UNORM
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+inline float umbrage_from_unorm(float c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+inline float2 umbrage_from_unorm(float2 c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+inline float3 umbrage_from_unorm(float3 c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+inline float4 umbrage_from_unorm(float4 c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_RG11
+#define UMBRAGE_HAS_DECODE_RG11
+// umbrage_decode_rg11: two channels of a 11-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+inline float umbrage_decode_rg11(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 8.0 + edge) * (1.0 / 2048.0);
+}
+#endif

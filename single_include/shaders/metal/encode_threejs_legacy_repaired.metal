@@ -1,0 +1,36 @@
+// umbrage 0.1.0, MIT License: encode_threejs_legacy_repaired
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+inline float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ENCODE_THREEJS_LEGACY_REPAIRED
+#define UMBRAGE_HAS_ENCODE_THREEJS_LEGACY_REPAIRED
+// umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+inline float4 umbrage_encode_threejs_legacy_repaired(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = metal::floor(v * 16777216.0);
+    float high = metal::floor(x * (1.0 / 65536.0));
+    float rest = x - high * 65536.0;
+    float middle = metal::floor(rest * (1.0 / 256.0));
+    return v < 1.0 ? float4(0.0, rest - middle * 256.0, middle, high) : float4(255.0, 255.0, 255.0, 255.0);
+}
+#endif

@@ -1,0 +1,14 @@
+// umbrage 0.1.0, MIT License: inside_texel_space
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+#endif

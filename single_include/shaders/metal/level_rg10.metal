@@ -1,0 +1,14 @@
+// umbrage 0.1.0, MIT License: level_rg10
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_LEVEL_RG10
+#define UMBRAGE_HAS_LEVEL_RG10
+// umbrage_level_rg10: two channels of a 10-bit code, as sampled, to the scale of umbrage_receiver_rg10, on which 1.0 is
+//   not the far plane
+inline float umbrage_level_rg10(float2 c) {
+    return c.x + c.y * 4.0;  // an exact product: fused or not, it rounds once
+}
+#endif

@@ -1,0 +1,14 @@
+// umbrage 0.1.0, MIT License: level_rg12
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_LEVEL_RG12
+#define UMBRAGE_HAS_LEVEL_RG12
+// umbrage_level_rg12: two channels of a 12-bit code, as sampled, to the scale of umbrage_receiver_rg12, on which 1.0 is
+//   not the far plane
+inline float umbrage_level_rg12(float2 c) {
+    return c.x + c.y * 16.0;  // an exact product: fused or not, it rounds once
+}
+#endif

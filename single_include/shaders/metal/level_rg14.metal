@@ -1,0 +1,14 @@
+// umbrage 0.1.0, MIT License: level_rg14
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_LEVEL_RG14
+#define UMBRAGE_HAS_LEVEL_RG14
+// umbrage_level_rg14: two channels of a 14-bit code, as sampled, to the scale of umbrage_receiver_rg14, on which 1.0 is
+//   not the far plane
+inline float umbrage_level_rg14(float2 c) {
+    return c.x + c.y * 64.0;  // an exact product: fused or not, it rounds once
+}
+#endif

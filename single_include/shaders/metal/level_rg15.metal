@@ -1,0 +1,14 @@
+// umbrage 0.1.0, MIT License: level_rg15
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_LEVEL_RG15
+#define UMBRAGE_HAS_LEVEL_RG15
+// umbrage_level_rg15: two channels of a 15-bit code, as sampled, to the scale of umbrage_receiver_rg15, on which 1.0 is
+//   not the far plane
+inline float umbrage_level_rg15(float2 c) {
+    return c.x + c.y * 128.0;  // an exact product: fused or not, it rounds once
+}
+#endif

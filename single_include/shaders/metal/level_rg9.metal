@@ -1,0 +1,14 @@
+// umbrage 0.1.0, MIT License: level_rg9
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_LEVEL_RG9
+#define UMBRAGE_HAS_LEVEL_RG9
+// umbrage_level_rg9: two channels of a 9-bit code, as sampled, to the scale of umbrage_receiver_rg9, on which 1.0 is
+//   not the far plane
+inline float umbrage_level_rg9(float2 c) {
+    return c.x + c.y * 2.0;  // an exact product: fused or not, it rounds once
+}
+#endif

@@ -1,0 +1,96 @@
+// umbrage 0.1.0, MIT License: pcf_2x2_dx_sdk
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_COMPARE_DX_SDK
+#define UMBRAGE_HAS_COMPARE_DX_SDK
+// umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
+inline float umbrage_compare_dx_sdk(float receiver, float stored, float epsilon) {
+    float limit = stored + epsilon;
+    return limit < receiver ? 0.0 : 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// umbrage_beyond_far: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED
+#define UMBRAGE_HAS_IS_COMPARED
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+inline bool umbrage_is_compared(float2 coord, float receiver) {
+    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
+    return map.read(uint2(texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE
+#define UMBRAGE_HAS_DECODE
+// umbrage_decode: depth of a texel's value
+inline float umbrage_decode(float4 value) {
+    return value.x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH
+#define UMBRAGE_HAS_FETCH_DEPTH
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PCF_2X2_DX_SDK
+#define UMBRAGE_HAS_PCF_2X2_DX_SDK
+// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+inline float umbrage_pcf_2x2_dx_sdk(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
+                                    float epsilon) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = metal::floor(x);
+    float2 weight = x - texel;
+    float a = umbrage_compare_dx_sdk(receiver, umbrage_fetch_depth(map, size, texel), epsilon);
+    float right = umbrage_fetch_depth(map, size, texel + float2(1.0, 0.0));
+    float above = umbrage_fetch_depth(map, size, texel + float2(0.0, 1.0));
+    float beyond = umbrage_fetch_depth(map, size, texel + float2(1.0, 1.0));
+    float b = umbrage_compare_dx_sdk(receiver, right, epsilon);
+    float c = umbrage_compare_dx_sdk(receiver, above, epsilon);
+    float d = umbrage_compare_dx_sdk(receiver, beyond, epsilon);
+    float low = a + weight.x * (b - a);
+    float high = c + weight.x * (d - c);
+    float visibility = low + weight.y * (high - low);
+    return compared ? visibility : 1.0;
+}
+#endif

@@ -1,0 +1,14 @@
+// umbrage 0.1.0, MIT License: project_coordinate
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_PROJECT_COORDINATE
+#define UMBRAGE_HAS_PROJECT_COORDINATE
+// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
+inline float3 umbrage_project_coordinate(float4 coordinate) {
+    float3 p = float3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
+    return coordinate.w > 0.0 ? p : float3(65536.0, 65536.0, 0.0);
+}
+#endif

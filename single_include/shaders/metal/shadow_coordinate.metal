@@ -1,0 +1,14 @@
+// umbrage 0.1.0, MIT License: shadow_coordinate
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_SHADOW_COORDINATE
+#define UMBRAGE_HAS_SHADOW_COORDINATE
+// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+inline float4 umbrage_shadow_coordinate(metal::float4x4 m, float3 world) {
+    float4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
+    return c;
+}
+#endif

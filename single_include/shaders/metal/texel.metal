@@ -1,0 +1,13 @@
+// umbrage 0.1.0, MIT License: texel
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
+    return map.read(uint2(texel));
+}
+#endif

@@ -1,0 +1,23 @@
+// umbrage 0.1.0, MIT License: to_unorm
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_TO_UNORM
+#define UMBRAGE_HAS_TO_UNORM
+// umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
+// k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
+inline float umbrage_to_unorm(float k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+inline float2 umbrage_to_unorm(float2 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+inline float3 umbrage_to_unorm(float3 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+inline float4 umbrage_to_unorm(float4 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+#endif

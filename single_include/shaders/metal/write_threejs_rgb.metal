@@ -1,0 +1,35 @@
+// umbrage 0.1.0, MIT License: write_threejs_rgb
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+inline float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WRITE_THREEJS_RGB
+#define UMBRAGE_HAS_WRITE_THREEJS_RGB
+// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+inline float3 umbrage_write_threejs_rgb(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = v * 65536.0;
+    float whole = metal::floor(x);
+    float high = metal::floor(whole * (1.0 / 256.0));
+    float3 c = float3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+    return v < 1.0 ? c : float3(1.0, 1.0, 1.0);
+}
+#endif

@@ -1,0 +1,21 @@
+// umbrage 0.1.0, MIT License: box_count
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl
+
+// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+fn umbrage_box_count(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: i32) -> f32 {
+    let r: i32 = select(select(8, radius, radius < 8), 0, radius < 0);
+    let width: i32 = 2 * r + 1;
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let first: vec2f = select(vec2f(0.0, 0.0), floor(coord) - f32(r), compared);
+    var count: f32 = 0.0;
+    for (var j: i32 = 0; j < 17; j++) {
+        if (j >= width) { break; }
+        for (var i: i32 = 0; i < 17; i++) {
+            if (i >= width) { break; }
+            count += umbrage_lit(map, size, first + vec2f(f32(i), f32(j)), receiver);
+        }
+    }
+    return select(f32(width * width), count, compared);
+}

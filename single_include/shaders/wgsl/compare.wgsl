@@ -1,0 +1,6 @@
+// umbrage 0.1.0, MIT License: compare
+
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}

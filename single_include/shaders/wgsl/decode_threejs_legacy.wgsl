@@ -1,0 +1,8 @@
+// umbrage 0.1.0, MIT License: decode_threejs_legacy
+
+// umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
+fn umbrage_decode_threejs_legacy(c: vec4f) -> f32 {
+    let depth: f32 = c.x * (255.0 / 4294967296.0) + c.y * (255.0 / 16777216.0) + c.z * (255.0 / 65536.0) + c.w *
+        (255.0 / 256.0);
+    return depth;
+}

@@ -1,0 +1,6 @@
+// umbrage 0.1.0, MIT License: depth_from_view_z
+
+// umbrage_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 0.0 at z_near
+fn umbrage_depth_from_view_z(z_view: f32, z_near: f32, z_far: f32) -> f32 {
+    return (1.0 - z_near / z_view) / (1.0 - z_near / z_far);
+}

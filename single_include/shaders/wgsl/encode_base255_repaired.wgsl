@@ -1,0 +1,12 @@
+// umbrage 0.1.0, MIT License: encode_base255_repaired
+// Paste along: cleared_depth.wgsl, saturate.wgsl
+
+// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+fn umbrage_encode_base255_repaired(depth: f32) -> vec4f {
+    let x: f32 = umbrage_saturate(depth) * 255.0;
+    let y: f32 = (x - floor(x)) * 255.0;
+    let z: f32 = (y - floor(y)) * 255.0;
+    let w: f32 = (z - floor(z)) * 255.0;
+    return vec4f(floor(x), floor(y), floor(z), floor(w));
+}

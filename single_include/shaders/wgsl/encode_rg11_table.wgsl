@@ -1,0 +1,12 @@
+// umbrage 0.1.0, MIT License: encode_rg11_table
+// Paste along: cleared_depth.wgsl, saturate.wgsl, from_unorm.wgsl, texel.wgsl, fetch_clamped.wgsl
+
+// umbrage_encode_rg11_table: depth to the two channels of a 11-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg11_table(table: texture_2d<f32>, depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 2048.0), 2047.0);
+    let row: f32 = floor(x * (1.0 / 2048.0));
+    let texel: vec2f = vec2f(x - row * 2048.0, row);
+    let k: vec4f = umbrage_from_unorm_vec4f(umbrage_fetch_clamped(table, vec2f(2048.0, 1.0), texel));
+    return vec2f(k.x, k.y);
+}

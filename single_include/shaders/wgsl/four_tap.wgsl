@@ -1,0 +1,18 @@
+// umbrage 0.1.0, MIT License: four_tap
+// Paste along: compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, beyond_far.wgsl
+
+// umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
+//   or more in a direction;   receiver  depth, biased
+fn umbrage_four_tap(map: texture_2d<f32>, size: vec2f, a: vec2f, b: vec2f, c: vec2f, d: vec2f, receiver: f32) -> f32 {
+    let a_texel: vec2f = floor(a);
+    let b_texel: vec2f = floor(b);
+    let c_texel: vec2f = floor(c);
+    let d_texel: vec2f = floor(d);
+    let sum: vec2f = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    let compared: bool = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    let count: f32 = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
+        umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
+    return select(1.0, count * 0.25, compared);
+}

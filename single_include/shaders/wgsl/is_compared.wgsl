@@ -1,0 +1,7 @@
+// umbrage 0.1.0, MIT License: is_compared
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl
+
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
+}

@@ -1,0 +1,8 @@
+// umbrage 0.1.0, MIT License: receiver_rg15
+
+// umbrage_receiver_rg15: receiver on the scale of umbrage_level_rg15: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg15(texel, edge), or beyond the far plane
+fn umbrage_receiver_rg15(depth: f32, edge: f32) -> f32 {
+    let level: f32 = (ceil(depth * 32768.0 - edge) - 0.5) * 0.00392156886;
+    return select(level, -1.0, depth > 1.0);
+}

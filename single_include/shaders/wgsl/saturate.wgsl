@@ -1,0 +1,8 @@
+// umbrage 0.1.0, MIT License: saturate
+// Paste along: cleared_depth.wgsl
+
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+fn umbrage_saturate(v: f32) -> f32 {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
+}

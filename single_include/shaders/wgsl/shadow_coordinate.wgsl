@@ -1,0 +1,7 @@
+// umbrage 0.1.0, MIT License: shadow_coordinate
+
+// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+fn umbrage_shadow_coordinate(m: mat4x4f, world: vec3f) -> vec4f {
+    let c: vec4f = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
+    return c;
+}

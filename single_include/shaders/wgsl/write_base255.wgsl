@@ -1,0 +1,12 @@
+// umbrage 0.1.0, MIT License: write_base255
+// Paste along: cleared_depth.wgsl, saturate.wgsl
+
+// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
+//   round: umbrage_encode_base255_repaired has neither fault
+fn umbrage_write_base255(depth: f32) -> vec4f {
+    let v: f32 = umbrage_saturate(depth);
+    var e: vec4f = vec4f(v, v * 255.0, v * 65025.0, v * 16581375.0);
+    e = e - floor(e);
+    let c: vec4f = vec4f(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
+    return c;
+}

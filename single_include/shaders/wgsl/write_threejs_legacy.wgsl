@@ -1,0 +1,13 @@
+// umbrage 0.1.0, MIT License: write_threejs_legacy
+// Paste along: cleared_depth.wgsl, saturate.wgsl
+
+// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
+//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+fn umbrage_write_threejs_legacy(depth: f32) -> vec4f {
+    let v: f32 = umbrage_saturate(depth);
+    let x: f32 = v * 16777216.0 - floor(v * 16777216.0);
+    let y: f32 = v * 65536.0 - floor(v * 65536.0);
+    let z: f32 = v * 256.0 - floor(v * 256.0);
+    let c: vec4f = vec4f(x, y - x * (1.0 / 256.0), z - y * (1.0 / 256.0), v - z * (1.0 / 256.0));
+    return c * 1.00392163;
+}

@@ -1,0 +1,10 @@
+// umbrage 0.1.0, MIT License: write_threejs_rg
+// Paste along: cleared_depth.wgsl, saturate.wgsl
+
+// umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
+fn umbrage_write_threejs_rg(depth: f32) -> vec2f {
+    let v: f32 = umbrage_saturate(depth);
+    let x: f32 = v * 256.0;
+    let whole: f32 = floor(x);
+    return select(vec2f(1.0, 1.0), vec2f(whole * 0.00392156886, x - whole), v < 1.0);
+}

@@ -1,0 +1,12 @@
+// umbrage 0.1.0, MIT License: write_threejs_rgb
+// Paste along: cleared_depth.wgsl, saturate.wgsl
+
+// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+fn umbrage_write_threejs_rgb(depth: f32) -> vec3f {
+    let v: f32 = umbrage_saturate(depth);
+    let x: f32 = v * 65536.0;
+    let whole: f32 = floor(x);
+    let high: f32 = floor(whole * (1.0 / 256.0));
+    let c: vec3f = vec3f(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+    return select(vec3f(1.0, 1.0, 1.0), c, v < 1.0);
+}

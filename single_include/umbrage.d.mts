@@ -1,0 +1,278 @@
+// umbrage 0.1.0, MIT License. Types of umbrage.mjs.
+
+/** One function, as text, and what is known of it. */
+export interface Snippet {
+    readonly name: string;
+    readonly summary: string;
+    /** How exactly it agrees with the C++ function of its name: a everywhere, b in written order, c within ulp. */
+    readonly exactness: 'a' | 'b' | 'c';
+    readonly ulp: number;
+    readonly lowest: '100' | '300 es';
+    readonly needs: readonly Snippet[];
+}
+
+/** What a map's texels lie in. */
+export type Texture =
+    'texture_2d' | 'atlas' | 'array' | 'cube' | 'integer' | 'depth' | 'depth_array' | 'shadow' | 'shadow_array';
+
+/** A map for shaders: where its texels are, and how they compare. Texts in it are in the shader's own language. */
+export interface Binding {
+    texture?: Texture;
+    direction?: 'forward' | 'reversed';
+    /** Outside the map all is lit; else the nearest texel inside counts. */
+    outside_lit?: boolean;
+    /** 2x2 texels at once; the sampler must clamp to the edge, but for regions. */
+    gather?: boolean;
+    /** Of `value`, four floats, as "umbrage_decode_rg11(value.xy, 1.0)"; else value.x. */
+    depth?: string;
+    /** How many components of `value` it reads. */
+    channels?: number;
+    /** The map's first texel in the texture: two floats. */
+    origin?: string;
+    /** For regions of textures that are read by coordinates: two floats. */
+    texture_size?: string;
+    /** In place of the texture's: what stands for the map in declarations, in calls, and a texel `at`. */
+    parameters?: string;
+    arguments?: string;
+    texel?: string;
+    /** What these texts call. */
+    needs?: readonly Snippet[];
+}
+
+export interface Bound {
+    readonly what: Snippet;
+    readonly suffix: string;
+}
+
+export type Version =
+    '100' | '110' | '120' | '130' | '150' | '300 es' | '310 es' | '320 es' | '330' | '430' | '450' | '460';
+
+export interface Language {
+    text(items: readonly (Snippet | Bound)[]): string;
+}
+
+export const versions: readonly Version[];
+export const snippets: Readonly<Record<string, Snippet>>;
+/** The maps that texels of the library's encodings make. */
+export const encodings: Readonly<Record<string, Binding>>;
+
+/** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
+export function bind(what: Snippet, name: string, map?: Binding): Bound;
+/** True when the snippet, or the snippet bound to its map, compiles in a dialect of GLSL. */
+export function supports(item: Snippet | Bound, version: Version): boolean;
+/** The beginning of a GLSL shader: #version, preamble, the snippets and all they need. */
+export function source(version: Version, items: readonly (Snippet | Bound)[], preamble?: string): string;
+/** A GLSL text of the snippets and all they need, to paste into any shader. */
+export function text(items: readonly (Snippet | Bound)[]): string;
+
+export const glsl: Language;
+export const hlsl: Language;
+export const msl: Language;
+export const wgsl: Language;
+/** world to texels and depth, before the division */
+export const shadow_coordinate: Snippet;
+/** a tap's coordinate from the middle's, before the division */
+export const tap_coordinate: Snippet;
+/** the division by w, lit behind the light */
+export const project_coordinate: Snippet;
+/** face of a cube that a direction meets */
+export const cube_face: Snippet;
+/** face, and where on it, that a direction meets */
+export const cube_coordinate: Snippet;
+/** direction to a point of a cube's face */
+export const cube_direction: Snippet;
+/** first texel of a face in an atlas */
+export const cube_tile: Snippet;
+/** view-space z over z_far */
+export const linear_depth: Snippet;
+/** z / w, far behind the light */
+export const project_depth: Snippet;
+/** distance to the light over its range */
+export const distance_depth: Snippet;
+/** 1 - depth */
+export const reverse_depth: Snippet;
+/** z/w in [-1, 1] to depth in [0, 1] */
+export const depth_from_ndc: Snippet;
+/** perspective depth to view-space z */
+export const view_z_from_depth: Snippet;
+/** view-space z to perspective depth */
+export const depth_from_view_z: Snippet;
+/** reversed perspective depth to view-space z */
+export const view_z_from_reversed_depth: Snippet;
+/** view-space z to reversed perspective depth */
+export const reversed_depth_from_view_z: Snippet;
+/** orthographic depth to view-space z */
+export const view_z_from_orthographic_depth: Snippet;
+/** view-space z to orthographic depth */
+export const orthographic_depth_from_view_z: Snippet;
+/** depth of the far plane */
+export const cleared_depth: Snippet;
+/** clamp to [0, 1], NaN to far */
+export const saturate: Snippet;
+/** channel 0..255 to the value an 8-bit target stores as it */
+export const to_unorm: Snippet;
+/** value read from an 8-bit texture to channel 0..255 */
+export const from_unorm: Snippet;
+/** depth to two channels, R the low byte */
+export const encode_rg9: Snippet;
+/** depth to two channels, R the low byte */
+export const encode_rg10: Snippet;
+/** depth to two channels, R the low byte */
+export const encode_rg11: Snippet;
+/** depth to two channels, R the low byte */
+export const encode_rg12: Snippet;
+/** depth to two channels, R the low byte */
+export const encode_rg13: Snippet;
+/** depth to two channels, R the low byte */
+export const encode_rg14: Snippet;
+/** depth to two channels, R the low byte */
+export const encode_rg15: Snippet;
+/** depth to two channels, R the low byte */
+export const encode_rg16: Snippet;
+/** depth to three channels, R most significant */
+export const encode_rgb24: Snippet;
+/** any float's bit pattern to four channels, R least significant */
+export const encode_float_bits: Snippet;
+/** depth to three.js RGBA, r167 and later */
+export const write_threejs_rgba: Snippet;
+/** depth to three.js RGB, r167 and later */
+export const write_threejs_rgb: Snippet;
+/** depth to three.js RG, r167 and later */
+export const write_threejs_rg: Snippet;
+/** depth to three.js RGBA, r73 to r166 */
+export const write_threejs_legacy: Snippet;
+/** depth for readers of three.js RGBA, r73 to r166, 1.0 repaired */
+export const encode_threejs_legacy_repaired: Snippet;
+/** depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx */
+export const write_base255: Snippet;
+/** depth for readers of base-255 RGBA, 1.0 and truncation repaired */
+export const encode_base255_repaired: Snippet;
+/** texel inside a map */
+export const texel: Snippet;
+/** texel of a map, outside the nearest one inside */
+export const fetch_clamped: Snippet;
+/** depth to two channels through a look-up texture */
+export const encode_rg9_table: Snippet;
+/** depth to two channels through a look-up texture */
+export const encode_rg10_table: Snippet;
+/** depth to two channels through a look-up texture */
+export const encode_rg11_table: Snippet;
+/** depth to two channels through a look-up texture */
+export const encode_rg12_table: Snippet;
+/** depth to two channels through a look-up texture */
+export const encode_rg13_table: Snippet;
+/** depth to two channels through a look-up texture */
+export const encode_rg14_table: Snippet;
+/** depth to two channels through a look-up texture */
+export const encode_rg15_table: Snippet;
+/** depth to two channels through a look-up texture */
+export const encode_rg16_table: Snippet;
+/** two channels, R the low byte, to depth */
+export const decode_rg9: Snippet;
+/** two channels, R the low byte, to depth */
+export const decode_rg10: Snippet;
+/** two channels, R the low byte, to depth */
+export const decode_rg11: Snippet;
+/** two channels, R the low byte, to depth */
+export const decode_rg12: Snippet;
+/** two channels, R the low byte, to depth */
+export const decode_rg13: Snippet;
+/** two channels, R the low byte, to depth */
+export const decode_rg14: Snippet;
+/** two channels, R the low byte, to depth */
+export const decode_rg15: Snippet;
+/** two channels, R the low byte, to depth */
+export const decode_rg16: Snippet;
+/** three channels, R most significant, to depth */
+export const decode_rgb24: Snippet;
+/** four channels, R least significant, to the float they are */
+export const decode_float_bits: Snippet;
+/** three.js RGBA, r167 and later, to depth */
+export const decode_threejs_rgba: Snippet;
+/** three.js RGB, r167 and later, to depth */
+export const decode_threejs_rgb: Snippet;
+/** three.js RG, r167 and later, to depth */
+export const decode_threejs_rg: Snippet;
+/** three.js RGBA, r73 to r166, to depth */
+export const decode_threejs_legacy: Snippet;
+/** base-255 RGBA to depth */
+export const decode_base255: Snippet;
+/** two channels to a level to compare with */
+export const level_rg9: Snippet;
+/** two channels to a level to compare with */
+export const level_rg10: Snippet;
+/** two channels to a level to compare with */
+export const level_rg11: Snippet;
+/** two channels to a level to compare with */
+export const level_rg12: Snippet;
+/** two channels to a level to compare with */
+export const level_rg13: Snippet;
+/** two channels to a level to compare with */
+export const level_rg14: Snippet;
+/** two channels to a level to compare with */
+export const level_rg15: Snippet;
+/** two channels to a level to compare with */
+export const level_rg16: Snippet;
+/** receiver to a level, for maps that are not decoded */
+export const receiver_rg9: Snippet;
+/** receiver to a level, for maps that are not decoded */
+export const receiver_rg10: Snippet;
+/** receiver to a level, for maps that are not decoded */
+export const receiver_rg11: Snippet;
+/** receiver to a level, for maps that are not decoded */
+export const receiver_rg12: Snippet;
+/** receiver to a level, for maps that are not decoded */
+export const receiver_rg13: Snippet;
+/** receiver to a level, for maps that are not decoded */
+export const receiver_rg14: Snippet;
+/** receiver to a level, for maps that are not decoded */
+export const receiver_rg15: Snippet;
+/** receiver to a level, for maps that are not decoded */
+export const receiver_rg16: Snippet;
+/** r / 8 + g as the Radeon 8500 computed it */
+export const decode_ps14: Snippet;
+/** receiver on the scale of decode_ps14 */
+export const receiver_ps14: Snippet;
+/** whether a texel is one of the map's */
+export const inside_map: Snippet;
+/** texel of a map, outside a border value */
+export const fetch_bordered: Snippet;
+/** stored depth of a texel */
+export const fetch_depth: Snippet;
+/** coordinates a filter can take */
+export const inside_texel_space: Snippet;
+/** receivers behind the far plane */
+export const beyond_far: Snippet;
+/** receivers that a filter compares; it takes the others as lit */
+export const is_compared: Snippet;
+/** one comparison */
+export const compare: Snippet;
+/** one comparison with a texel */
+export const lit: Snippet;
+/** comparisons with the 2x2 texels from one on */
+export const lit_2x2: Snippet;
+/** stored + epsilon < receiver is shadow */
+export const compare_dx_sdk: Snippet;
+/** current < stored + epsilon is lit */
+export const compare_exercise: Snippet;
+/** nearest texel, one test */
+export const hard: Snippet;
+/** mean of four taps with coordinates of their own */
+export const four_tap: Snippet;
+/** bilinear 2x2, weights in steps of 1/256 */
+export const pcf_2x2: Snippet;
+/** bilinear 2x2 as the DirectX SDK sample, plain floats */
+export const pcf_2x2_dx_sdk: Snippet;
+/** lit texels in a box of radius 0..8 */
+export const box_count: Snippet;
+/** 1 / (2r+1)^2 */
+export const box_scale: Snippet;
+/** lit share of a box of radius 0..8 */
+export const box: Snippet;
+/** 1 inside a spot light's cone */
+export const spot_cone: Snippet;
+/** diffuse plus ambient light of a surface */
+export const diffuse_ambient: Snippet;
+/** 0..1 to blue, green, red */
+export const false_colour: Snippet;
+

@@ -1,0 +1,4754 @@
+// umbrage 0.1.0, MIT License. Shadow mapping primitives as shader texts in GLSL, HLSL, MSL and WGSL.
+//
+//     import { bind, pcf_2x2, source, wgsl } from 'umbrage';
+//     const fragment = source('300 es', [bind(pcf_2x2, 'sun', { texture: 'array' })]) + my_main;
+//     const module = wgsl.text([pcf_2x2]);
+//
+// Written by the C++ library's build, with which every text agrees to the character; the data stand at the end.
+
+const is_of_map = s => s.role !== 'none' || s.needs.some(is_of_map);
+
+/** The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty. */
+export function bind(what, name, map = {}) {
+    if (name !== '' && !/^[A-Za-z0-9]+(_[A-Za-z0-9]+)*$/.test(name))
+        throw new Error(`umbrage: bind: name is not a part of an identifier: ${name}`);
+    return { what, suffix: name === '' ? '' : `_${name}`, map: complete(map), by_macros: false };
+}
+
+const defaults = {
+    texture: 'texture_2d', direction: 'forward', outside_lit: false, gather: false, depth: '', channels: 1, origin: '',
+    texture_size: '', parameters: '', arguments: '', texel: '', needs: [],
+};
+const choices = {
+    texture: ['texture_2d', 'atlas', 'array', 'cube', 'integer', 'depth', 'depth_array', 'shadow', 'shadow_array'],
+    direction: ['forward', 'reversed'],
+};
+
+function complete(map) {
+    for (const [key, value] of Object.entries(map)) {
+        if (!(key in defaults)) throw new Error(`umbrage: bind: no such property: ${key}`);
+        if (typeof value !== typeof defaults[key] || (key in choices && !choices[key].includes(value)))
+            throw new Error(`umbrage: bind: ${key} cannot be ${value}`);
+    }
+    return { ...defaults, ...map };
+}
+
+function as_bound(item) {
+    const what = item?.what ?? item;
+    if (!what || snippets[what.name] !== what) throw new Error(`umbrage: not a snippet: ${item}`);
+    return item === what ? { what, suffix: '', map: { ...defaults }, by_macros: true } : item;
+}
+
+const has_region = map => map.texture === 'atlas' || map.origin !== '';
+const compares = map => map.texture === 'shadow' || map.texture === 'shadow_array';
+
+/** The function that a map has in place of a hook's own text; other snippets as they are. */
+function chosen(s, map) {
+    const scaled = map.needs.some(need => need.scaled);
+    switch (s.role) {
+        case 'cleared_depth':
+        case 'compare': return hooks[`${s.role}, ${map.direction}`];
+        case 'beyond_far': return hooks[`beyond_far, ${scaled ? 'scaled' : map.direction}`];
+        case 'texel':
+        case 'fetch_depth':
+            if (compares(map)) throw new Error('umbrage: bind: a comparison sampler compares, it gives no depths');
+            if (s.role === 'texel') return hooks.texel;
+            return hooks[map.outside_lit ? 'fetch_depth, bordered' : 'fetch_depth, clamped'];
+        case 'lit': return compares(map) ? hooks[map.outside_lit ? 'lit, bordered' : 'lit, clamped'] : s;
+        case 'lit_2x2':
+            if (!map.gather) return s;
+            if (map.outside_lit) return hooks['lit_2x2, gathered and bordered'];
+            return hooks[has_region(map) ? 'lit_2x2, gathered in a region' : 'lit_2x2, gathered'];
+        case 'gather_lit':
+            if (map.texture === 'cube' || map.texture === 'integer')
+                throw new Error('umbrage: bind: no gather from a cube or from whole numbers');
+            if (compares(map)) return hooks['gather_lit, compared'];
+            if (map.channels > 2) throw new Error('umbrage: bind: a gather of more than two channels');
+            return hooks[map.channels === 2 ? 'gather_lit, two channels' : 'gather_lit, one channel'];
+        default: return s;
+    }
+}
+
+/** The text with each word replaced by replacement(word, in_comment). */
+function replace_words(text, replacement) {
+    let comment = false;
+    return text.replace(/\w+|\/\/|\n/g, part => {
+        if (part === '\n') comment = false;
+        else if (part === '//') comment = true;
+        else return replacement(part, comment);
+        return part;
+    });
+}
+
+/** A snippet's text with what a map fills in. */
+function for_map(text, s, item, words) {
+    const { map } = item;
+    const origin = map.texture === 'atlas' ? map.origin || 'origin' : map.origin;
+    const texture_size = map.texture_size || (origin === '' ? 'size' : words.size);
+    const texel = map.texel || words.texel;
+    if (texel.startsWith('#')) text = text.replaceAll('    return UMBRAGE_TEXEL;\n', 'UMBRAGE_TEXEL');
+    if (origin === '') text = text.replace(/\n.*UMBRAGE_ORIGIN.*/, '');
+    const own_map = text.match(/UMBRAGE_MAP (\w+)/)?.[1] ?? 'map';
+    text = text.replaceAll(`UMBRAGE_MAP ${own_map}`, 'UMBRAGE_PARAMETERS');
+    const list = (own, ordinary, sampler) => {
+        const all = own || (map.gather ? ordinary.replace(/^[^,]*/, first => first + sampler) : ordinary);
+        return replace_words(all, word => word === 'map' ? own_map : word);
+    };
+
+    const suffixed = word => {
+        const name = word.slice(8), is_it = own => own.name === name && is_of_map(own);
+        return name === s.name || map.needs.some(is_it) || s.needs.some(is_it) ? word + item.suffix : word;
+    };
+    const of_texture = expression => replace_words(expression, word => {
+        if (word.startsWith('umbrage_')) return suffixed(word);
+        if (word === 'at' && origin === '') return 'texel';
+        if (word !== 'UMBRAGE_TEXTURE_SIZE') return word;
+        if (texture_size === '') throw new Error('umbrage: bind: this language needs texture_size');
+        return texture_size;
+    });
+    return replace_words(text, (word, comment) => {
+        if (word.startsWith('umbrage_')) return suffixed(word);
+        if (word === own_map && !comment) return list(map.arguments, words.arguments, words.sampler_argument);
+        switch (word) {
+            case 'UMBRAGE_PARAMETERS': return list(map.parameters, words.parameters, words.sampler);
+            case 'UMBRAGE_DEPTH': return of_texture(map.depth || 'value.x');
+            case 'UMBRAGE_ORIGIN': return origin;
+            case 'UMBRAGE_TEXEL': return of_texture(texel);
+            case 'UMBRAGE_LIT_TEXEL': return of_texture(words.lit);
+            case 'UMBRAGE_GATHER_RED': return of_texture(words.gather_red);
+            case 'UMBRAGE_GATHER_GREEN': return of_texture(words.gather_green);
+            case 'UMBRAGE_GATHER_LIT': return of_texture(words.gather_lit);
+            default: return word;
+        }
+    });
+}
+
+/** One statement, or a function's head, in lines of at most 120 columns. */
+function broken(statement) {
+    const margin = statement.search(/[^ ]/);
+    let out = '', brackets = [];  // columns behind those that are open where the line at work begins
+    for (let begin = margin; statement.length > 120;) {
+        const open = [...brackets];
+        let end = 0, open_at_end = [];
+        for (let i = begin; i <= 120; ++i) {
+            const c = statement[i];
+            if (c === '(' || c === '[') open.push(i + 1);
+            if ((c === ')' || c === ']') && open.length) open.pop();
+            const can_end = c === ' ' && i > begin && ',=+*/&|'.includes(statement[i - 1]);
+            if (!can_end || (end > 0 && open.length > open_at_end.length)) continue;
+            end = i;
+            open_at_end = [...open];
+        }
+        if (end === 0) break;
+        brackets = open_at_end;
+        begin = brackets.length ? brackets.at(-1) : margin + 4;
+        out += statement.slice(0, end) + '\n';
+        statement = ' '.repeat(begin) + statement.slice(end + 1);
+    }
+    return out + statement;
+}
+
+/** The text with the lines of each statement joined and broken again; a comment or a directive stays as it is. */
+function laid_out(text) {
+    const lines = text.split('\n'), is_code = line => /^ *(?![ #]|\/\/)./.test(line ?? '');
+    const ends_statement = line => line.includes('//') || /[;{}]$/.test(line);
+    if (lines.at(-1) === '') lines.pop();
+    let out = '';
+    while (lines.length) {
+        let line = lines.shift();
+        if (is_code(line)) {
+            let statement = line.replace(/\/\/.*/, '');
+            while (!ends_statement(line) && is_code(lines[0])) {
+                line = lines.shift();
+                statement += (statement.endsWith('(') ? '' : ' ') + line.replace(/\/\/.*/, '').trimStart();
+            }
+            line = broken(statement) + (line.match(/\/\/.*/)?.[0] ?? '');
+        }
+        out += line + '\n';
+    }
+    return out;
+}
+
+const same = (a, b) => Object.keys(defaults).every(
+    key => key === 'needs' ? a.needs.length === b.needs.length && a.needs.every((need, i) => need === b.needs[i])
+        : a[key] === b[key]);
+
+/** The snippets and all they need, each once. */
+function compose(language, items) {
+    items = items.map(as_bound);
+    const one = { ...defaults, needs: items.filter(i => i.by_macros && i.what.scaled).map(i => i.what) };
+    items = items.map(i => i.by_macros ? { ...i, map: one } : i);
+    for (const item of items)
+        if (!item.by_macros && items.some(other => other.suffix === item.suffix && !same(other.map, item.map)))
+            throw new Error(`umbrage: text: two maps have one name: ${item.suffix.slice(1)}`);
+
+    let text = `// umbrage 0.1.0, MIT License` +
+        items.map((item, i) => (i ? ', ' : ': ') + item.what.name + item.suffix).join('') + '\n' + language.prelude;
+    if (language.macros && one.needs.length) text += language.scaled_macro;
+    const done = new Set();
+    const add = (asked, item, of_map) => {
+        const by_macros = language.macros && item.by_macros;
+        const s = by_macros ? asked : chosen(asked, item.map);
+        for (const need of s.needs) add(need, item, of_map);
+        if (is_of_map(s) !== of_map) return;
+        const guard = `UMBRAGE_HAS_${s.name}${of_map ? item.suffix : ''}`.toUpperCase();
+        if (done.has(guard)) return;
+        done.add(guard);
+        const body = language.texts[s.id];
+        if (language.preprocessor) text += `\n#ifndef ${guard}\n#define ${guard}`;
+        text += of_map && !by_macros ? laid_out(for_map(body, s, item, language.textures[item.map.texture])) : body;
+        if (language.preprocessor) text += '#endif\n';
+    };
+    for (const of_map of [false, true])
+        for (const item of items) {
+            for (const need of item.map.needs) add(need, item, of_map);
+            if (item.map.texture === 'cube') add(snippets.cube_direction, item, of_map);
+            add(item.what, item, of_map);
+        }
+    return text;
+}
+
+const es3 = ['300 es', '310 es', '320 es', '330', '430', '450', '460'];
+const has_gathers = ['310 es', '320 es', '430', '450', '460'];
+
+/** True when the snippet, or the snippet bound to its map, compiles in a dialect of GLSL. */
+export function supports(item, version) {
+    const { what, map, by_macros } = as_bound(item);
+    const old_enough = s => s.lowest === '100' || es3.includes(version);
+    if (!old_enough(what)) return false;
+    if (by_macros) return true;
+    if (!map.needs.every(old_enough)) return false;
+    if (map.gather) return has_gathers.includes(version);
+    return ['texture_2d', 'depth', 'atlas', 'cube'].includes(map.texture) || es3.includes(version);
+}
+
+/** The beginning of a GLSL shader: #version, preamble, the snippets and all they need. */
+export function source(version, items, preamble = '') {
+    if (!versions.includes(version)) throw new Error(`umbrage: source: no such version: ${version}`);
+    for (const item of items)
+        if (!supports(item, version)) {
+            const { what, suffix } = as_bound(item);
+            throw new Error(`umbrage: source: GLSL ${version} is too old for ${what.name}${suffix}`);
+        }
+    if (preamble !== '' && !preamble.endsWith('\n')) preamble += '\n';
+    return `#version ${version}\n${preamble}${glsl.text(items)}`;
+}
+
+/** A GLSL text of the snippets and all they need, to paste into any shader. */
+export const text = items => compose(languages.glsl, items);
+
+const in_language = name => ({ text: items => compose(languages[name], items) });
+
+export const versions = ["100", "110", "120", "130", "150", "300 es", "310 es", "320 es", "330", "430", "450", "460"];
+
+const languages = {
+    glsl: {
+        prelude: "\n#ifndef UMBRAGE_HIGHP\n#ifdef GL_ES\n#define UMBRAGE_HIGHP highp\n#else\n#define UMBRAGE_HIGHP\n#endif\n#endif\n#ifndef UMBRAGE_PRECISE\n#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)\n#define UMBRAGE_PRECISE precise\n#else\n#define UMBRAGE_PRECISE\n#endif\n#endif\n",
+        preprocessor: true,
+        macros: true,
+        scaled_macro: "\n// depths here are on a scale of their own, on which 1.0 is not the far plane\n#ifndef UMBRAGE_BEYOND_FAR\n#define UMBRAGE_BEYOND_FAR(receiver) false\n#endif\n",
+        textures: {
+            texture_2d: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            atlas: { parameters: "UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 origin", arguments: "map, origin", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            array: { parameters: "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)", lit: "", gather_red: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)", gather_green: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)", gather_lit: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            cube: { parameters: "UMBRAGE_HIGHP samplerCube map, UMBRAGE_HIGHP float face", arguments: "map, face", texel: "#if __VERSION__ >= 130\n    return textureLod(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0);\n#else\n    return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));\n#endif\n", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            integer: { parameters: "UMBRAGE_HIGHP usampler2D map", arguments: "map", texel: "vec4(texelFetch(map, ivec2(at), 0))", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            depth: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            depth_array: { parameters: "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)", lit: "", gather_red: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)", gather_green: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)", gather_lit: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            shadow: { parameters: "UMBRAGE_HIGHP sampler2DShadow map", arguments: "map", texel: "", lit: "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)", gather_red: "", gather_green: "", gather_lit: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            shadow_array: { parameters: "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "", lit: "textureGrad(map, vec4((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), vec2(0.0, 0.0))", gather_red: "", gather_green: "", gather_lit: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+        },
+        texts: {
+            "shadow_coordinate": `
+// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
+    return c;
+}
+`,
+            "tap_coordinate": `
+// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
+UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE_HIGHP vec2 offset) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moved = vec2(coordinate.x, coordinate.y) + offset * coordinate.w;
+    return vec4(moved.x, moved.y, coordinate.z, coordinate.w);
+}
+`,
+            "project_coordinate": `
+// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
+UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
+    UMBRAGE_HIGHP vec3 p = vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
+    return coordinate.w > 0.0 ? p : vec3(65536.0, 65536.0, 0.0);
+}
+`,
+            "cube_face": `
+// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 m = abs(direction);
+    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float y = direction.y < 0.0 ? 3.0 : 2.0;
+    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 5.0 : 4.0;
+    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
+}
+`,
+            "cube_coordinate": `
+// umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
+UMBRAGE_HIGHP vec3 umbrage_cube_coordinate(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    bool on_x = face < 1.5;
+    bool on_y = face > 1.5 && face < 3.5;
+    UMBRAGE_HIGHP float along = on_x ? direction.x : (on_y ? direction.y : direction.z);
+    UMBRAGE_HIGHP float m = abs(along);
+    UMBRAGE_HIGHP float z = along < 0.0 ? -direction.z : direction.z;
+    UMBRAGE_HIGHP float x = along < 0.0 ? -direction.x : direction.x;
+    UMBRAGE_HIGHP float sc = on_x ? -z : (on_y ? direction.x : x);
+    UMBRAGE_HIGHP float tc = on_y ? z : -direction.y;
+    return vec3((sc + m) / (m + m), (tc + m) / (m + m), face);
+}
+`,
+            "cube_direction": `
+// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
+UMBRAGE_HIGHP vec3 umbrage_cube_direction(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 st) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float u = st.x * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float v = st.y * 2.0 - 1.0;
+    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(1.0, -v, -u) : vec3(-1.0, -v, u);
+    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(u, 1.0, v) : vec3(u, -1.0, -v);
+    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(u, -v, 1.0) : vec3(-u, -v, -1.0);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+`,
+            "cube_tile": `
+// umbrage_cube_tile: first texel of a face, 0.0 to 5.0, in an atlas of 3 x 2 tiles of size texels
+UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP float row = face < 2.5 ? 0.0 : 1.0;
+    return vec2((face - row * 3.0) * size, row * size);
+}
+`,
+            "linear_depth": `
+// umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
+UMBRAGE_HIGHP float umbrage_linear_depth(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float inv_z_far) {
+    return z_view * inv_z_far;
+}
+`,
+            "project_depth": `
+// umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
+UMBRAGE_HIGHP float umbrage_project_depth(UMBRAGE_HIGHP float z, UMBRAGE_HIGHP float w, UMBRAGE_HIGHP float cleared) {
+    return w > 0.0 ? z / w : cleared;
+}
+`,
+            "distance_depth": `
+// umbrage_distance_depth: length of to_point, from the light, times 1 / range
+UMBRAGE_HIGHP float umbrage_distance_depth(UMBRAGE_HIGHP vec3 to_point, UMBRAGE_HIGHP float inv_range) {
+    return sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
+}
+`,
+            "reverse_depth": `
+// umbrage_reverse_depth: forward depth from reversed, or reversed from forward
+UMBRAGE_HIGHP float umbrage_reverse_depth(UMBRAGE_HIGHP float depth) {
+    return 1.0 - depth;
+}
+`,
+            "depth_from_ndc": `
+// umbrage_depth_from_ndc: depth in [0, 1] from z/w in [-1, 1]
+UMBRAGE_HIGHP float umbrage_depth_from_ndc(UMBRAGE_HIGHP float ndc) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = ndc * 0.5 + 0.5;
+    return depth;
+}
+`,
+            "view_z_from_depth": `
+// umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
+UMBRAGE_HIGHP float umbrage_view_z_from_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
+                                              UMBRAGE_HIGHP float z_far) {
+    return z_near / (1.0 - depth * (1.0 - z_near / z_far));
+}
+`,
+            "depth_from_view_z": `
+// umbrage_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 0.0 at z_near
+UMBRAGE_HIGHP float umbrage_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
+                                              UMBRAGE_HIGHP float z_far) {
+    return (1.0 - z_near / z_view) / (1.0 - z_near / z_far);
+}
+`,
+            "view_z_from_reversed_depth": `
+// umbrage_view_z_from_reversed_depth: perspective depth in [0, 1], 1.0 at z_near, to distance along the light's axis
+UMBRAGE_HIGHP float umbrage_view_z_from_reversed_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
+                                                       UMBRAGE_HIGHP float z_far) {
+    return z_near / (z_near / z_far + depth * (1.0 - z_near / z_far));
+}
+`,
+            "reversed_depth_from_view_z": `
+// umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
+UMBRAGE_HIGHP float umbrage_reversed_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
+                                                       UMBRAGE_HIGHP float z_far) {
+    return z_near / z_view * (1.0 - z_view / z_far) / (1.0 - z_near / z_far);
+}
+`,
+            "view_z_from_orthographic_depth": `
+// umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
+// axis; when reversed, exchange z_near and z_far
+UMBRAGE_HIGHP float umbrage_view_z_from_orthographic_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float z_near,
+                                                           UMBRAGE_HIGHP float z_far) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z_view = z_near + depth * (z_far - z_near);
+    return z_view;
+}
+`,
+            "orthographic_depth_from_view_z": `
+// umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
+// z_near; when reversed, exchange z_near and z_far
+UMBRAGE_HIGHP float umbrage_orthographic_depth_from_view_z(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float z_near,
+                                                           UMBRAGE_HIGHP float z_far) {
+    return (z_view - z_near) / (z_far - z_near);
+}
+`,
+            "cleared_depth": `
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+`,
+            "saturate": `
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+`,
+            "to_unorm": `
+// umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
+// k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
+UMBRAGE_HIGHP float umbrage_to_unorm(UMBRAGE_HIGHP float k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+UMBRAGE_HIGHP vec2 umbrage_to_unorm(UMBRAGE_HIGHP vec2 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+UMBRAGE_HIGHP vec3 umbrage_to_unorm(UMBRAGE_HIGHP vec3 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+UMBRAGE_HIGHP vec4 umbrage_to_unorm(UMBRAGE_HIGHP vec4 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+`,
+            "from_unorm": `
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 255.0 + 0.5);
+}
+`,
+            "encode_rg9": `
+// umbrage_encode_rg9: depth to the two channels of a 9-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg9(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 512.0), 511.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 128.0);
+}
+`,
+            "encode_rg10": `
+// umbrage_encode_rg10: depth to the two channels of a 10-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg10(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 1024.0), 1023.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 64.0);
+}
+`,
+            "encode_rg11": `
+// umbrage_encode_rg11: depth to the two channels of a 11-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg11(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 2048.0), 2047.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 32.0);
+}
+`,
+            "encode_rg12": `
+// umbrage_encode_rg12: depth to the two channels of a 12-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg12(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 4096.0), 4095.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 16.0);
+}
+`,
+            "encode_rg13": `
+// umbrage_encode_rg13: depth to the two channels of a 13-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg13(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 8192.0), 8191.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 8.0);
+}
+`,
+            "encode_rg14": `
+// umbrage_encode_rg14: depth to the two channels of a 14-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg14(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16384.0), 16383.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 4.0);
+}
+`,
+            "encode_rg15": `
+// umbrage_encode_rg15: depth to the two channels of a 15-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg15(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 32768.0), 32767.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 2.0);
+}
+`,
+            "encode_rg16": `
+// umbrage_encode_rg16: depth to the two channels of a 16-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg16(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 256.0));
+    return vec2(x - high * 256.0, high * 1.0);
+}
+`,
+            "encode_rgb24": `
+// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
+//   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec3 umbrage_encode_rgb24(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = x - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    return vec3(high, middle, rest - middle * 256.0);
+}
+`,
+            "encode_float_bits": `
+// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
+UMBRAGE_HIGHP vec4 umbrage_encode_float_bits(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP uint bits = floatBitsToUint(v);
+    return vec4(float(bits & 255u), float((bits >> 8) & 255u), float((bits >> 16) & 255u), float(bits >> 24));
+}
+`,
+            "write_threejs_rgba": `
+// umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec4 umbrage_write_threejs_rgba(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = v * 16777216.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    UMBRAGE_HIGHP float high = floor(whole * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = whole - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    UMBRAGE_HIGHP float low = rest - middle * 256.0;
+    UMBRAGE_HIGHP vec4 c = vec4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
+    return v < 1.0 ? c : vec4(1.0, 1.0, 1.0, 1.0);
+}
+`,
+            "write_threejs_rgb": `
+// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec3 umbrage_write_threejs_rgb(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = v * 65536.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    UMBRAGE_HIGHP float high = floor(whole * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec3 c = vec3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+    return v < 1.0 ? c : vec3(1.0, 1.0, 1.0);
+}
+`,
+            "write_threejs_rg": `
+// umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
+UMBRAGE_HIGHP vec2 umbrage_write_threejs_rg(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = v * 256.0;
+    UMBRAGE_HIGHP float whole = floor(x);
+    return v < 1.0 ? vec2(whole * 0.00392156886, x - whole) : vec2(1.0, 1.0);
+}
+`,
+            "write_threejs_legacy": `
+// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
+//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+UMBRAGE_HIGHP vec4 umbrage_write_threejs_legacy(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = v * 16777216.0 - floor(v * 16777216.0);
+    UMBRAGE_HIGHP float y = v * 65536.0 - floor(v * 65536.0);
+    UMBRAGE_HIGHP float z = v * 256.0 - floor(v * 256.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = vec4(x, y - x * (1.0 / 256.0), z - y * (1.0 / 256.0), v - z * (1.0 / 256.0));
+    return c * 1.00392163;
+}
+`,
+            "encode_threejs_legacy_repaired": `
+// umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+UMBRAGE_HIGHP vec4 umbrage_encode_threejs_legacy_repaired(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_HIGHP float x = floor(v * 16777216.0);
+    UMBRAGE_HIGHP float high = floor(x * (1.0 / 65536.0));
+    UMBRAGE_HIGHP float rest = x - high * 65536.0;
+    UMBRAGE_HIGHP float middle = floor(rest * (1.0 / 256.0));
+    return v < 1.0 ? vec4(0.0, rest - middle * 256.0, middle, high) : vec4(255.0, 255.0, 255.0, 255.0);
+}
+`,
+            "write_base255": `
+// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
+//   round: umbrage_encode_base255_repaired has neither fault
+UMBRAGE_HIGHP vec4 umbrage_write_base255(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float v = umbrage_saturate(depth);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 e = vec4(v, v * 255.0, v * 65025.0, v * 16581375.0);
+    e = e - floor(e);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c =
+        vec4(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
+    return c;
+}
+`,
+            "encode_base255_repaired": `
+// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = umbrage_saturate(depth) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (x - floor(x)) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (y - floor(y)) * 255.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (z - floor(z)) * 255.0;
+    return vec4(floor(x), floor(y), floor(z), floor(w));
+}
+`,
+            "texel": `
+// umbrage_texel: value of a texel inside the map
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+`,
+            "fetch_clamped": `
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
+}
+`,
+            "encode_rg9_table": `
+// umbrage_encode_rg9_table: depth to the two channels of a 9-bit code through a look-up table, whole numbers 0..255
+//   table   512 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg9_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 512.0), 511.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 512.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 512.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(512.0, 1.0), texel));
+    return vec2(k.x, k.y);
+}
+`,
+            "encode_rg10_table": `
+// umbrage_encode_rg10_table: depth to the two channels of a 10-bit code through a look-up table, whole numbers 0..255
+//   table   1024 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg10_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 1024.0), 1023.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 1024.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(1024.0, 1.0), texel));
+    return vec2(k.x, k.y);
+}
+`,
+            "encode_rg11_table": `
+// umbrage_encode_rg11_table: depth to the two channels of a 11-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg11_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 2048.0), 2047.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 2048.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(2048.0, 1.0), texel));
+    return vec2(k.x, k.y);
+}
+`,
+            "encode_rg12_table": `
+// umbrage_encode_rg12_table: depth to the two channels of a 12-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 2 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg12_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 4096.0), 4095.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 2048.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(2048.0, 2.0), texel));
+    return vec2(k.x, k.y);
+}
+`,
+            "encode_rg13_table": `
+// umbrage_encode_rg13_table: depth to the two channels of a 13-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 4 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg13_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 8192.0), 8191.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 2048.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(2048.0, 4.0), texel));
+    return vec2(k.x, k.y);
+}
+`,
+            "encode_rg14_table": `
+// umbrage_encode_rg14_table: depth to the two channels of a 14-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 8 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg14_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 16384.0), 16383.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 2048.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(2048.0, 8.0), texel));
+    return vec2(k.x, k.y);
+}
+`,
+            "encode_rg15_table": `
+// umbrage_encode_rg15_table: depth to the two channels of a 15-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 16 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg15_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 32768.0), 32767.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 2048.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(2048.0, 16.0), texel));
+    return vec2(k.x, k.y);
+}
+`,
+            "encode_rg16_table": `
+// umbrage_encode_rg16_table: depth to the two channels of a 16-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 32 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_rg16_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float x = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    UMBRAGE_HIGHP float row = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP vec2 texel = vec2(x - row * 2048.0, row);
+    UMBRAGE_HIGHP vec4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, vec2(2048.0, 32.0), texel));
+    return vec2(k.x, k.y);
+}
+`,
+            "decode_rg9": `
+// umbrage_decode_rg9: two channels of a 9-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg9(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 2.0 + edge) * (1.0 / 512.0);
+}
+`,
+            "decode_rg10": `
+// umbrage_decode_rg10: two channels of a 10-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg10(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 4.0 + edge) * (1.0 / 1024.0);
+}
+`,
+            "decode_rg11": `
+// umbrage_decode_rg11: two channels of a 11-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg11(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 8.0 + edge) * (1.0 / 2048.0);
+}
+`,
+            "decode_rg12": `
+// umbrage_decode_rg12: two channels of a 12-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg12(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 16.0 + edge) * (1.0 / 4096.0);
+}
+`,
+            "decode_rg13": `
+// umbrage_decode_rg13: two channels of a 13-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg13(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 32.0 + edge) * (1.0 / 8192.0);
+}
+`,
+            "decode_rg14": `
+// umbrage_decode_rg14: two channels of a 14-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg14(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 64.0 + edge) * (1.0 / 16384.0);
+}
+`,
+            "decode_rg15": `
+// umbrage_decode_rg15: two channels of a 15-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg15(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 128.0 + edge) * (1.0 / 32768.0);
+}
+`,
+            "decode_rg16": `
+// umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg16(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);
+}
+`,
+            "decode_rgb24": `
+// umbrage_decode_rgb24: three channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rgb24(UMBRAGE_HIGHP vec3 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec3 k = umbrage_from_unorm(c);
+    return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
+}
+`,
+            "decode_float_bits": `
+// umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
+UMBRAGE_HIGHP float umbrage_decode_float_bits(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_HIGHP uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);
+    UMBRAGE_HIGHP uint g = uint(umbrage_saturate(c.y) * 255.0 + 0.5);
+    UMBRAGE_HIGHP uint b = uint(umbrage_saturate(c.z) * 255.0 + 0.5);
+    UMBRAGE_HIGHP uint a = uint(umbrage_saturate(c.w) * 255.0 + 0.5);
+    return uintBitsToFloat(r | (g << 8) | (b << 16) | (a << 24));
+}
+`,
+            "decode_threejs_rgba": `
+// umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rgba(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) +
+                                                c.z * (255.0 / 16777216.0) + c.w * (1.0 / 16777216.0);
+    return depth;
+}
+`,
+            "decode_threejs_rgb": `
+// umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rgb(UMBRAGE_HIGHP vec3 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
+        c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
+    return depth;
+}
+`,
+            "decode_threejs_rg": `
+// umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_rg(UMBRAGE_HIGHP vec2 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
+    return depth;
+}
+`,
+            "decode_threejs_legacy": `
+// umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_threejs_legacy(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = c.x * (255.0 / 4294967296.0) + c.y * (255.0 / 16777216.0) +
+                                                c.z * (255.0 / 65536.0) + c.w * (255.0 / 256.0);
+    return depth;
+}
+`,
+            "decode_base255": `
+// umbrage_decode_base255: base-255 RGBA, as sampled, to depth
+UMBRAGE_HIGHP float umbrage_decode_base255(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth =
+        c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
+    return depth;
+}
+`,
+            "level_rg9": `
+// umbrage_level_rg9: two channels of a 9-bit code, as sampled, to the scale of umbrage_receiver_rg9, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg9(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 2.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg10": `
+// umbrage_level_rg10: two channels of a 10-bit code, as sampled, to the scale of umbrage_receiver_rg10, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg10(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 4.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg11": `
+// umbrage_level_rg11: two channels of a 11-bit code, as sampled, to the scale of umbrage_receiver_rg11, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg11(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 8.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg12": `
+// umbrage_level_rg12: two channels of a 12-bit code, as sampled, to the scale of umbrage_receiver_rg12, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg12(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 16.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg13": `
+// umbrage_level_rg13: two channels of a 13-bit code, as sampled, to the scale of umbrage_receiver_rg13, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg13(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 32.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg14": `
+// umbrage_level_rg14: two channels of a 14-bit code, as sampled, to the scale of umbrage_receiver_rg14, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg14(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 64.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg15": `
+// umbrage_level_rg15: two channels of a 15-bit code, as sampled, to the scale of umbrage_receiver_rg15, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg15(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 128.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg16": `
+// umbrage_level_rg16: two channels of a 16-bit code, as sampled, to the scale of umbrage_receiver_rg16, on which 1.0 is
+//   not the far plane
+UMBRAGE_HIGHP float umbrage_level_rg16(UMBRAGE_HIGHP vec2 c) {
+    return c.x + c.y * 256.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "receiver_rg9": `
+// umbrage_receiver_rg9: receiver on the scale of umbrage_level_rg9: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg9(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg9(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 512.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg10": `
+// umbrage_receiver_rg10: receiver on the scale of umbrage_level_rg10: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg10(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg10(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 1024.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg11": `
+// umbrage_receiver_rg11: receiver on the scale of umbrage_level_rg11: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg11(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg11(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 2048.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg12": `
+// umbrage_receiver_rg12: receiver on the scale of umbrage_level_rg12: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg12(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg12(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 4096.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg13": `
+// umbrage_receiver_rg13: receiver on the scale of umbrage_level_rg13: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg13(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg13(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 8192.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg14": `
+// umbrage_receiver_rg14: receiver on the scale of umbrage_level_rg14: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg14(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg14(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 16384.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg15": `
+// umbrage_receiver_rg15: receiver on the scale of umbrage_level_rg15: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg15(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg15(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 32768.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg16": `
+// umbrage_receiver_rg16: receiver on the scale of umbrage_level_rg16: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg16(texel, edge), or beyond the far plane
+UMBRAGE_HIGHP float umbrage_receiver_rg16(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float level = (ceil(depth * 65536.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "decode_ps14": `
+// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
+//   1.0 is not the far plane on this scale
+UMBRAGE_HIGHP float umbrage_decode_ps14(UMBRAGE_HIGHP vec2 c) {
+    return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
+}
+`,
+            "receiver_ps14": `
+// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel
+//   lights
+UMBRAGE_HIGHP float umbrage_receiver_ps14(UMBRAGE_HIGHP float depth) {
+    return depth > 1.0 ? -1.0 : depth * 1.00392163;
+}
+`,
+            "inside_map": `
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+`,
+            "fetch_bordered": `
+// umbrage_fetch_bordered: texel of a map, or border outside of it
+UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                          UMBRAGE_HIGHP vec4 border) {
+    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
+    return umbrage_inside_map(size, texel) ? value : border;
+}
+`,
+            "fetch_depth": `
+// UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
+// UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
+#ifndef UMBRAGE_FETCH
+#ifndef UMBRAGE_OUTSIDE_LIT
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
+#else
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
+#endif
+#endif
+// umbrage_fetch_depth: stored depth of a texel
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return UMBRAGE_FETCH(map, size, texel);
+}
+`,
+            "inside_texel_space": `
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+`,
+            "beyond_far": `
+// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
+#ifndef UMBRAGE_BEYOND_FAR
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
+#else
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
+#endif
+#endif
+// umbrage_beyond_far: whether a receiver is behind the far plane
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_BEYOND_FAR(receiver);
+}
+`,
+            "is_compared": `
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
+}
+`,
+            "compare": `
+// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
+#ifndef UMBRAGE_LIT
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#else
+#define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#endif
+#endif
+// umbrage_compare: visibility of one comparison
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return UMBRAGE_LIT(receiver, stored);
+}
+`,
+            "lit": `
+// umbrage_lit: visibility of one comparison with a texel
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+`,
+            "lit_2x2": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float a = umbrage_lit(map, size, texel, receiver);
+    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
+    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
+    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
+    return vec4(a, b, c, d);
+}
+`,
+            "compare_dx_sdk": `
+// umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
+UMBRAGE_HIGHP float umbrage_compare_dx_sdk(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored,
+                                           UMBRAGE_HIGHP float epsilon) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float limit = stored + epsilon;
+    return limit < receiver ? 0.0 : 1.0;
+}
+`,
+            "compare_exercise": `
+// umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
+UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAGE_HIGHP float stored,
+                                             UMBRAGE_HIGHP float epsilon) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float limit = stored + epsilon;
+    return current < limit ? 1.0 : 0.0;
+}
+`,
+            "hard": `
+// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 texel = compared ? floor(coord) : vec2(0.0, 0.0);  // no branch: fetches of several taps overlap
+    UMBRAGE_HIGHP float lit = umbrage_lit(map, size, texel, receiver);
+    return compared ? lit : 1.0;
+}
+`,
+            "four_tap": `
+// umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
+//   or more in a direction;   receiver  depth, biased
+UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 a,
+                                     UMBRAGE_HIGHP vec2 b, UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP vec2 d,
+                                     UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 a_texel = floor(a);
+    UMBRAGE_HIGHP vec2 b_texel = floor(b);
+    UMBRAGE_HIGHP vec2 c_texel = floor(c);
+    UMBRAGE_HIGHP vec2 d_texel = floor(d);
+    UMBRAGE_HIGHP vec2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    bool compared = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    UMBRAGE_HIGHP float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
+                                umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
+    return compared ? count * 0.25 : 1.0;
+}
+`,
+            "pcf_2x2": `
+// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                    UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    UMBRAGE_HIGHP vec4 lit = umbrage_lit_2x2(map, size, texel, receiver);
+    UMBRAGE_HIGHP float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
+    UMBRAGE_HIGHP float visibility = sum * (1.0 / 65536.0);
+    return compared ? visibility : 1.0;
+}
+`,
+            "pcf_2x2_dx_sdk": `
+// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                           UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float epsilon) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;
+    UMBRAGE_HIGHP float a = umbrage_compare_dx_sdk(receiver, umbrage_fetch_depth(map, size, texel), epsilon);
+    UMBRAGE_HIGHP float right = umbrage_fetch_depth(map, size, texel + vec2(1.0, 0.0));
+    UMBRAGE_HIGHP float above = umbrage_fetch_depth(map, size, texel + vec2(0.0, 1.0));
+    UMBRAGE_HIGHP float beyond = umbrage_fetch_depth(map, size, texel + vec2(1.0, 1.0));
+    UMBRAGE_HIGHP float b = umbrage_compare_dx_sdk(receiver, right, epsilon);
+    UMBRAGE_HIGHP float c = umbrage_compare_dx_sdk(receiver, above, epsilon);
+    UMBRAGE_HIGHP float d = umbrage_compare_dx_sdk(receiver, beyond, epsilon);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float low = a + weight.x * (b - a);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float high = c + weight.x * (d - c);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float visibility = low + weight.y * (high - low);
+    return compared ? visibility : 1.0;
+}
+`,
+            "box_count": `
+// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                      UMBRAGE_HIGHP float receiver, int radius) {
+    int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
+    int width = 2 * r + 1;
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 first = compared ? floor(coord) - float(r) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float count = 0.0;
+    for (int j = 0; j < 17; j++) {
+        if (j >= width) break;
+        for (int i = 0; i < 17; i++) {
+            if (i >= width) break;
+            count += umbrage_lit(map, size, first + vec2(float(i), float(j)), receiver);
+        }
+    }
+    return compared ? count : float(width * width);
+}
+`,
+            "box_scale": `
+// umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
+UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
+    UMBRAGE_HIGHP float scale = 0.00346020772;  // not returned as a literal: that would have the host's precision
+    if (radius < 8) scale = 0.00444444455;
+    if (radius < 7) scale = 0.00591715984;
+    if (radius < 6) scale = 0.00826446246;
+    if (radius < 5) scale = 0.0123456791;
+    if (radius < 4) scale = 0.0204081628;
+    if (radius < 3) scale = 0.0399999991;
+    if (radius < 2) scale = 0.111111112;
+    if (radius < 1) scale = 1.0;
+    return scale;
+}
+`,
+            "box": `
+// umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
+UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, int radius) {
+    UMBRAGE_HIGHP float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
+    return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
+}
+`,
+            "spot_cone": `
+// umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
+//   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
+UMBRAGE_HIGHP float umbrage_spot_cone(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 to_point,
+                                      UMBRAGE_HIGHP float cos_outer) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d =
+        direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float length2 =
+        to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float edge2 = cos_outer * cos_outer * length2;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d2 = d * d;
+    return d > 0.0 && d2 > edge2 ? 1.0 : 0.0;
+}
+`,
+            "diffuse_ambient": `
+// umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
+UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP float ambient,
+                                           UMBRAGE_HIGHP float n_dot_l, UMBRAGE_HIGHP float visibility) {
+    UMBRAGE_HIGHP float facing = n_dot_l > 0.0 ? n_dot_l : 0.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float light = visibility * facing * (1.0 - ambient) + ambient;
+    return albedo * light;
+}
+`,
+            "false_colour": `
+// umbrage_false_colour: blue for 0.0, through green, to red for 1.0
+UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP float x = umbrage_saturate(v) * 4.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 ramp = 1.5 - abs(vec3(x - 3.0, x - 2.0, x - 1.0));
+    return vec3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
+}
+`,
+            "hooks/cleared_depth, forward": `
+// umbrage_cleared_depth: depth of the far plane
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+    return 1.0;
+}
+`,
+            "hooks/cleared_depth, reversed": `
+// umbrage_cleared_depth: depth of the far plane
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+    return 0.0;
+}
+`,
+            "hooks/beyond_far, forward": `
+// umbrage_beyond_far: whether a receiver is behind the far plane
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return receiver > 1.0;
+}
+`,
+            "hooks/beyond_far, reversed": `
+// umbrage_beyond_far: whether a receiver is behind the far plane
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return receiver < 0.0;
+}
+`,
+            "hooks/beyond_far, scaled": `
+// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return false;
+}
+`,
+            "hooks/compare, forward": `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+`,
+            "hooks/compare, reversed": `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth, near is 1.0
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return receiver >= stored ? 1.0 : 0.0;
+}
+`,
+            "hooks/texel": `
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
+}
+`,
+            "hooks/decode": `
+// umbrage_decode: depth of a texel's value
+UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
+    return UMBRAGE_DEPTH;
+}
+`,
+            "hooks/fetch_depth, clamped": `
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+`,
+            "hooks/fetch_depth, bordered": `
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP float depth = umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+    return umbrage_inside_map(size, texel) ? depth : umbrage_cleared_depth();
+}
+`,
+            "hooks/lit_texel": `
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map; a NaN is in shadow
+UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_TEXEL;
+    return receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+}
+`,
+            "hooks/lit, clamped": `
+// umbrage_lit: visibility of one comparison with a texel, outside the map with the nearest one inside
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0), receiver);
+}
+`,
+            "hooks/lit, bordered": `
+// umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0), receiver);
+    return umbrage_inside_map(size, texel) ? lit : umbrage_compare(receiver, umbrage_cleared_depth());
+}
+`,
+            "hooks/gather_lit, compared": `
+// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); a NaN is in shadow
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 lit = UMBRAGE_GATHER_LIT;
+    return receiver > 0.0 || receiver <= 0.0 ? vec4(lit.w, lit.z, lit.x, lit.y) : vec4(0.0, 0.0, 0.0, 0.0);
+}
+`,
+            "hooks/gather_lit, one channel": `
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
+    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, 0.0, 0.0, 0.0)));
+    return vec4(a, b, c, d);
+}
+`,
+            "hooks/gather_lit, two channels": `
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
+    UMBRAGE_HIGHP vec4 g = UMBRAGE_GATHER_GREEN;
+    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, g.w, 0.0, 0.0)));
+    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, g.z, 0.0, 0.0)));
+    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, g.x, 0.0, 0.0)));
+    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, g.y, 0.0, 0.0)));
+    return vec4(a, b, c, d);
+}
+`,
+            "hooks/lit_2x2, gathered": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); the sampler clamps
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    return umbrage_gather_lit(map, size, texel, receiver);
+}
+`,
+            "hooks/lit_2x2, gathered in a region": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with the
+//   nearest texel inside: the gather stays inside, and each comparison is taken from its row and column
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
+    UMBRAGE_HIGHP vec2 low = clamp(texel, vec2(0.0, 0.0), size - 1.0) - first;
+    UMBRAGE_HIGHP vec2 high = clamp(texel + 1.0, vec2(0.0, 0.0), size - 1.0) - first;
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
+    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 right = high.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    UMBRAGE_HIGHP vec2 top = high.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    return vec4(bottom.x, bottom.y, top.x, top.y);
+}
+`,
+            "hooks/lit_2x2, gathered and bordered": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with the
+//   far plane: the gather stays inside
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
+    UMBRAGE_HIGHP vec2 low = texel - first;
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
+    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 right = low.x < -0.5 ? vec2(lit.x, lit.z) : vec2(lit.y, lit.w);
+    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    UMBRAGE_HIGHP vec2 top = low.y < -0.5 ? vec2(left.x, right.x) : vec2(left.y, right.y);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
+    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? bottom.y : outside;
+    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? top.x : outside;
+    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? top.y : outside;
+    return vec4(a, b, c, d);
+}
+`,
+        },
+    },
+    hlsl: {
+        prelude: "",
+        preprocessor: true,
+        macros: false,
+        scaled_macro: "",
+        textures: {
+            texture_2d: { parameters: "Texture2D<float4> map", arguments: "map", texel: "map.Load(int3(int2(at), 0))", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
+            atlas: { parameters: "Texture2D<float4> map, float2 origin", arguments: "map, origin", texel: "map.Load(int3(int2(at), 0))", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
+            array: { parameters: "Texture2DArray<float4> map, float layer", arguments: "map, layer", texel: "map.Load(int4(int2(at), int(layer), 0))", lit: "", gather_red: "map.GatherRed(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_green: "map.GatherGreen(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_lit: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
+            cube: { parameters: "TextureCube<float4> map, SamplerState map_sampler, float face", arguments: "map, map_sampler, face", texel: "map.SampleLevel(map_sampler, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0)", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "", sampler: "", sampler_argument: "" },
+            integer: { parameters: "Texture2D<uint4> map", arguments: "map", texel: "float4(map.Load(int3(int2(at), 0)))", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "", sampler: "", sampler_argument: "" },
+            depth: { parameters: "Texture2D<float> map", arguments: "map", texel: "(float4)map.Load(int3(int2(at), 0))", lit: "", gather_red: "map.Gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
+            depth_array: { parameters: "Texture2DArray<float> map, float layer", arguments: "map, layer", texel: "(float4)map.Load(int4(int2(at), int(layer), 0))", lit: "", gather_red: "map.Gather(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_green: "", gather_lit: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
+            shadow: { parameters: "Texture2D<float> map, SamplerComparisonState map_sampler", arguments: "map, map_sampler", texel: "", lit: "map.SampleCmpLevelZero(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)", gather_red: "", gather_green: "", gather_lit: "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", size: "", sampler: "", sampler_argument: "" },
+            shadow_array: { parameters: "Texture2DArray<float> map, SamplerComparisonState map_sampler, float layer", arguments: "map, map_sampler, layer", texel: "", lit: "map.SampleCmpLevelZero(map_sampler, float3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", gather_red: "", gather_green: "", gather_lit: "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", size: "", sampler: "", sampler_argument: "" },
+        },
+        texts: {
+            "shadow_coordinate": `
+// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+float4 umbrage_shadow_coordinate(float4x4 m, float3 world) {
+    precise float4 c = transpose(m)[3] + transpose(m)[0] * world.x + transpose(m)[1] * world.y + transpose(m)[2] *
+        world.z;
+    return c;
+}
+`,
+            "tap_coordinate": `
+// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
+float4 umbrage_tap_coordinate(float4 coordinate, float2 offset) {
+    precise float2 moved = float2(coordinate.x, coordinate.y) + offset * coordinate.w;
+    return float4(moved.x, moved.y, coordinate.z, coordinate.w);
+}
+`,
+            "project_coordinate": `
+// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
+float3 umbrage_project_coordinate(float4 coordinate) {
+    float3 p = float3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
+    return coordinate.w > 0.0 ? p : float3(65536.0, 65536.0, 0.0);
+}
+`,
+            "cube_face": `
+// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+float umbrage_cube_face(float3 direction) {
+    float3 m = abs(direction);
+    float x = direction.x < 0.0 ? 1.0 : 0.0;
+    float y = direction.y < 0.0 ? 3.0 : 2.0;
+    float z = direction.z < 0.0 ? 5.0 : 4.0;
+    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
+}
+`,
+            "cube_coordinate": `
+// umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
+float3 umbrage_cube_coordinate(float3 direction) {
+    float face = umbrage_cube_face(direction);
+    bool on_x = face < 1.5;
+    bool on_y = face > 1.5 && face < 3.5;
+    float along = on_x ? direction.x : (on_y ? direction.y : direction.z);
+    float m = abs(along);
+    float z = along < 0.0 ? -direction.z : direction.z;
+    float x = along < 0.0 ? -direction.x : direction.x;
+    float sc = on_x ? -z : (on_y ? direction.x : x);
+    float tc = on_y ? z : -direction.y;
+    return float3((sc + m) / (m + m), (tc + m) / (m + m), face);
+}
+`,
+            "cube_direction": `
+// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
+float3 umbrage_cube_direction(float face, float2 st) {
+    precise float u = st.x * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    precise float v = st.y * 2.0 - 1.0;
+    float3 x = face < 0.5 ? float3(1.0, -v, -u) : float3(-1.0, -v, u);
+    float3 y = face < 2.5 ? float3(u, 1.0, v) : float3(u, -1.0, -v);
+    float3 z = face < 4.5 ? float3(u, -v, 1.0) : float3(-u, -v, -1.0);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+`,
+            "cube_tile": `
+// umbrage_cube_tile: first texel of a face, 0.0 to 5.0, in an atlas of 3 x 2 tiles of size texels
+float2 umbrage_cube_tile(float face, float size) {
+    float row = face < 2.5 ? 0.0 : 1.0;
+    return float2((face - row * 3.0) * size, row * size);
+}
+`,
+            "linear_depth": `
+// umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
+float umbrage_linear_depth(float z_view, float inv_z_far) {
+    return z_view * inv_z_far;
+}
+`,
+            "project_depth": `
+// umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
+float umbrage_project_depth(float z, float w, float cleared) {
+    return w > 0.0 ? z / w : cleared;
+}
+`,
+            "distance_depth": `
+// umbrage_distance_depth: length of to_point, from the light, times 1 / range
+float umbrage_distance_depth(float3 to_point, float inv_range) {
+    return sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
+}
+`,
+            "reverse_depth": `
+// umbrage_reverse_depth: forward depth from reversed, or reversed from forward
+float umbrage_reverse_depth(float depth) {
+    return 1.0 - depth;
+}
+`,
+            "depth_from_ndc": `
+// umbrage_depth_from_ndc: depth in [0, 1] from z/w in [-1, 1]
+float umbrage_depth_from_ndc(float ndc) {
+    precise float depth = ndc * 0.5 + 0.5;
+    return depth;
+}
+`,
+            "view_z_from_depth": `
+// umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
+float umbrage_view_z_from_depth(float depth, float z_near, float z_far) {
+    return z_near / (1.0 - depth * (1.0 - z_near / z_far));
+}
+`,
+            "depth_from_view_z": `
+// umbrage_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 0.0 at z_near
+float umbrage_depth_from_view_z(float z_view, float z_near, float z_far) {
+    return (1.0 - z_near / z_view) / (1.0 - z_near / z_far);
+}
+`,
+            "view_z_from_reversed_depth": `
+// umbrage_view_z_from_reversed_depth: perspective depth in [0, 1], 1.0 at z_near, to distance along the light's axis
+float umbrage_view_z_from_reversed_depth(float depth, float z_near, float z_far) {
+    return z_near / (z_near / z_far + depth * (1.0 - z_near / z_far));
+}
+`,
+            "reversed_depth_from_view_z": `
+// umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
+float umbrage_reversed_depth_from_view_z(float z_view, float z_near, float z_far) {
+    return z_near / z_view * (1.0 - z_view / z_far) / (1.0 - z_near / z_far);
+}
+`,
+            "view_z_from_orthographic_depth": `
+// umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
+// axis; when reversed, exchange z_near and z_far
+float umbrage_view_z_from_orthographic_depth(float depth, float z_near, float z_far) {
+    precise float z_view = z_near + depth * (z_far - z_near);
+    return z_view;
+}
+`,
+            "orthographic_depth_from_view_z": `
+// umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
+// z_near; when reversed, exchange z_near and z_far
+float umbrage_orthographic_depth_from_view_z(float z_view, float z_near, float z_far) {
+    return (z_view - z_near) / (z_far - z_near);
+}
+`,
+            "saturate": `
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+`,
+            "to_unorm": `
+// umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
+// k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
+float umbrage_to_unorm(float k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+float2 umbrage_to_unorm(float2 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+float3 umbrage_to_unorm(float3 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+float4 umbrage_to_unorm(float4 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+`,
+            "from_unorm": `
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+float umbrage_from_unorm(float c) {
+    return floor(c * 255.0 + 0.5);
+}
+float2 umbrage_from_unorm(float2 c) {
+    return floor(c * 255.0 + 0.5);
+}
+float3 umbrage_from_unorm(float3 c) {
+    return floor(c * 255.0 + 0.5);
+}
+float4 umbrage_from_unorm(float4 c) {
+    return floor(c * 255.0 + 0.5);
+}
+`,
+            "encode_rg9": `
+// umbrage_encode_rg9: depth to the two channels of a 9-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg9(float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 512.0), 511.0);
+    float high = floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 128.0);
+}
+`,
+            "encode_rg10": `
+// umbrage_encode_rg10: depth to the two channels of a 10-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg10(float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 1024.0), 1023.0);
+    float high = floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 64.0);
+}
+`,
+            "encode_rg11": `
+// umbrage_encode_rg11: depth to the two channels of a 11-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg11(float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 2048.0), 2047.0);
+    float high = floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 32.0);
+}
+`,
+            "encode_rg12": `
+// umbrage_encode_rg12: depth to the two channels of a 12-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg12(float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 4096.0), 4095.0);
+    float high = floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 16.0);
+}
+`,
+            "encode_rg13": `
+// umbrage_encode_rg13: depth to the two channels of a 13-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg13(float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 8192.0), 8191.0);
+    float high = floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 8.0);
+}
+`,
+            "encode_rg14": `
+// umbrage_encode_rg14: depth to the two channels of a 14-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg14(float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 16384.0), 16383.0);
+    float high = floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 4.0);
+}
+`,
+            "encode_rg15": `
+// umbrage_encode_rg15: depth to the two channels of a 15-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg15(float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 32768.0), 32767.0);
+    float high = floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 2.0);
+}
+`,
+            "encode_rg16": `
+// umbrage_encode_rg16: depth to the two channels of a 16-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg16(float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    float high = floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 1.0);
+}
+`,
+            "encode_rgb24": `
+// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
+//   depth   clamped to [0, 1], NaN counts as far
+float3 umbrage_encode_rgb24(float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    float high = floor(x * (1.0 / 65536.0));
+    float rest = x - high * 65536.0;
+    float middle = floor(rest * (1.0 / 256.0));
+    return float3(high, middle, rest - middle * 256.0);
+}
+`,
+            "encode_float_bits": `
+// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
+float4 umbrage_encode_float_bits(float v) {
+    uint bits = asuint(v);
+    return float4(float(bits & 255u), float((bits >> 8) & 255u), float((bits >> 16) & 255u), float(bits >> 24));
+}
+`,
+            "write_threejs_rgba": `
+// umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
+float4 umbrage_write_threejs_rgba(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = v * 16777216.0;
+    float whole = floor(x);
+    float high = floor(whole * (1.0 / 65536.0));
+    float rest = whole - high * 65536.0;
+    float middle = floor(rest * (1.0 / 256.0));
+    float low = rest - middle * 256.0;
+    float4 c = float4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
+    return v < 1.0 ? c : float4(1.0, 1.0, 1.0, 1.0);
+}
+`,
+            "write_threejs_rgb": `
+// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+float3 umbrage_write_threejs_rgb(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = v * 65536.0;
+    float whole = floor(x);
+    float high = floor(whole * (1.0 / 256.0));
+    float3 c = float3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+    return v < 1.0 ? c : float3(1.0, 1.0, 1.0);
+}
+`,
+            "write_threejs_rg": `
+// umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
+float2 umbrage_write_threejs_rg(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = v * 256.0;
+    float whole = floor(x);
+    return v < 1.0 ? float2(whole * 0.00392156886, x - whole) : float2(1.0, 1.0);
+}
+`,
+            "write_threejs_legacy": `
+// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
+//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+float4 umbrage_write_threejs_legacy(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = v * 16777216.0 - floor(v * 16777216.0);
+    float y = v * 65536.0 - floor(v * 65536.0);
+    float z = v * 256.0 - floor(v * 256.0);
+    precise float4 c = float4(x, y - x * (1.0 / 256.0), z - y * (1.0 / 256.0), v - z * (1.0 / 256.0));
+    return c * 1.00392163;
+}
+`,
+            "encode_threejs_legacy_repaired": `
+// umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+float4 umbrage_encode_threejs_legacy_repaired(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = floor(v * 16777216.0);
+    float high = floor(x * (1.0 / 65536.0));
+    float rest = x - high * 65536.0;
+    float middle = floor(rest * (1.0 / 256.0));
+    return v < 1.0 ? float4(0.0, rest - middle * 256.0, middle, high) : float4(255.0, 255.0, 255.0, 255.0);
+}
+`,
+            "write_base255": `
+// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
+//   round: umbrage_encode_base255_repaired has neither fault
+float4 umbrage_write_base255(float depth) {
+    float v = umbrage_saturate(depth);
+    precise float4 e = float4(v, v * 255.0, v * 65025.0, v * 16581375.0);
+    e = e - floor(e);
+    precise float4 c = float4(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
+    return c;
+}
+`,
+            "encode_base255_repaired": `
+// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+float4 umbrage_encode_base255_repaired(float depth) {
+    precise float x = umbrage_saturate(depth) * 255.0;
+    precise float y = (x - floor(x)) * 255.0;
+    precise float z = (y - floor(y)) * 255.0;
+    precise float w = (z - floor(z)) * 255.0;
+    return float4(floor(x), floor(y), floor(z), floor(w));
+}
+`,
+            "fetch_clamped": `
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+float4 umbrage_fetch_clamped(UMBRAGE_MAP map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+`,
+            "encode_rg9_table": `
+// umbrage_encode_rg9_table: depth to the two channels of a 9-bit code through a look-up table, whole numbers 0..255
+//   table   512 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg9_table(UMBRAGE_MAP table, float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 512.0), 511.0);
+    float row = floor(x * (1.0 / 512.0));
+    float2 texel = float2(x - row * 512.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(512.0, 1.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "encode_rg10_table": `
+// umbrage_encode_rg10_table: depth to the two channels of a 10-bit code through a look-up table, whole numbers 0..255
+//   table   1024 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg10_table(UMBRAGE_MAP table, float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 1024.0), 1023.0);
+    float row = floor(x * (1.0 / 1024.0));
+    float2 texel = float2(x - row * 1024.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(1024.0, 1.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "encode_rg11_table": `
+// umbrage_encode_rg11_table: depth to the two channels of a 11-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg11_table(UMBRAGE_MAP table, float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 2048.0), 2047.0);
+    float row = floor(x * (1.0 / 2048.0));
+    float2 texel = float2(x - row * 2048.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(2048.0, 1.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "encode_rg12_table": `
+// umbrage_encode_rg12_table: depth to the two channels of a 12-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 2 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg12_table(UMBRAGE_MAP table, float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 4096.0), 4095.0);
+    float row = floor(x * (1.0 / 2048.0));
+    float2 texel = float2(x - row * 2048.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(2048.0, 2.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "encode_rg13_table": `
+// umbrage_encode_rg13_table: depth to the two channels of a 13-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 4 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg13_table(UMBRAGE_MAP table, float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 8192.0), 8191.0);
+    float row = floor(x * (1.0 / 2048.0));
+    float2 texel = float2(x - row * 2048.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(2048.0, 4.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "encode_rg14_table": `
+// umbrage_encode_rg14_table: depth to the two channels of a 14-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 8 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg14_table(UMBRAGE_MAP table, float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 16384.0), 16383.0);
+    float row = floor(x * (1.0 / 2048.0));
+    float2 texel = float2(x - row * 2048.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(2048.0, 8.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "encode_rg15_table": `
+// umbrage_encode_rg15_table: depth to the two channels of a 15-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 16 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg15_table(UMBRAGE_MAP table, float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 32768.0), 32767.0);
+    float row = floor(x * (1.0 / 2048.0));
+    float2 texel = float2(x - row * 2048.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(2048.0, 16.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "encode_rg16_table": `
+// umbrage_encode_rg16_table: depth to the two channels of a 16-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 32 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+float2 umbrage_encode_rg16_table(UMBRAGE_MAP table, float depth) {
+    float x = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    float row = floor(x * (1.0 / 2048.0));
+    float2 texel = float2(x - row * 2048.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(2048.0, 32.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "decode_rg9": `
+// umbrage_decode_rg9: two channels of a 9-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+float umbrage_decode_rg9(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 2.0 + edge) * (1.0 / 512.0);
+}
+`,
+            "decode_rg10": `
+// umbrage_decode_rg10: two channels of a 10-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+float umbrage_decode_rg10(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 4.0 + edge) * (1.0 / 1024.0);
+}
+`,
+            "decode_rg11": `
+// umbrage_decode_rg11: two channels of a 11-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+float umbrage_decode_rg11(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 8.0 + edge) * (1.0 / 2048.0);
+}
+`,
+            "decode_rg12": `
+// umbrage_decode_rg12: two channels of a 12-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+float umbrage_decode_rg12(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 16.0 + edge) * (1.0 / 4096.0);
+}
+`,
+            "decode_rg13": `
+// umbrage_decode_rg13: two channels of a 13-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+float umbrage_decode_rg13(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 32.0 + edge) * (1.0 / 8192.0);
+}
+`,
+            "decode_rg14": `
+// umbrage_decode_rg14: two channels of a 14-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+float umbrage_decode_rg14(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 64.0 + edge) * (1.0 / 16384.0);
+}
+`,
+            "decode_rg15": `
+// umbrage_decode_rg15: two channels of a 15-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+float umbrage_decode_rg15(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 128.0 + edge) * (1.0 / 32768.0);
+}
+`,
+            "decode_rg16": `
+// umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+float umbrage_decode_rg16(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);
+}
+`,
+            "decode_rgb24": `
+// umbrage_decode_rgb24: three channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+float umbrage_decode_rgb24(float3 c, float edge) {
+    float3 k = umbrage_from_unorm(c);
+    return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
+}
+`,
+            "decode_float_bits": `
+// umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
+float umbrage_decode_float_bits(float4 c) {
+    uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);
+    uint g = uint(umbrage_saturate(c.y) * 255.0 + 0.5);
+    uint b = uint(umbrage_saturate(c.z) * 255.0 + 0.5);
+    uint a = uint(umbrage_saturate(c.w) * 255.0 + 0.5);
+    return asfloat(r | (g << 8) | (b << 16) | (a << 24));
+}
+`,
+            "decode_threejs_rgba": `
+// umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
+float umbrage_decode_threejs_rgba(float4 c) {
+    precise float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (255.0 / 16777216.0) + c.w *
+        (1.0 / 16777216.0);
+    return depth;
+}
+`,
+            "decode_threejs_rgb": `
+// umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
+float umbrage_decode_threejs_rgb(float3 c) {
+    precise float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
+    return depth;
+}
+`,
+            "decode_threejs_rg": `
+// umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
+float umbrage_decode_threejs_rg(float2 c) {
+    precise float depth = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
+    return depth;
+}
+`,
+            "decode_threejs_legacy": `
+// umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
+float umbrage_decode_threejs_legacy(float4 c) {
+    precise float depth = c.x * (255.0 / 4294967296.0) + c.y * (255.0 / 16777216.0) + c.z * (255.0 / 65536.0) + c.w *
+        (255.0 / 256.0);
+    return depth;
+}
+`,
+            "decode_base255": `
+// umbrage_decode_base255: base-255 RGBA, as sampled, to depth
+float umbrage_decode_base255(float4 c) {
+    precise float depth = c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
+    return depth;
+}
+`,
+            "level_rg9": `
+// umbrage_level_rg9: two channels of a 9-bit code, as sampled, to the scale of umbrage_receiver_rg9, on which 1.0 is
+//   not the far plane
+float umbrage_level_rg9(float2 c) {
+    return c.x + c.y * 2.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg10": `
+// umbrage_level_rg10: two channels of a 10-bit code, as sampled, to the scale of umbrage_receiver_rg10, on which 1.0 is
+//   not the far plane
+float umbrage_level_rg10(float2 c) {
+    return c.x + c.y * 4.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg11": `
+// umbrage_level_rg11: two channels of a 11-bit code, as sampled, to the scale of umbrage_receiver_rg11, on which 1.0 is
+//   not the far plane
+float umbrage_level_rg11(float2 c) {
+    return c.x + c.y * 8.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg12": `
+// umbrage_level_rg12: two channels of a 12-bit code, as sampled, to the scale of umbrage_receiver_rg12, on which 1.0 is
+//   not the far plane
+float umbrage_level_rg12(float2 c) {
+    return c.x + c.y * 16.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg13": `
+// umbrage_level_rg13: two channels of a 13-bit code, as sampled, to the scale of umbrage_receiver_rg13, on which 1.0 is
+//   not the far plane
+float umbrage_level_rg13(float2 c) {
+    return c.x + c.y * 32.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg14": `
+// umbrage_level_rg14: two channels of a 14-bit code, as sampled, to the scale of umbrage_receiver_rg14, on which 1.0 is
+//   not the far plane
+float umbrage_level_rg14(float2 c) {
+    return c.x + c.y * 64.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg15": `
+// umbrage_level_rg15: two channels of a 15-bit code, as sampled, to the scale of umbrage_receiver_rg15, on which 1.0 is
+//   not the far plane
+float umbrage_level_rg15(float2 c) {
+    return c.x + c.y * 128.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg16": `
+// umbrage_level_rg16: two channels of a 16-bit code, as sampled, to the scale of umbrage_receiver_rg16, on which 1.0 is
+//   not the far plane
+float umbrage_level_rg16(float2 c) {
+    return c.x + c.y * 256.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "receiver_rg9": `
+// umbrage_receiver_rg9: receiver on the scale of umbrage_level_rg9: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg9(texel, edge), or beyond the far plane
+float umbrage_receiver_rg9(float depth, float edge) {
+    precise float level = (ceil(depth * 512.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg10": `
+// umbrage_receiver_rg10: receiver on the scale of umbrage_level_rg10: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg10(texel, edge), or beyond the far plane
+float umbrage_receiver_rg10(float depth, float edge) {
+    precise float level = (ceil(depth * 1024.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg11": `
+// umbrage_receiver_rg11: receiver on the scale of umbrage_level_rg11: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg11(texel, edge), or beyond the far plane
+float umbrage_receiver_rg11(float depth, float edge) {
+    precise float level = (ceil(depth * 2048.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg12": `
+// umbrage_receiver_rg12: receiver on the scale of umbrage_level_rg12: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg12(texel, edge), or beyond the far plane
+float umbrage_receiver_rg12(float depth, float edge) {
+    precise float level = (ceil(depth * 4096.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg13": `
+// umbrage_receiver_rg13: receiver on the scale of umbrage_level_rg13: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg13(texel, edge), or beyond the far plane
+float umbrage_receiver_rg13(float depth, float edge) {
+    precise float level = (ceil(depth * 8192.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg14": `
+// umbrage_receiver_rg14: receiver on the scale of umbrage_level_rg14: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg14(texel, edge), or beyond the far plane
+float umbrage_receiver_rg14(float depth, float edge) {
+    precise float level = (ceil(depth * 16384.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg15": `
+// umbrage_receiver_rg15: receiver on the scale of umbrage_level_rg15: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg15(texel, edge), or beyond the far plane
+float umbrage_receiver_rg15(float depth, float edge) {
+    precise float level = (ceil(depth * 32768.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg16": `
+// umbrage_receiver_rg16: receiver on the scale of umbrage_level_rg16: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg16(texel, edge), or beyond the far plane
+float umbrage_receiver_rg16(float depth, float edge) {
+    precise float level = (ceil(depth * 65536.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "decode_ps14": `
+// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
+//   1.0 is not the far plane on this scale
+float umbrage_decode_ps14(float2 c) {
+    return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
+}
+`,
+            "receiver_ps14": `
+// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel
+//   lights
+float umbrage_receiver_ps14(float depth) {
+    return depth > 1.0 ? -1.0 : depth * 1.00392163;
+}
+`,
+            "inside_map": `
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+precise bool umbrage_inside_map(float2 size, float2 texel) {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+`,
+            "fetch_bordered": `
+// umbrage_fetch_bordered: texel of a map, or border outside of it
+float4 umbrage_fetch_bordered(UMBRAGE_MAP map, float2 size, float2 texel, float4 border) {
+    float4 value = umbrage_fetch_clamped(map, size, texel);
+    return umbrage_inside_map(size, texel) ? value : border;
+}
+`,
+            "inside_texel_space": `
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+precise bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+`,
+            "is_compared": `
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+precise bool umbrage_is_compared(float2 coord, float receiver) {
+    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
+}
+`,
+            "lit": `
+// umbrage_lit: visibility of one comparison with a texel
+float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+`,
+            "lit_2x2": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float a = umbrage_lit(map, size, texel, receiver);
+    float b = umbrage_lit(map, size, texel + float2(1.0, 0.0), receiver);
+    float c = umbrage_lit(map, size, texel + float2(0.0, 1.0), receiver);
+    float d = umbrage_lit(map, size, texel + float2(1.0, 1.0), receiver);
+    return float4(a, b, c, d);
+}
+`,
+            "compare_dx_sdk": `
+// umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
+float umbrage_compare_dx_sdk(float receiver, float stored, float epsilon) {
+    precise float limit = stored + epsilon;
+    return limit < receiver ? 0.0 : 1.0;
+}
+`,
+            "compare_exercise": `
+// umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
+float umbrage_compare_exercise(float current, float stored, float epsilon) {
+    precise float limit = stored + epsilon;
+    return current < limit ? 1.0 : 0.0;
+}
+`,
+            "hard": `
+// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+float umbrage_hard(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 texel = compared ? floor(coord) : float2(0.0, 0.0);  // no branch: fetches of several taps overlap
+    float lit = umbrage_lit(map, size, texel, receiver);
+    return compared ? lit : 1.0;
+}
+`,
+            "four_tap": `
+// umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
+//   or more in a direction;   receiver  depth, biased
+float umbrage_four_tap(UMBRAGE_MAP map, float2 size, float2 a, float2 b, float2 c, float2 d, float receiver) {
+    float2 a_texel = floor(a);
+    float2 b_texel = floor(b);
+    float2 c_texel = floor(c);
+    float2 d_texel = floor(d);
+    float2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    bool compared = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
+        umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
+    return compared ? count * 0.25 : 1.0;
+}
+`,
+            "pcf_2x2": `
+// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+float umbrage_pcf_2x2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = floor(x * (1.0 / 256.0));
+    float2 hi = x - texel * 256.0;
+    float2 lo = 256.0 - hi;
+    float4 lit = umbrage_lit_2x2(map, size, texel, receiver);
+    float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
+    float visibility = sum * (1.0 / 65536.0);
+    return compared ? visibility : 1.0;
+}
+`,
+            "pcf_2x2_dx_sdk": `
+// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float epsilon) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    precise float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = floor(x);
+    precise float2 weight = x - texel;
+    float a = umbrage_compare_dx_sdk(receiver, umbrage_fetch_depth(map, size, texel), epsilon);
+    float right = umbrage_fetch_depth(map, size, texel + float2(1.0, 0.0));
+    float above = umbrage_fetch_depth(map, size, texel + float2(0.0, 1.0));
+    float beyond = umbrage_fetch_depth(map, size, texel + float2(1.0, 1.0));
+    float b = umbrage_compare_dx_sdk(receiver, right, epsilon);
+    float c = umbrage_compare_dx_sdk(receiver, above, epsilon);
+    float d = umbrage_compare_dx_sdk(receiver, beyond, epsilon);
+    precise float low = a + weight.x * (b - a);
+    precise float high = c + weight.x * (d - c);
+    precise float visibility = low + weight.y * (high - low);
+    return compared ? visibility : 1.0;
+}
+`,
+            "box_count": `
+// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+float umbrage_box_count(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, int radius) {
+    int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
+    int width = 2 * r + 1;
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 first = compared ? floor(coord) - float(r) : float2(0.0, 0.0);
+    float count = 0.0;
+    for (int j = 0; j < 17; j++) {
+        if (j >= width) break;
+        for (int i = 0; i < 17; i++) {
+            if (i >= width) break;
+            count += umbrage_lit(map, size, first + float2(float(i), float(j)), receiver);
+        }
+    }
+    return compared ? count : float(width * width);
+}
+`,
+            "box_scale": `
+// umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
+float umbrage_box_scale(int radius) {
+    float scale = 0.00346020772;  // not returned as a literal: that would have the host's precision
+    if (radius < 8) scale = 0.00444444455;
+    if (radius < 7) scale = 0.00591715984;
+    if (radius < 6) scale = 0.00826446246;
+    if (radius < 5) scale = 0.0123456791;
+    if (radius < 4) scale = 0.0204081628;
+    if (radius < 3) scale = 0.0399999991;
+    if (radius < 2) scale = 0.111111112;
+    if (radius < 1) scale = 1.0;
+    return scale;
+}
+`,
+            "box": `
+// umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
+float umbrage_box(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, int radius) {
+    float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
+    return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
+}
+`,
+            "spot_cone": `
+// umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
+//   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
+float umbrage_spot_cone(float3 direction, float3 to_point, float cos_outer) {
+    precise float d = direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
+    precise float length2 = to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
+    precise float edge2 = cos_outer * cos_outer * length2;
+    precise float d2 = d * d;
+    return d > 0.0 && d2 > edge2 ? 1.0 : 0.0;
+}
+`,
+            "diffuse_ambient": `
+// umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
+float3 umbrage_diffuse_ambient(float3 albedo, float ambient, float n_dot_l, float visibility) {
+    float facing = n_dot_l > 0.0 ? n_dot_l : 0.0;
+    precise float light = visibility * facing * (1.0 - ambient) + ambient;
+    return albedo * light;
+}
+`,
+            "false_colour": `
+// umbrage_false_colour: blue for 0.0, through green, to red for 1.0
+float3 umbrage_false_colour(float v) {
+    float x = umbrage_saturate(v) * 4.0;
+    precise float3 ramp = 1.5 - abs(float3(x - 3.0, x - 2.0, x - 1.0));
+    return float3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
+}
+`,
+            "hooks/cleared_depth, forward": `
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+`,
+            "hooks/cleared_depth, reversed": `
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 0.0;
+}
+`,
+            "hooks/beyond_far, forward": `
+// umbrage_beyond_far: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far(float receiver) {
+    return receiver > 1.0;
+}
+`,
+            "hooks/beyond_far, reversed": `
+// umbrage_beyond_far: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far(float receiver) {
+    return receiver < 0.0;
+}
+`,
+            "hooks/beyond_far, scaled": `
+// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
+precise bool umbrage_beyond_far(float receiver) {
+    return false;
+}
+`,
+            "hooks/compare, forward": `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+float umbrage_compare(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+`,
+            "hooks/compare, reversed": `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth, near is 1.0
+float umbrage_compare(float receiver, float stored) {
+    return receiver >= stored ? 1.0 : 0.0;
+}
+`,
+            "hooks/texel": `
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+float4 umbrage_texel(UMBRAGE_MAP map, float2 size, float2 texel) {
+    float2 at = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
+}
+`,
+            "hooks/decode": `
+// umbrage_decode: depth of a texel's value
+float umbrage_decode(float4 value) {
+    return UMBRAGE_DEPTH;
+}
+`,
+            "hooks/fetch_depth, clamped": `
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+`,
+            "hooks/fetch_depth, bordered": `
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
+    float depth = umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+    return umbrage_inside_map(size, texel) ? depth : umbrage_cleared_depth();
+}
+`,
+            "hooks/lit_texel": `
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map; a NaN is in shadow
+float umbrage_lit_texel(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float2 at = texel + UMBRAGE_ORIGIN;
+    float lit = UMBRAGE_LIT_TEXEL;
+    return receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+}
+`,
+            "hooks/lit, clamped": `
+// umbrage_lit: visibility of one comparison with a texel, outside the map with the nearest one inside
+float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    return umbrage_lit_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0), receiver);
+}
+`,
+            "hooks/lit, bordered": `
+// umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
+float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float lit = umbrage_lit_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0), receiver);
+    return umbrage_inside_map(size, texel) ? lit : umbrage_compare(receiver, umbrage_cleared_depth());
+}
+`,
+            "hooks/gather_lit, compared": `
+// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); a NaN is in shadow
+float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float2 at = texel + UMBRAGE_ORIGIN;
+    float4 lit = UMBRAGE_GATHER_LIT;
+    return receiver > 0.0 || receiver <= 0.0 ? float4(lit.w, lit.z, lit.x, lit.y) : float4(0.0, 0.0, 0.0, 0.0);
+}
+`,
+            "hooks/gather_lit, one channel": `
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float2 at = texel + UMBRAGE_ORIGIN;
+    float4 r = UMBRAGE_GATHER_RED;
+    float a = umbrage_compare(receiver, umbrage_decode(float4(r.w, 0.0, 0.0, 0.0)));
+    float b = umbrage_compare(receiver, umbrage_decode(float4(r.z, 0.0, 0.0, 0.0)));
+    float c = umbrage_compare(receiver, umbrage_decode(float4(r.x, 0.0, 0.0, 0.0)));
+    float d = umbrage_compare(receiver, umbrage_decode(float4(r.y, 0.0, 0.0, 0.0)));
+    return float4(a, b, c, d);
+}
+`,
+            "hooks/gather_lit, two channels": `
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float2 at = texel + UMBRAGE_ORIGIN;
+    float4 r = UMBRAGE_GATHER_RED;
+    float4 g = UMBRAGE_GATHER_GREEN;
+    float a = umbrage_compare(receiver, umbrage_decode(float4(r.w, g.w, 0.0, 0.0)));
+    float b = umbrage_compare(receiver, umbrage_decode(float4(r.z, g.z, 0.0, 0.0)));
+    float c = umbrage_compare(receiver, umbrage_decode(float4(r.x, g.x, 0.0, 0.0)));
+    float d = umbrage_compare(receiver, umbrage_decode(float4(r.y, g.y, 0.0, 0.0)));
+    return float4(a, b, c, d);
+}
+`,
+            "hooks/lit_2x2, gathered": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); the sampler clamps
+float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    return umbrage_gather_lit(map, size, texel, receiver);
+}
+`,
+            "hooks/lit_2x2, gathered in a region": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with the
+//   nearest texel inside: the gather stays inside, and each comparison is taken from its row and column
+float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float2 first = clamp(texel, float2(0.0, 0.0), max(size - 2.0, float2(0.0, 0.0)));
+    float2 low = clamp(texel, float2(0.0, 0.0), size - 1.0) - first;
+    float2 high = clamp(texel + 1.0, float2(0.0, 0.0), size - 1.0) - first;
+    float4 lit = umbrage_gather_lit(map, size, first, receiver);
+    float2 left = low.x > 0.5 ? float2(lit.y, lit.w) : float2(lit.x, lit.z);
+    float2 right = high.x > 0.5 ? float2(lit.y, lit.w) : float2(lit.x, lit.z);
+    float2 bottom = low.y > 0.5 ? float2(left.y, right.y) : float2(left.x, right.x);
+    float2 top = high.y > 0.5 ? float2(left.y, right.y) : float2(left.x, right.x);
+    return float4(bottom.x, bottom.y, top.x, top.y);
+}
+`,
+            "hooks/lit_2x2, gathered and bordered": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with the
+//   far plane: the gather stays inside
+float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float2 first = clamp(texel, float2(0.0, 0.0), max(size - 2.0, float2(0.0, 0.0)));
+    float2 low = texel - first;
+    float4 lit = umbrage_gather_lit(map, size, first, receiver);
+    float2 left = low.x > 0.5 ? float2(lit.y, lit.w) : float2(lit.x, lit.z);
+    float2 right = low.x < -0.5 ? float2(lit.x, lit.z) : float2(lit.y, lit.w);
+    float2 bottom = low.y > 0.5 ? float2(left.y, right.y) : float2(left.x, right.x);
+    float2 top = low.y < -0.5 ? float2(left.x, right.x) : float2(left.y, right.y);
+    float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
+    float b = umbrage_inside_map(size, texel + float2(1.0, 0.0)) ? bottom.y : outside;
+    float c = umbrage_inside_map(size, texel + float2(0.0, 1.0)) ? top.x : outside;
+    float d = umbrage_inside_map(size, texel + float2(1.0, 1.0)) ? top.y : outside;
+    return float4(a, b, c, d);
+}
+`,
+        },
+    },
+    msl: {
+        prelude: "\n#include <metal_stdlib>\n#pragma METAL fp math_mode(safe)\n#pragma METAL fp contract(off)\n",
+        preprocessor: true,
+        macros: false,
+        scaled_macro: "",
+        textures: {
+            texture_2d: { parameters: "metal::texture2d<float> map", arguments: "map", texel: "map.read(uint2(at))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
+            atlas: { parameters: "metal::texture2d<float> map, float2 origin", arguments: "map, origin", texel: "map.read(uint2(at))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
+            array: { parameters: "metal::texture2d_array<float> map, float layer", arguments: "map, layer", texel: "map.read(uint2(at), uint(layer))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), int2(0), metal::component::y)", gather_lit: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
+            cube: { parameters: "metal::texturecube<float> map, float face", arguments: "map, face", texel: "map.read(uint2(at), uint(face))", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "" },
+            integer: { parameters: "metal::texture2d<uint> map", arguments: "map", texel: "float4(map.read(uint2(at)))", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "" },
+            depth: { parameters: "metal::depth2d<float> map", arguments: "map", texel: "float4(map.read(uint2(at)))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
+            depth_array: { parameters: "metal::depth2d_array<float> map, float layer", arguments: "map, layer", texel: "float4(map.read(uint2(at), uint(layer)))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))", gather_green: "", gather_lit: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
+            shadow: { parameters: "metal::depth2d<float> map, metal::sampler map_sampler", arguments: "map, map_sampler", texel: "", lit: "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))", gather_red: "", gather_green: "", gather_lit: "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "" },
+            shadow_array: { parameters: "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer", arguments: "map, map_sampler, layer", texel: "", lit: "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, metal::level(0.0))", gather_red: "", gather_green: "", gather_lit: "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "" },
+        },
+        texts: {
+            "shadow_coordinate": `
+// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+inline float4 umbrage_shadow_coordinate(metal::float4x4 m, float3 world) {
+    float4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
+    return c;
+}
+`,
+            "tap_coordinate": `
+// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
+inline float4 umbrage_tap_coordinate(float4 coordinate, float2 offset) {
+    float2 moved = float2(coordinate.x, coordinate.y) + offset * coordinate.w;
+    return float4(moved.x, moved.y, coordinate.z, coordinate.w);
+}
+`,
+            "project_coordinate": `
+// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
+inline float3 umbrage_project_coordinate(float4 coordinate) {
+    float3 p = float3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
+    return coordinate.w > 0.0 ? p : float3(65536.0, 65536.0, 0.0);
+}
+`,
+            "cube_face": `
+// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+inline float umbrage_cube_face(float3 direction) {
+    float3 m = metal::abs(direction);
+    float x = direction.x < 0.0 ? 1.0 : 0.0;
+    float y = direction.y < 0.0 ? 3.0 : 2.0;
+    float z = direction.z < 0.0 ? 5.0 : 4.0;
+    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
+}
+`,
+            "cube_coordinate": `
+// umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
+inline float3 umbrage_cube_coordinate(float3 direction) {
+    float face = umbrage_cube_face(direction);
+    bool on_x = face < 1.5;
+    bool on_y = face > 1.5 && face < 3.5;
+    float along = on_x ? direction.x : (on_y ? direction.y : direction.z);
+    float m = metal::abs(along);
+    float z = along < 0.0 ? -direction.z : direction.z;
+    float x = along < 0.0 ? -direction.x : direction.x;
+    float sc = on_x ? -z : (on_y ? direction.x : x);
+    float tc = on_y ? z : -direction.y;
+    return float3((sc + m) / (m + m), (tc + m) / (m + m), face);
+}
+`,
+            "cube_direction": `
+// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
+inline float3 umbrage_cube_direction(float face, float2 st) {
+    float u = st.x * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    float v = st.y * 2.0 - 1.0;
+    float3 x = face < 0.5 ? float3(1.0, -v, -u) : float3(-1.0, -v, u);
+    float3 y = face < 2.5 ? float3(u, 1.0, v) : float3(u, -1.0, -v);
+    float3 z = face < 4.5 ? float3(u, -v, 1.0) : float3(-u, -v, -1.0);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+`,
+            "cube_tile": `
+// umbrage_cube_tile: first texel of a face, 0.0 to 5.0, in an atlas of 3 x 2 tiles of size texels
+inline float2 umbrage_cube_tile(float face, float size) {
+    float row = face < 2.5 ? 0.0 : 1.0;
+    return float2((face - row * 3.0) * size, row * size);
+}
+`,
+            "linear_depth": `
+// umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
+inline float umbrage_linear_depth(float z_view, float inv_z_far) {
+    return z_view * inv_z_far;
+}
+`,
+            "project_depth": `
+// umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
+inline float umbrage_project_depth(float z, float w, float cleared) {
+    return w > 0.0 ? z / w : cleared;
+}
+`,
+            "distance_depth": `
+// umbrage_distance_depth: length of to_point, from the light, times 1 / range
+inline float umbrage_distance_depth(float3 to_point, float inv_range) {
+    return metal::sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
+}
+`,
+            "reverse_depth": `
+// umbrage_reverse_depth: forward depth from reversed, or reversed from forward
+inline float umbrage_reverse_depth(float depth) {
+    return 1.0 - depth;
+}
+`,
+            "depth_from_ndc": `
+// umbrage_depth_from_ndc: depth in [0, 1] from z/w in [-1, 1]
+inline float umbrage_depth_from_ndc(float ndc) {
+    float depth = ndc * 0.5 + 0.5;
+    return depth;
+}
+`,
+            "view_z_from_depth": `
+// umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
+inline float umbrage_view_z_from_depth(float depth, float z_near, float z_far) {
+    return z_near / (1.0 - depth * (1.0 - z_near / z_far));
+}
+`,
+            "depth_from_view_z": `
+// umbrage_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 0.0 at z_near
+inline float umbrage_depth_from_view_z(float z_view, float z_near, float z_far) {
+    return (1.0 - z_near / z_view) / (1.0 - z_near / z_far);
+}
+`,
+            "view_z_from_reversed_depth": `
+// umbrage_view_z_from_reversed_depth: perspective depth in [0, 1], 1.0 at z_near, to distance along the light's axis
+inline float umbrage_view_z_from_reversed_depth(float depth, float z_near, float z_far) {
+    return z_near / (z_near / z_far + depth * (1.0 - z_near / z_far));
+}
+`,
+            "reversed_depth_from_view_z": `
+// umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
+inline float umbrage_reversed_depth_from_view_z(float z_view, float z_near, float z_far) {
+    return z_near / z_view * (1.0 - z_view / z_far) / (1.0 - z_near / z_far);
+}
+`,
+            "view_z_from_orthographic_depth": `
+// umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
+// axis; when reversed, exchange z_near and z_far
+inline float umbrage_view_z_from_orthographic_depth(float depth, float z_near, float z_far) {
+    float z_view = z_near + depth * (z_far - z_near);
+    return z_view;
+}
+`,
+            "orthographic_depth_from_view_z": `
+// umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
+// z_near; when reversed, exchange z_near and z_far
+inline float umbrage_orthographic_depth_from_view_z(float z_view, float z_near, float z_far) {
+    return (z_view - z_near) / (z_far - z_near);
+}
+`,
+            "saturate": `
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+inline float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+`,
+            "to_unorm": `
+// umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
+// k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
+inline float umbrage_to_unorm(float k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+inline float2 umbrage_to_unorm(float2 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+inline float3 umbrage_to_unorm(float3 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+inline float4 umbrage_to_unorm(float4 k) {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+`,
+            "from_unorm": `
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+inline float umbrage_from_unorm(float c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+inline float2 umbrage_from_unorm(float2 c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+inline float3 umbrage_from_unorm(float3 c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+inline float4 umbrage_from_unorm(float4 c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+`,
+            "encode_rg9": `
+// umbrage_encode_rg9: depth to the two channels of a 9-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg9(float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 512.0), 511.0);
+    float high = metal::floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 128.0);
+}
+`,
+            "encode_rg10": `
+// umbrage_encode_rg10: depth to the two channels of a 10-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg10(float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 1024.0), 1023.0);
+    float high = metal::floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 64.0);
+}
+`,
+            "encode_rg11": `
+// umbrage_encode_rg11: depth to the two channels of a 11-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg11(float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 2048.0), 2047.0);
+    float high = metal::floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 32.0);
+}
+`,
+            "encode_rg12": `
+// umbrage_encode_rg12: depth to the two channels of a 12-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg12(float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 4096.0), 4095.0);
+    float high = metal::floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 16.0);
+}
+`,
+            "encode_rg13": `
+// umbrage_encode_rg13: depth to the two channels of a 13-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg13(float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 8192.0), 8191.0);
+    float high = metal::floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 8.0);
+}
+`,
+            "encode_rg14": `
+// umbrage_encode_rg14: depth to the two channels of a 14-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg14(float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 16384.0), 16383.0);
+    float high = metal::floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 4.0);
+}
+`,
+            "encode_rg15": `
+// umbrage_encode_rg15: depth to the two channels of a 15-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg15(float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 32768.0), 32767.0);
+    float high = metal::floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 2.0);
+}
+`,
+            "encode_rg16": `
+// umbrage_encode_rg16: depth to the two channels of a 16-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg16(float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    float high = metal::floor(x * (1.0 / 256.0));
+    return float2(x - high * 256.0, high * 1.0);
+}
+`,
+            "encode_rgb24": `
+// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
+//   depth   clamped to [0, 1], NaN counts as far
+inline float3 umbrage_encode_rgb24(float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    float high = metal::floor(x * (1.0 / 65536.0));
+    float rest = x - high * 65536.0;
+    float middle = metal::floor(rest * (1.0 / 256.0));
+    return float3(high, middle, rest - middle * 256.0);
+}
+`,
+            "encode_float_bits": `
+// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
+inline float4 umbrage_encode_float_bits(float v) {
+    uint bits = as_type<uint>(v);
+    return float4(float(bits & 255u), float((bits >> 8) & 255u), float((bits >> 16) & 255u), float(bits >> 24));
+}
+`,
+            "write_threejs_rgba": `
+// umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
+inline float4 umbrage_write_threejs_rgba(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = v * 16777216.0;
+    float whole = metal::floor(x);
+    float high = metal::floor(whole * (1.0 / 65536.0));
+    float rest = whole - high * 65536.0;
+    float middle = metal::floor(rest * (1.0 / 256.0));
+    float low = rest - middle * 256.0;
+    float4 c = float4(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
+    return v < 1.0 ? c : float4(1.0, 1.0, 1.0, 1.0);
+}
+`,
+            "write_threejs_rgb": `
+// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+inline float3 umbrage_write_threejs_rgb(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = v * 65536.0;
+    float whole = metal::floor(x);
+    float high = metal::floor(whole * (1.0 / 256.0));
+    float3 c = float3(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+    return v < 1.0 ? c : float3(1.0, 1.0, 1.0);
+}
+`,
+            "write_threejs_rg": `
+// umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
+inline float2 umbrage_write_threejs_rg(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = v * 256.0;
+    float whole = metal::floor(x);
+    return v < 1.0 ? float2(whole * 0.00392156886, x - whole) : float2(1.0, 1.0);
+}
+`,
+            "write_threejs_legacy": `
+// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
+//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+inline float4 umbrage_write_threejs_legacy(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = v * 16777216.0 - metal::floor(v * 16777216.0);
+    float y = v * 65536.0 - metal::floor(v * 65536.0);
+    float z = v * 256.0 - metal::floor(v * 256.0);
+    float4 c = float4(x, y - x * (1.0 / 256.0), z - y * (1.0 / 256.0), v - z * (1.0 / 256.0));
+    return c * 1.00392163;
+}
+`,
+            "encode_threejs_legacy_repaired": `
+// umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+inline float4 umbrage_encode_threejs_legacy_repaired(float depth) {
+    float v = umbrage_saturate(depth);
+    float x = metal::floor(v * 16777216.0);
+    float high = metal::floor(x * (1.0 / 65536.0));
+    float rest = x - high * 65536.0;
+    float middle = metal::floor(rest * (1.0 / 256.0));
+    return v < 1.0 ? float4(0.0, rest - middle * 256.0, middle, high) : float4(255.0, 255.0, 255.0, 255.0);
+}
+`,
+            "write_base255": `
+// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
+//   round: umbrage_encode_base255_repaired has neither fault
+inline float4 umbrage_write_base255(float depth) {
+    float v = umbrage_saturate(depth);
+    float4 e = float4(v, v * 255.0, v * 65025.0, v * 16581375.0);
+    e = e - metal::floor(e);
+    float4 c = float4(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
+    return c;
+}
+`,
+            "encode_base255_repaired": `
+// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+inline float4 umbrage_encode_base255_repaired(float depth) {
+    float x = umbrage_saturate(depth) * 255.0;
+    float y = (x - metal::floor(x)) * 255.0;
+    float z = (y - metal::floor(y)) * 255.0;
+    float w = (z - metal::floor(z)) * 255.0;
+    return float4(metal::floor(x), metal::floor(y), metal::floor(z), metal::floor(w));
+}
+`,
+            "fetch_clamped": `
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+inline float4 umbrage_fetch_clamped(UMBRAGE_MAP map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+`,
+            "encode_rg9_table": `
+// umbrage_encode_rg9_table: depth to the two channels of a 9-bit code through a look-up table, whole numbers 0..255
+//   table   512 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg9_table(UMBRAGE_MAP table, float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 512.0), 511.0);
+    float row = metal::floor(x * (1.0 / 512.0));
+    float2 texel = float2(x - row * 512.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(512.0, 1.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "encode_rg10_table": `
+// umbrage_encode_rg10_table: depth to the two channels of a 10-bit code through a look-up table, whole numbers 0..255
+//   table   1024 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg10_table(UMBRAGE_MAP table, float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 1024.0), 1023.0);
+    float row = metal::floor(x * (1.0 / 1024.0));
+    float2 texel = float2(x - row * 1024.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(1024.0, 1.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "encode_rg11_table": `
+// umbrage_encode_rg11_table: depth to the two channels of a 11-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg11_table(UMBRAGE_MAP table, float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 2048.0), 2047.0);
+    float row = metal::floor(x * (1.0 / 2048.0));
+    float2 texel = float2(x - row * 2048.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(2048.0, 1.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "encode_rg12_table": `
+// umbrage_encode_rg12_table: depth to the two channels of a 12-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 2 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg12_table(UMBRAGE_MAP table, float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 4096.0), 4095.0);
+    float row = metal::floor(x * (1.0 / 2048.0));
+    float2 texel = float2(x - row * 2048.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(2048.0, 2.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "encode_rg13_table": `
+// umbrage_encode_rg13_table: depth to the two channels of a 13-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 4 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg13_table(UMBRAGE_MAP table, float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 8192.0), 8191.0);
+    float row = metal::floor(x * (1.0 / 2048.0));
+    float2 texel = float2(x - row * 2048.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(2048.0, 4.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "encode_rg14_table": `
+// umbrage_encode_rg14_table: depth to the two channels of a 14-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 8 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg14_table(UMBRAGE_MAP table, float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 16384.0), 16383.0);
+    float row = metal::floor(x * (1.0 / 2048.0));
+    float2 texel = float2(x - row * 2048.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(2048.0, 8.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "encode_rg15_table": `
+// umbrage_encode_rg15_table: depth to the two channels of a 15-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 16 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg15_table(UMBRAGE_MAP table, float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 32768.0), 32767.0);
+    float row = metal::floor(x * (1.0 / 2048.0));
+    float2 texel = float2(x - row * 2048.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(2048.0, 16.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "encode_rg16_table": `
+// umbrage_encode_rg16_table: depth to the two channels of a 16-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 32 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+inline float2 umbrage_encode_rg16_table(UMBRAGE_MAP table, float depth) {
+    float x = metal::min(metal::floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    float row = metal::floor(x * (1.0 / 2048.0));
+    float2 texel = float2(x - row * 2048.0, row);
+    float4 k = umbrage_from_unorm(umbrage_fetch_clamped(table, float2(2048.0, 32.0), texel));
+    return float2(k.x, k.y);
+}
+`,
+            "decode_rg9": `
+// umbrage_decode_rg9: two channels of a 9-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+inline float umbrage_decode_rg9(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 2.0 + edge) * (1.0 / 512.0);
+}
+`,
+            "decode_rg10": `
+// umbrage_decode_rg10: two channels of a 10-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+inline float umbrage_decode_rg10(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 4.0 + edge) * (1.0 / 1024.0);
+}
+`,
+            "decode_rg11": `
+// umbrage_decode_rg11: two channels of a 11-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+inline float umbrage_decode_rg11(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 8.0 + edge) * (1.0 / 2048.0);
+}
+`,
+            "decode_rg12": `
+// umbrage_decode_rg12: two channels of a 12-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+inline float umbrage_decode_rg12(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 16.0 + edge) * (1.0 / 4096.0);
+}
+`,
+            "decode_rg13": `
+// umbrage_decode_rg13: two channels of a 13-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+inline float umbrage_decode_rg13(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 32.0 + edge) * (1.0 / 8192.0);
+}
+`,
+            "decode_rg14": `
+// umbrage_decode_rg14: two channels of a 14-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+inline float umbrage_decode_rg14(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 64.0 + edge) * (1.0 / 16384.0);
+}
+`,
+            "decode_rg15": `
+// umbrage_decode_rg15: two channels of a 15-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+inline float umbrage_decode_rg15(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 128.0 + edge) * (1.0 / 32768.0);
+}
+`,
+            "decode_rg16": `
+// umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+inline float umbrage_decode_rg16(float2 c, float edge) {
+    float2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);
+}
+`,
+            "decode_rgb24": `
+// umbrage_decode_rgb24: three channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+inline float umbrage_decode_rgb24(float3 c, float edge) {
+    float3 k = umbrage_from_unorm(c);
+    return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
+}
+`,
+            "decode_float_bits": `
+// umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
+inline float umbrage_decode_float_bits(float4 c) {
+    uint r = uint(umbrage_saturate(c.x) * 255.0 + 0.5);
+    uint g = uint(umbrage_saturate(c.y) * 255.0 + 0.5);
+    uint b = uint(umbrage_saturate(c.z) * 255.0 + 0.5);
+    uint a = uint(umbrage_saturate(c.w) * 255.0 + 0.5);
+    return as_type<float>(r | (g << 8) | (b << 16) | (a << 24));
+}
+`,
+            "decode_threejs_rgba": `
+// umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
+inline float umbrage_decode_threejs_rgba(float4 c) {
+    float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (255.0 / 16777216.0) + c.w *
+        (1.0 / 16777216.0);
+    return depth;
+}
+`,
+            "decode_threejs_rgb": `
+// umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
+inline float umbrage_decode_threejs_rgb(float3 c) {
+    float depth = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
+    return depth;
+}
+`,
+            "decode_threejs_rg": `
+// umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
+inline float umbrage_decode_threejs_rg(float2 c) {
+    float depth = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
+    return depth;
+}
+`,
+            "decode_threejs_legacy": `
+// umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
+inline float umbrage_decode_threejs_legacy(float4 c) {
+    float depth = c.x * (255.0 / 4294967296.0) + c.y * (255.0 / 16777216.0) + c.z * (255.0 / 65536.0) + c.w *
+        (255.0 / 256.0);
+    return depth;
+}
+`,
+            "decode_base255": `
+// umbrage_decode_base255: base-255 RGBA, as sampled, to depth
+inline float umbrage_decode_base255(float4 c) {
+    float depth = c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
+    return depth;
+}
+`,
+            "level_rg9": `
+// umbrage_level_rg9: two channels of a 9-bit code, as sampled, to the scale of umbrage_receiver_rg9, on which 1.0 is
+//   not the far plane
+inline float umbrage_level_rg9(float2 c) {
+    return c.x + c.y * 2.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg10": `
+// umbrage_level_rg10: two channels of a 10-bit code, as sampled, to the scale of umbrage_receiver_rg10, on which 1.0 is
+//   not the far plane
+inline float umbrage_level_rg10(float2 c) {
+    return c.x + c.y * 4.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg11": `
+// umbrage_level_rg11: two channels of a 11-bit code, as sampled, to the scale of umbrage_receiver_rg11, on which 1.0 is
+//   not the far plane
+inline float umbrage_level_rg11(float2 c) {
+    return c.x + c.y * 8.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg12": `
+// umbrage_level_rg12: two channels of a 12-bit code, as sampled, to the scale of umbrage_receiver_rg12, on which 1.0 is
+//   not the far plane
+inline float umbrage_level_rg12(float2 c) {
+    return c.x + c.y * 16.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg13": `
+// umbrage_level_rg13: two channels of a 13-bit code, as sampled, to the scale of umbrage_receiver_rg13, on which 1.0 is
+//   not the far plane
+inline float umbrage_level_rg13(float2 c) {
+    return c.x + c.y * 32.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg14": `
+// umbrage_level_rg14: two channels of a 14-bit code, as sampled, to the scale of umbrage_receiver_rg14, on which 1.0 is
+//   not the far plane
+inline float umbrage_level_rg14(float2 c) {
+    return c.x + c.y * 64.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg15": `
+// umbrage_level_rg15: two channels of a 15-bit code, as sampled, to the scale of umbrage_receiver_rg15, on which 1.0 is
+//   not the far plane
+inline float umbrage_level_rg15(float2 c) {
+    return c.x + c.y * 128.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg16": `
+// umbrage_level_rg16: two channels of a 16-bit code, as sampled, to the scale of umbrage_receiver_rg16, on which 1.0 is
+//   not the far plane
+inline float umbrage_level_rg16(float2 c) {
+    return c.x + c.y * 256.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "receiver_rg9": `
+// umbrage_receiver_rg9: receiver on the scale of umbrage_level_rg9: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg9(texel, edge), or beyond the far plane
+inline float umbrage_receiver_rg9(float depth, float edge) {
+    float level = (metal::ceil(depth * 512.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg10": `
+// umbrage_receiver_rg10: receiver on the scale of umbrage_level_rg10: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg10(texel, edge), or beyond the far plane
+inline float umbrage_receiver_rg10(float depth, float edge) {
+    float level = (metal::ceil(depth * 1024.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg11": `
+// umbrage_receiver_rg11: receiver on the scale of umbrage_level_rg11: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg11(texel, edge), or beyond the far plane
+inline float umbrage_receiver_rg11(float depth, float edge) {
+    float level = (metal::ceil(depth * 2048.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg12": `
+// umbrage_receiver_rg12: receiver on the scale of umbrage_level_rg12: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg12(texel, edge), or beyond the far plane
+inline float umbrage_receiver_rg12(float depth, float edge) {
+    float level = (metal::ceil(depth * 4096.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg13": `
+// umbrage_receiver_rg13: receiver on the scale of umbrage_level_rg13: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg13(texel, edge), or beyond the far plane
+inline float umbrage_receiver_rg13(float depth, float edge) {
+    float level = (metal::ceil(depth * 8192.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg14": `
+// umbrage_receiver_rg14: receiver on the scale of umbrage_level_rg14: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg14(texel, edge), or beyond the far plane
+inline float umbrage_receiver_rg14(float depth, float edge) {
+    float level = (metal::ceil(depth * 16384.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg15": `
+// umbrage_receiver_rg15: receiver on the scale of umbrage_level_rg15: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg15(texel, edge), or beyond the far plane
+inline float umbrage_receiver_rg15(float depth, float edge) {
+    float level = (metal::ceil(depth * 32768.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "receiver_rg16": `
+// umbrage_receiver_rg16: receiver on the scale of umbrage_level_rg16: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg16(texel, edge), or beyond the far plane
+inline float umbrage_receiver_rg16(float depth, float edge) {
+    float level = (metal::ceil(depth * 65536.0 - edge) - 0.5) * 0.00392156886;
+    return depth > 1.0 ? -1.0 : level;
+}
+`,
+            "decode_ps14": `
+// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
+//   1.0 is not the far plane on this scale
+inline float umbrage_decode_ps14(float2 c) {
+    return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
+}
+`,
+            "receiver_ps14": `
+// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel
+//   lights
+inline float umbrage_receiver_ps14(float depth) {
+    return depth > 1.0 ? -1.0 : depth * 1.00392163;
+}
+`,
+            "inside_map": `
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+inline bool umbrage_inside_map(float2 size, float2 texel) {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+`,
+            "fetch_bordered": `
+// umbrage_fetch_bordered: texel of a map, or border outside of it
+inline float4 umbrage_fetch_bordered(UMBRAGE_MAP map, float2 size, float2 texel, float4 border) {
+    float4 value = umbrage_fetch_clamped(map, size, texel);
+    return umbrage_inside_map(size, texel) ? value : border;
+}
+`,
+            "inside_texel_space": `
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+`,
+            "is_compared": `
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+inline bool umbrage_is_compared(float2 coord, float receiver) {
+    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
+}
+`,
+            "lit": `
+// umbrage_lit: visibility of one comparison with a texel
+inline float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+`,
+            "lit_2x2": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float a = umbrage_lit(map, size, texel, receiver);
+    float b = umbrage_lit(map, size, texel + float2(1.0, 0.0), receiver);
+    float c = umbrage_lit(map, size, texel + float2(0.0, 1.0), receiver);
+    float d = umbrage_lit(map, size, texel + float2(1.0, 1.0), receiver);
+    return float4(a, b, c, d);
+}
+`,
+            "compare_dx_sdk": `
+// umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
+inline float umbrage_compare_dx_sdk(float receiver, float stored, float epsilon) {
+    float limit = stored + epsilon;
+    return limit < receiver ? 0.0 : 1.0;
+}
+`,
+            "compare_exercise": `
+// umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
+inline float umbrage_compare_exercise(float current, float stored, float epsilon) {
+    float limit = stored + epsilon;
+    return current < limit ? 1.0 : 0.0;
+}
+`,
+            "hard": `
+// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+inline float umbrage_hard(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 texel = compared ? metal::floor(coord) : float2(0.0, 0.0);  // no branch: fetches of several taps overlap
+    float lit = umbrage_lit(map, size, texel, receiver);
+    return compared ? lit : 1.0;
+}
+`,
+            "four_tap": `
+// umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
+//   or more in a direction;   receiver  depth, biased
+inline float umbrage_four_tap(UMBRAGE_MAP map, float2 size, float2 a, float2 b, float2 c, float2 d, float receiver) {
+    float2 a_texel = metal::floor(a);
+    float2 b_texel = metal::floor(b);
+    float2 c_texel = metal::floor(c);
+    float2 d_texel = metal::floor(d);
+    float2 sum = metal::abs(a_texel) + metal::abs(b_texel) + metal::abs(c_texel) + metal::abs(d_texel);
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    bool compared = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
+        umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
+    return compared ? count * 0.25 : 1.0;
+}
+`,
+            "pcf_2x2": `
+// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+inline float umbrage_pcf_2x2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = metal::floor(x * (1.0 / 256.0));
+    float2 hi = x - texel * 256.0;
+    float2 lo = 256.0 - hi;
+    float4 lit = umbrage_lit_2x2(map, size, texel, receiver);
+    float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
+    float visibility = sum * (1.0 / 65536.0);
+    return compared ? visibility : 1.0;
+}
+`,
+            "pcf_2x2_dx_sdk": `
+// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+inline float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float epsilon) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = metal::floor(x);
+    float2 weight = x - texel;
+    float a = umbrage_compare_dx_sdk(receiver, umbrage_fetch_depth(map, size, texel), epsilon);
+    float right = umbrage_fetch_depth(map, size, texel + float2(1.0, 0.0));
+    float above = umbrage_fetch_depth(map, size, texel + float2(0.0, 1.0));
+    float beyond = umbrage_fetch_depth(map, size, texel + float2(1.0, 1.0));
+    float b = umbrage_compare_dx_sdk(receiver, right, epsilon);
+    float c = umbrage_compare_dx_sdk(receiver, above, epsilon);
+    float d = umbrage_compare_dx_sdk(receiver, beyond, epsilon);
+    float low = a + weight.x * (b - a);
+    float high = c + weight.x * (d - c);
+    float visibility = low + weight.y * (high - low);
+    return compared ? visibility : 1.0;
+}
+`,
+            "box_count": `
+// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+inline float umbrage_box_count(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, int radius) {
+    int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
+    int width = 2 * r + 1;
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 first = compared ? metal::floor(coord) - float(r) : float2(0.0, 0.0);
+    float count = 0.0;
+    for (int j = 0; j < 17; j++) {
+        if (j >= width) break;
+        for (int i = 0; i < 17; i++) {
+            if (i >= width) break;
+            count += umbrage_lit(map, size, first + float2(float(i), float(j)), receiver);
+        }
+    }
+    return compared ? count : float(width * width);
+}
+`,
+            "box_scale": `
+// umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
+inline float umbrage_box_scale(int radius) {
+    float scale = 0.00346020772;  // not returned as a literal: that would have the host's precision
+    if (radius < 8) scale = 0.00444444455;
+    if (radius < 7) scale = 0.00591715984;
+    if (radius < 6) scale = 0.00826446246;
+    if (radius < 5) scale = 0.0123456791;
+    if (radius < 4) scale = 0.0204081628;
+    if (radius < 3) scale = 0.0399999991;
+    if (radius < 2) scale = 0.111111112;
+    if (radius < 1) scale = 1.0;
+    return scale;
+}
+`,
+            "box": `
+// umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
+inline float umbrage_box(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, int radius) {
+    float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
+    return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
+}
+`,
+            "spot_cone": `
+// umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
+//   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
+inline float umbrage_spot_cone(float3 direction, float3 to_point, float cos_outer) {
+    float d = direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
+    float length2 = to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
+    float edge2 = cos_outer * cos_outer * length2;
+    float d2 = d * d;
+    return d > 0.0 && d2 > edge2 ? 1.0 : 0.0;
+}
+`,
+            "diffuse_ambient": `
+// umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
+inline float3 umbrage_diffuse_ambient(float3 albedo, float ambient, float n_dot_l, float visibility) {
+    float facing = n_dot_l > 0.0 ? n_dot_l : 0.0;
+    float light = visibility * facing * (1.0 - ambient) + ambient;
+    return albedo * light;
+}
+`,
+            "false_colour": `
+// umbrage_false_colour: blue for 0.0, through green, to red for 1.0
+inline float3 umbrage_false_colour(float v) {
+    float x = umbrage_saturate(v) * 4.0;
+    float3 ramp = 1.5 - metal::abs(float3(x - 3.0, x - 2.0, x - 1.0));
+    return float3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
+}
+`,
+            "hooks/cleared_depth, forward": `
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+`,
+            "hooks/cleared_depth, reversed": `
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 0.0;
+}
+`,
+            "hooks/beyond_far, forward": `
+// umbrage_beyond_far: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far(float receiver) {
+    return receiver > 1.0;
+}
+`,
+            "hooks/beyond_far, reversed": `
+// umbrage_beyond_far: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far(float receiver) {
+    return receiver < 0.0;
+}
+`,
+            "hooks/beyond_far, scaled": `
+// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
+inline bool umbrage_beyond_far(float receiver) {
+    return false;
+}
+`,
+            "hooks/compare, forward": `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+`,
+            "hooks/compare, reversed": `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth, near is 1.0
+inline float umbrage_compare(float receiver, float stored) {
+    return receiver >= stored ? 1.0 : 0.0;
+}
+`,
+            "hooks/texel": `
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+inline float4 umbrage_texel(UMBRAGE_MAP map, float2 size, float2 texel) {
+    float2 at = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
+}
+`,
+            "hooks/decode": `
+// umbrage_decode: depth of a texel's value
+inline float umbrage_decode(float4 value) {
+    return UMBRAGE_DEPTH;
+}
+`,
+            "hooks/fetch_depth, clamped": `
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+`,
+            "hooks/fetch_depth, bordered": `
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
+    float depth = umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+    return umbrage_inside_map(size, texel) ? depth : umbrage_cleared_depth();
+}
+`,
+            "hooks/lit_texel": `
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map; a NaN is in shadow
+inline float umbrage_lit_texel(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float2 at = texel + UMBRAGE_ORIGIN;
+    float lit = UMBRAGE_LIT_TEXEL;
+    return receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+}
+`,
+            "hooks/lit, clamped": `
+// umbrage_lit: visibility of one comparison with a texel, outside the map with the nearest one inside
+inline float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    return umbrage_lit_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0), receiver);
+}
+`,
+            "hooks/lit, bordered": `
+// umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
+inline float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float lit = umbrage_lit_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0), receiver);
+    return umbrage_inside_map(size, texel) ? lit : umbrage_compare(receiver, umbrage_cleared_depth());
+}
+`,
+            "hooks/gather_lit, compared": `
+// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); a NaN is in shadow
+inline float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float2 at = texel + UMBRAGE_ORIGIN;
+    float4 lit = UMBRAGE_GATHER_LIT;
+    return receiver > 0.0 || receiver <= 0.0 ? float4(lit.w, lit.z, lit.x, lit.y) : float4(0.0, 0.0, 0.0, 0.0);
+}
+`,
+            "hooks/gather_lit, one channel": `
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+inline float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float2 at = texel + UMBRAGE_ORIGIN;
+    float4 r = UMBRAGE_GATHER_RED;
+    float a = umbrage_compare(receiver, umbrage_decode(float4(r.w, 0.0, 0.0, 0.0)));
+    float b = umbrage_compare(receiver, umbrage_decode(float4(r.z, 0.0, 0.0, 0.0)));
+    float c = umbrage_compare(receiver, umbrage_decode(float4(r.x, 0.0, 0.0, 0.0)));
+    float d = umbrage_compare(receiver, umbrage_decode(float4(r.y, 0.0, 0.0, 0.0)));
+    return float4(a, b, c, d);
+}
+`,
+            "hooks/gather_lit, two channels": `
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+inline float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float2 at = texel + UMBRAGE_ORIGIN;
+    float4 r = UMBRAGE_GATHER_RED;
+    float4 g = UMBRAGE_GATHER_GREEN;
+    float a = umbrage_compare(receiver, umbrage_decode(float4(r.w, g.w, 0.0, 0.0)));
+    float b = umbrage_compare(receiver, umbrage_decode(float4(r.z, g.z, 0.0, 0.0)));
+    float c = umbrage_compare(receiver, umbrage_decode(float4(r.x, g.x, 0.0, 0.0)));
+    float d = umbrage_compare(receiver, umbrage_decode(float4(r.y, g.y, 0.0, 0.0)));
+    return float4(a, b, c, d);
+}
+`,
+            "hooks/lit_2x2, gathered": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); the sampler clamps
+inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    return umbrage_gather_lit(map, size, texel, receiver);
+}
+`,
+            "hooks/lit_2x2, gathered in a region": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with the
+//   nearest texel inside: the gather stays inside, and each comparison is taken from its row and column
+inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float2 first = metal::clamp(texel, float2(0.0, 0.0), metal::max(size - 2.0, float2(0.0, 0.0)));
+    float2 low = metal::clamp(texel, float2(0.0, 0.0), size - 1.0) - first;
+    float2 high = metal::clamp(texel + 1.0, float2(0.0, 0.0), size - 1.0) - first;
+    float4 lit = umbrage_gather_lit(map, size, first, receiver);
+    float2 left = low.x > 0.5 ? float2(lit.y, lit.w) : float2(lit.x, lit.z);
+    float2 right = high.x > 0.5 ? float2(lit.y, lit.w) : float2(lit.x, lit.z);
+    float2 bottom = low.y > 0.5 ? float2(left.y, right.y) : float2(left.x, right.x);
+    float2 top = high.y > 0.5 ? float2(left.y, right.y) : float2(left.x, right.x);
+    return float4(bottom.x, bottom.y, top.x, top.y);
+}
+`,
+            "hooks/lit_2x2, gathered and bordered": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with the
+//   far plane: the gather stays inside
+inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float2 first = metal::clamp(texel, float2(0.0, 0.0), metal::max(size - 2.0, float2(0.0, 0.0)));
+    float2 low = texel - first;
+    float4 lit = umbrage_gather_lit(map, size, first, receiver);
+    float2 left = low.x > 0.5 ? float2(lit.y, lit.w) : float2(lit.x, lit.z);
+    float2 right = low.x < -0.5 ? float2(lit.x, lit.z) : float2(lit.y, lit.w);
+    float2 bottom = low.y > 0.5 ? float2(left.y, right.y) : float2(left.x, right.x);
+    float2 top = low.y < -0.5 ? float2(left.x, right.x) : float2(left.y, right.y);
+    float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
+    float b = umbrage_inside_map(size, texel + float2(1.0, 0.0)) ? bottom.y : outside;
+    float c = umbrage_inside_map(size, texel + float2(0.0, 1.0)) ? top.x : outside;
+    float d = umbrage_inside_map(size, texel + float2(1.0, 1.0)) ? top.y : outside;
+    return float4(a, b, c, d);
+}
+`,
+        },
+    },
+    wgsl: {
+        prelude: "",
+        preprocessor: false,
+        macros: false,
+        scaled_macro: "",
+        textures: {
+            texture_2d: { parameters: "map: texture_2d<f32>", arguments: "map", texel: "textureLoad(map, vec2i(at), 0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
+            atlas: { parameters: "map: texture_2d<f32>, origin: vec2f", arguments: "map, origin", texel: "textureLoad(map, vec2i(at), 0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
+            array: { parameters: "map: texture_2d_array<f32>, layer: f32", arguments: "map, layer", texel: "textureLoad(map, vec2i(at), i32(layer), 0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_lit: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
+            cube: { parameters: "map: texture_cube<f32>, map_sampler: sampler, face: f32", arguments: "map, map_sampler, face", texel: "textureSampleLevel(map, map_sampler, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0)", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "" },
+            integer: { parameters: "map: texture_2d<u32>", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "" },
+            depth: { parameters: "map: texture_depth_2d", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", lit: "", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
+            depth_array: { parameters: "map: texture_depth_2d_array, layer: f32", arguments: "map, layer", texel: "vec4f(textureLoad(map, vec2i(at), i32(layer), 0))", lit: "", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_green: "", gather_lit: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
+            shadow: { parameters: "map: texture_depth_2d, map_sampler: sampler_comparison", arguments: "map, map_sampler", texel: "", lit: "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)", gather_red: "", gather_green: "", gather_lit: "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "" },
+            shadow_array: { parameters: "map: texture_depth_2d_array, map_sampler: sampler_comparison, layer: f32", arguments: "map, map_sampler, layer", texel: "", lit: "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", gather_red: "", gather_green: "", gather_lit: "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "" },
+        },
+        texts: {
+            "shadow_coordinate": `
+// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+fn umbrage_shadow_coordinate(m: mat4x4f, world: vec3f) -> vec4f {
+    let c: vec4f = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
+    return c;
+}
+`,
+            "tap_coordinate": `
+// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
+fn umbrage_tap_coordinate(coordinate: vec4f, offset: vec2f) -> vec4f {
+    let moved: vec2f = vec2f(coordinate.x, coordinate.y) + offset * coordinate.w;
+    return vec4f(moved.x, moved.y, coordinate.z, coordinate.w);
+}
+`,
+            "project_coordinate": `
+// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
+fn umbrage_project_coordinate(coordinate: vec4f) -> vec3f {
+    let p: vec3f = vec3f(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
+    return select(vec3f(65536.0, 65536.0, 0.0), p, coordinate.w > 0.0);
+}
+`,
+            "cube_face": `
+// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+fn umbrage_cube_face(direction: vec3f) -> f32 {
+    let m: vec3f = abs(direction);
+    let x: f32 = select(0.0, 1.0, direction.x < 0.0);
+    let y: f32 = select(2.0, 3.0, direction.y < 0.0);
+    let z: f32 = select(4.0, 5.0, direction.z < 0.0);
+    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    return select(select(z, y, m.y >= m.z), select(z, x, m.x >= m.z), m.x >= m.y);
+}
+`,
+            "cube_coordinate": `
+// umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
+fn umbrage_cube_coordinate(direction: vec3f) -> vec3f {
+    let face: f32 = umbrage_cube_face(direction);
+    let on_x: bool = face < 1.5;
+    let on_y: bool = face > 1.5 && face < 3.5;
+    let along: f32 = select(select(direction.z, direction.y, on_y), direction.x, on_x);
+    let m: f32 = abs(along);
+    let z: f32 = select(direction.z, -direction.z, along < 0.0);
+    let x: f32 = select(direction.x, -direction.x, along < 0.0);
+    let sc: f32 = select(select(x, direction.x, on_y), -z, on_x);
+    let tc: f32 = select(-direction.y, z, on_y);
+    return vec3f((sc + m) / (m + m), (tc + m) / (m + m), face);
+}
+`,
+            "cube_direction": `
+// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
+fn umbrage_cube_direction(face: f32, st: vec2f) -> vec3f {
+    let u: f32 = st.x * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    let v: f32 = st.y * 2.0 - 1.0;
+    let x: vec3f = select(vec3f(-1.0, -v, u), vec3f(1.0, -v, -u), face < 0.5);
+    let y: vec3f = select(vec3f(u, -1.0, -v), vec3f(u, 1.0, v), face < 2.5);
+    let z: vec3f = select(vec3f(-u, -v, -1.0), vec3f(u, -v, 1.0), face < 4.5);
+    return select(select(z, y, face < 3.5), x, face < 1.5);
+}
+`,
+            "cube_tile": `
+// umbrage_cube_tile: first texel of a face, 0.0 to 5.0, in an atlas of 3 x 2 tiles of size texels
+fn umbrage_cube_tile(face: f32, size: f32) -> vec2f {
+    let row: f32 = select(1.0, 0.0, face < 2.5);
+    return vec2f((face - row * 3.0) * size, row * size);
+}
+`,
+            "linear_depth": `
+// umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
+fn umbrage_linear_depth(z_view: f32, inv_z_far: f32) -> f32 {
+    return z_view * inv_z_far;
+}
+`,
+            "project_depth": `
+// umbrage_project_depth: z / w; for w <= 0.0 cleared, which is 1.0, or 0.0 when reversed
+fn umbrage_project_depth(z: f32, w: f32, cleared: f32) -> f32 {
+    return select(cleared, z / w, w > 0.0);
+}
+`,
+            "distance_depth": `
+// umbrage_distance_depth: length of to_point, from the light, times 1 / range
+fn umbrage_distance_depth(to_point: vec3f, inv_range: f32) -> f32 {
+    return sqrt(to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z) * inv_range;
+}
+`,
+            "reverse_depth": `
+// umbrage_reverse_depth: forward depth from reversed, or reversed from forward
+fn umbrage_reverse_depth(depth: f32) -> f32 {
+    return 1.0 - depth;
+}
+`,
+            "depth_from_ndc": `
+// umbrage_depth_from_ndc: depth in [0, 1] from z/w in [-1, 1]
+fn umbrage_depth_from_ndc(ndc: f32) -> f32 {
+    let depth: f32 = ndc * 0.5 + 0.5;
+    return depth;
+}
+`,
+            "view_z_from_depth": `
+// umbrage_view_z_from_depth: perspective depth in [0, 1], 0.0 at z_near, to distance along the light's axis
+fn umbrage_view_z_from_depth(depth: f32, z_near: f32, z_far: f32) -> f32 {
+    return z_near / (1.0 - depth * (1.0 - z_near / z_far));
+}
+`,
+            "depth_from_view_z": `
+// umbrage_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 0.0 at z_near
+fn umbrage_depth_from_view_z(z_view: f32, z_near: f32, z_far: f32) -> f32 {
+    return (1.0 - z_near / z_view) / (1.0 - z_near / z_far);
+}
+`,
+            "view_z_from_reversed_depth": `
+// umbrage_view_z_from_reversed_depth: perspective depth in [0, 1], 1.0 at z_near, to distance along the light's axis
+fn umbrage_view_z_from_reversed_depth(depth: f32, z_near: f32, z_far: f32) -> f32 {
+    return z_near / (z_near / z_far + depth * (1.0 - z_near / z_far));
+}
+`,
+            "reversed_depth_from_view_z": `
+// umbrage_reversed_depth_from_view_z: distance along the light's axis to perspective depth in [0, 1], 1.0 at z_near
+fn umbrage_reversed_depth_from_view_z(z_view: f32, z_near: f32, z_far: f32) -> f32 {
+    return z_near / z_view * (1.0 - z_view / z_far) / (1.0 - z_near / z_far);
+}
+`,
+            "view_z_from_orthographic_depth": `
+// umbrage_view_z_from_orthographic_depth: orthographic depth in [0, 1], 0.0 at z_near, to distance along the light's
+// axis; when reversed, exchange z_near and z_far
+fn umbrage_view_z_from_orthographic_depth(depth: f32, z_near: f32, z_far: f32) -> f32 {
+    let z_view: f32 = z_near + depth * (z_far - z_near);
+    return z_view;
+}
+`,
+            "orthographic_depth_from_view_z": `
+// umbrage_orthographic_depth_from_view_z: distance along the light's axis to orthographic depth in [0, 1], 0.0 at
+// z_near; when reversed, exchange z_near and z_far
+fn umbrage_orthographic_depth_from_view_z(z_view: f32, z_near: f32, z_far: f32) -> f32 {
+    return (z_view - z_near) / (z_far - z_near);
+}
+`,
+            "saturate": `
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+fn umbrage_saturate(v: f32) -> f32 {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
+}
+`,
+            "to_unorm": `
+// umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
+// k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
+fn umbrage_to_unorm(k: f32) -> f32 {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+fn umbrage_to_unorm_vec2f(k: vec2f) -> vec2f {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+fn umbrage_to_unorm_vec3f(k: vec3f) -> vec3f {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+fn umbrage_to_unorm_vec4f(k: vec4f) -> vec4f {
+    return k * 0.0039215087890625 + 0.0009765625;
+}
+`,
+            "from_unorm": `
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+fn umbrage_from_unorm(c: f32) -> f32 {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec2f(c: vec2f) -> vec2f {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec3f(c: vec3f) -> vec3f {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec4f(c: vec4f) -> vec4f {
+    return floor(c * 255.0 + 0.5);
+}
+`,
+            "encode_rg9": `
+// umbrage_encode_rg9: depth to the two channels of a 9-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg9(depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 512.0), 511.0);
+    let high: f32 = floor(x * (1.0 / 256.0));
+    return vec2f(x - high * 256.0, high * 128.0);
+}
+`,
+            "encode_rg10": `
+// umbrage_encode_rg10: depth to the two channels of a 10-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg10(depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 1024.0), 1023.0);
+    let high: f32 = floor(x * (1.0 / 256.0));
+    return vec2f(x - high * 256.0, high * 64.0);
+}
+`,
+            "encode_rg11": `
+// umbrage_encode_rg11: depth to the two channels of a 11-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg11(depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 2048.0), 2047.0);
+    let high: f32 = floor(x * (1.0 / 256.0));
+    return vec2f(x - high * 256.0, high * 32.0);
+}
+`,
+            "encode_rg12": `
+// umbrage_encode_rg12: depth to the two channels of a 12-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg12(depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 4096.0), 4095.0);
+    let high: f32 = floor(x * (1.0 / 256.0));
+    return vec2f(x - high * 256.0, high * 16.0);
+}
+`,
+            "encode_rg13": `
+// umbrage_encode_rg13: depth to the two channels of a 13-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg13(depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 8192.0), 8191.0);
+    let high: f32 = floor(x * (1.0 / 256.0));
+    return vec2f(x - high * 256.0, high * 8.0);
+}
+`,
+            "encode_rg14": `
+// umbrage_encode_rg14: depth to the two channels of a 14-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg14(depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 16384.0), 16383.0);
+    let high: f32 = floor(x * (1.0 / 256.0));
+    return vec2f(x - high * 256.0, high * 4.0);
+}
+`,
+            "encode_rg15": `
+// umbrage_encode_rg15: depth to the two channels of a 15-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg15(depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 32768.0), 32767.0);
+    let high: f32 = floor(x * (1.0 / 256.0));
+    return vec2f(x - high * 256.0, high * 2.0);
+}
+`,
+            "encode_rg16": `
+// umbrage_encode_rg16: depth to the two channels of a 16-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
+//   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg16(depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    let high: f32 = floor(x * (1.0 / 256.0));
+    return vec2f(x - high * 256.0, high * 1.0);
+}
+`,
+            "encode_rgb24": `
+// umbrage_encode_rgb24: depth to three channels, R most significant, whole numbers 0..255 for umbrage_to_unorm
+//   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rgb24(depth: f32) -> vec3f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 16777216.0), 16777215.0);
+    let high: f32 = floor(x * (1.0 / 65536.0));
+    let rest: f32 = x - high * 65536.0;
+    let middle: f32 = floor(rest * (1.0 / 256.0));
+    return vec3f(high, middle, rest - middle * 256.0);
+}
+`,
+            "encode_float_bits": `
+// umbrage_encode_float_bits: bit pattern of v as four channels, R least significant, whole numbers 0..255
+fn umbrage_encode_float_bits(v: f32) -> vec4f {
+    let bits: u32 = bitcast<u32>(v);
+    return vec4f(f32(bits & 255u), f32((bits >> 8) & 255u), f32((bits >> 16) & 255u), f32(bits >> 24));
+}
+`,
+            "write_threejs_rgba": `
+// umbrage_write_threejs_rgba: depth to the RGBA format of three.js r167 and later, values to write as they are
+fn umbrage_write_threejs_rgba(depth: f32) -> vec4f {
+    let v: f32 = umbrage_saturate(depth);
+    let x: f32 = v * 16777216.0;
+    let whole: f32 = floor(x);
+    let high: f32 = floor(whole * (1.0 / 65536.0));
+    let rest: f32 = whole - high * 65536.0;
+    let middle: f32 = floor(rest * (1.0 / 256.0));
+    let low: f32 = rest - middle * 256.0;
+    let c: vec4f = vec4f(high * 0.00392156886, middle * 0.00392156886, low * 0.00392156886, x - whole);
+    return select(vec4f(1.0, 1.0, 1.0, 1.0), c, v < 1.0);
+}
+`,
+            "write_threejs_rgb": `
+// umbrage_write_threejs_rgb: depth to the RGB format of three.js r167 and later, values to write as they are
+fn umbrage_write_threejs_rgb(depth: f32) -> vec3f {
+    let v: f32 = umbrage_saturate(depth);
+    let x: f32 = v * 65536.0;
+    let whole: f32 = floor(x);
+    let high: f32 = floor(whole * (1.0 / 256.0));
+    let c: vec3f = vec3f(high * 0.00392156886, (whole - high * 256.0) * 0.00392156886, x - whole);
+    return select(vec3f(1.0, 1.0, 1.0), c, v < 1.0);
+}
+`,
+            "write_threejs_rg": `
+// umbrage_write_threejs_rg: depth to the RG format of three.js r167 and later, values to write as they are
+fn umbrage_write_threejs_rg(depth: f32) -> vec2f {
+    let v: f32 = umbrage_saturate(depth);
+    let x: f32 = v * 256.0;
+    let whole: f32 = floor(x);
+    return select(vec2f(1.0, 1.0), vec2f(whole * 0.00392156886, x - whole), v < 1.0);
+}
+`,
+            "write_threejs_legacy": `
+// umbrage_write_threejs_legacy: depth to the RGBA format of three.js r73 to r166, values to write as they are;
+//   1.0 reads back as 255/256: umbrage_encode_threejs_legacy_repaired does not
+fn umbrage_write_threejs_legacy(depth: f32) -> vec4f {
+    let v: f32 = umbrage_saturate(depth);
+    let x: f32 = v * 16777216.0 - floor(v * 16777216.0);
+    let y: f32 = v * 65536.0 - floor(v * 65536.0);
+    let z: f32 = v * 256.0 - floor(v * 256.0);
+    let c: vec4f = vec4f(x, y - x * (1.0 / 256.0), z - y * (1.0 / 256.0), v - z * (1.0 / 256.0));
+    return c * 1.00392163;
+}
+`,
+            "encode_threejs_legacy_repaired": `
+// umbrage_encode_threejs_legacy_repaired: depth to channels that readers of three.js r73 to r166 decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+fn umbrage_encode_threejs_legacy_repaired(depth: f32) -> vec4f {
+    let v: f32 = umbrage_saturate(depth);
+    let x: f32 = floor(v * 16777216.0);
+    let high: f32 = floor(x * (1.0 / 65536.0));
+    let rest: f32 = x - high * 65536.0;
+    let middle: f32 = floor(rest * (1.0 / 256.0));
+    return select(vec4f(255.0, 255.0, 255.0, 255.0), vec4f(0.0, rest - middle * 256.0, middle, high), v < 1.0);
+}
+`,
+            "write_base255": `
+// umbrage_write_base255: depth to base-255 RGBA, values to write as they are; 1.0 reads back as 0.0, and the store must
+//   round: umbrage_encode_base255_repaired has neither fault
+fn umbrage_write_base255(depth: f32) -> vec4f {
+    let v: f32 = umbrage_saturate(depth);
+    var e: vec4f = vec4f(v, v * 255.0, v * 65025.0, v * 16581375.0);
+    e = e - floor(e);
+    let c: vec4f = vec4f(e.x - e.y * 0.00392156886, e.y - e.z * 0.00392156886, e.z - e.w * 0.00392156886, e.w);
+    return c;
+}
+`,
+            "encode_base255_repaired": `
+// umbrage_encode_base255_repaired: depth to channels that readers of base-255 RGBA decode, 1.0 to 1.0;
+//   whole numbers 0..255 (umbrage_to_unorm writes them)
+fn umbrage_encode_base255_repaired(depth: f32) -> vec4f {
+    let x: f32 = umbrage_saturate(depth) * 255.0;
+    let y: f32 = (x - floor(x)) * 255.0;
+    let z: f32 = (y - floor(y)) * 255.0;
+    let w: f32 = (z - floor(z)) * 255.0;
+    return vec4f(floor(x), floor(y), floor(z), floor(w));
+}
+`,
+            "fetch_clamped": `
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+fn umbrage_fetch_clamped(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> vec4f {
+    return umbrage_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0));
+}
+`,
+            "encode_rg9_table": `
+// umbrage_encode_rg9_table: depth to the two channels of a 9-bit code through a look-up table, whole numbers 0..255
+//   table   512 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg9_table(UMBRAGE_MAP table, depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 512.0), 511.0);
+    let row: f32 = floor(x * (1.0 / 512.0));
+    let texel: vec2f = vec2f(x - row * 512.0, row);
+    let k: vec4f = umbrage_from_unorm_vec4f(umbrage_fetch_clamped(table, vec2f(512.0, 1.0), texel));
+    return vec2f(k.x, k.y);
+}
+`,
+            "encode_rg10_table": `
+// umbrage_encode_rg10_table: depth to the two channels of a 10-bit code through a look-up table, whole numbers 0..255
+//   table   1024 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg10_table(UMBRAGE_MAP table, depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 1024.0), 1023.0);
+    let row: f32 = floor(x * (1.0 / 1024.0));
+    let texel: vec2f = vec2f(x - row * 1024.0, row);
+    let k: vec4f = umbrage_from_unorm_vec4f(umbrage_fetch_clamped(table, vec2f(1024.0, 1.0), texel));
+    return vec2f(k.x, k.y);
+}
+`,
+            "encode_rg11_table": `
+// umbrage_encode_rg11_table: depth to the two channels of a 11-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 1 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg11_table(UMBRAGE_MAP table, depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 2048.0), 2047.0);
+    let row: f32 = floor(x * (1.0 / 2048.0));
+    let texel: vec2f = vec2f(x - row * 2048.0, row);
+    let k: vec4f = umbrage_from_unorm_vec4f(umbrage_fetch_clamped(table, vec2f(2048.0, 1.0), texel));
+    return vec2f(k.x, k.y);
+}
+`,
+            "encode_rg12_table": `
+// umbrage_encode_rg12_table: depth to the two channels of a 12-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 2 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg12_table(UMBRAGE_MAP table, depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 4096.0), 4095.0);
+    let row: f32 = floor(x * (1.0 / 2048.0));
+    let texel: vec2f = vec2f(x - row * 2048.0, row);
+    let k: vec4f = umbrage_from_unorm_vec4f(umbrage_fetch_clamped(table, vec2f(2048.0, 2.0), texel));
+    return vec2f(k.x, k.y);
+}
+`,
+            "encode_rg13_table": `
+// umbrage_encode_rg13_table: depth to the two channels of a 13-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 4 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg13_table(UMBRAGE_MAP table, depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 8192.0), 8191.0);
+    let row: f32 = floor(x * (1.0 / 2048.0));
+    let texel: vec2f = vec2f(x - row * 2048.0, row);
+    let k: vec4f = umbrage_from_unorm_vec4f(umbrage_fetch_clamped(table, vec2f(2048.0, 4.0), texel));
+    return vec2f(k.x, k.y);
+}
+`,
+            "encode_rg14_table": `
+// umbrage_encode_rg14_table: depth to the two channels of a 14-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 8 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg14_table(UMBRAGE_MAP table, depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 16384.0), 16383.0);
+    let row: f32 = floor(x * (1.0 / 2048.0));
+    let texel: vec2f = vec2f(x - row * 2048.0, row);
+    let k: vec4f = umbrage_from_unorm_vec4f(umbrage_fetch_clamped(table, vec2f(2048.0, 8.0), texel));
+    return vec2f(k.x, k.y);
+}
+`,
+            "encode_rg15_table": `
+// umbrage_encode_rg15_table: depth to the two channels of a 15-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 16 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg15_table(UMBRAGE_MAP table, depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 32768.0), 32767.0);
+    let row: f32 = floor(x * (1.0 / 2048.0));
+    let texel: vec2f = vec2f(x - row * 2048.0, row);
+    let k: vec4f = umbrage_from_unorm_vec4f(umbrage_fetch_clamped(table, vec2f(2048.0, 16.0), texel));
+    return vec2f(k.x, k.y);
+}
+`,
+            "encode_rg16_table": `
+// umbrage_encode_rg16_table: depth to the two channels of a 16-bit code through a look-up table, whole numbers 0..255
+//   table   2048 x 32 texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
+fn umbrage_encode_rg16_table(UMBRAGE_MAP table, depth: f32) -> vec2f {
+    let x: f32 = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    let row: f32 = floor(x * (1.0 / 2048.0));
+    let texel: vec2f = vec2f(x - row * 2048.0, row);
+    let k: vec4f = umbrage_from_unorm_vec4f(umbrage_fetch_clamped(table, vec2f(2048.0, 32.0), texel));
+    return vec2f(k.x, k.y);
+}
+`,
+            "decode_rg9": `
+// umbrage_decode_rg9: two channels of a 9-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+fn umbrage_decode_rg9(c: vec2f, edge: f32) -> f32 {
+    let k: vec2f = umbrage_from_unorm_vec2f(c);
+    return (k.x + k.y * 2.0 + edge) * (1.0 / 512.0);
+}
+`,
+            "decode_rg10": `
+// umbrage_decode_rg10: two channels of a 10-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+fn umbrage_decode_rg10(c: vec2f, edge: f32) -> f32 {
+    let k: vec2f = umbrage_from_unorm_vec2f(c);
+    return (k.x + k.y * 4.0 + edge) * (1.0 / 1024.0);
+}
+`,
+            "decode_rg11": `
+// umbrage_decode_rg11: two channels of a 11-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+fn umbrage_decode_rg11(c: vec2f, edge: f32) -> f32 {
+    let k: vec2f = umbrage_from_unorm_vec2f(c);
+    return (k.x + k.y * 8.0 + edge) * (1.0 / 2048.0);
+}
+`,
+            "decode_rg12": `
+// umbrage_decode_rg12: two channels of a 12-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+fn umbrage_decode_rg12(c: vec2f, edge: f32) -> f32 {
+    let k: vec2f = umbrage_from_unorm_vec2f(c);
+    return (k.x + k.y * 16.0 + edge) * (1.0 / 4096.0);
+}
+`,
+            "decode_rg13": `
+// umbrage_decode_rg13: two channels of a 13-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+fn umbrage_decode_rg13(c: vec2f, edge: f32) -> f32 {
+    let k: vec2f = umbrage_from_unorm_vec2f(c);
+    return (k.x + k.y * 32.0 + edge) * (1.0 / 8192.0);
+}
+`,
+            "decode_rg14": `
+// umbrage_decode_rg14: two channels of a 14-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+fn umbrage_decode_rg14(c: vec2f, edge: f32) -> f32 {
+    let k: vec2f = umbrage_from_unorm_vec2f(c);
+    return (k.x + k.y * 64.0 + edge) * (1.0 / 16384.0);
+}
+`,
+            "decode_rg15": `
+// umbrage_decode_rg15: two channels of a 15-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+fn umbrage_decode_rg15(c: vec2f, edge: f32) -> f32 {
+    let k: vec2f = umbrage_from_unorm_vec2f(c);
+    return (k.x + k.y * 128.0 + edge) * (1.0 / 32768.0);
+}
+`,
+            "decode_rg16": `
+// umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+fn umbrage_decode_rg16(c: vec2f, edge: f32) -> f32 {
+    let k: vec2f = umbrage_from_unorm_vec2f(c);
+    return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);
+}
+`,
+            "decode_rgb24": `
+// umbrage_decode_rgb24: three channels, as sampled, to depth
+//   edge   0.0 or 1.0: lower or upper edge of the code's interval
+fn umbrage_decode_rgb24(c: vec3f, edge: f32) -> f32 {
+    let k: vec3f = umbrage_from_unorm_vec3f(c);
+    return ((k.x * 256.0 + k.y) * 256.0 + k.z + edge) * (1.0 / 16777216.0);
+}
+`,
+            "decode_float_bits": `
+// umbrage_decode_float_bits: four channels of a bit pattern, as sampled, R least significant, to the float
+fn umbrage_decode_float_bits(c: vec4f) -> f32 {
+    let r: u32 = u32(umbrage_saturate(c.x) * 255.0 + 0.5);
+    let g: u32 = u32(umbrage_saturate(c.y) * 255.0 + 0.5);
+    let b: u32 = u32(umbrage_saturate(c.z) * 255.0 + 0.5);
+    let a: u32 = u32(umbrage_saturate(c.w) * 255.0 + 0.5);
+    return bitcast<f32>(r | (g << 8) | (b << 16) | (a << 24));
+}
+`,
+            "decode_threejs_rgba": `
+// umbrage_decode_threejs_rgba: the RGBA format of three.js r167 and later, as sampled, to depth
+fn umbrage_decode_threejs_rgba(c: vec4f) -> f32 {
+    let depth: f32 = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (255.0 / 16777216.0) + c.w *
+        (1.0 / 16777216.0);
+    return depth;
+}
+`,
+            "decode_threejs_rgb": `
+// umbrage_decode_threejs_rgb: the RGB format of three.js r167 and later, as sampled, to depth
+fn umbrage_decode_threejs_rgb(c: vec3f) -> f32 {
+    let depth: f32 = c.x * (255.0 / 256.0) + c.y * (255.0 / 65536.0) + c.z * (1.0 / 65536.0);
+    return depth;
+}
+`,
+            "decode_threejs_rg": `
+// umbrage_decode_threejs_rg: the RG format of three.js r167 and later, as sampled, to depth
+fn umbrage_decode_threejs_rg(c: vec2f) -> f32 {
+    let depth: f32 = c.x * (255.0 / 256.0) + c.y * (1.0 / 256.0);
+    return depth;
+}
+`,
+            "decode_threejs_legacy": `
+// umbrage_decode_threejs_legacy: the RGBA format of three.js r73 to r166, as sampled, to depth
+fn umbrage_decode_threejs_legacy(c: vec4f) -> f32 {
+    let depth: f32 = c.x * (255.0 / 4294967296.0) + c.y * (255.0 / 16777216.0) + c.z * (255.0 / 65536.0) + c.w *
+        (255.0 / 256.0);
+    return depth;
+}
+`,
+            "decode_base255": `
+// umbrage_decode_base255: base-255 RGBA, as sampled, to depth
+fn umbrage_decode_base255(c: vec4f) -> f32 {
+    let depth: f32 = c.x + c.y * 0.00392156886 + c.z * 0.0000153787005 + c.w * 0.0000000603086294;
+    return depth;
+}
+`,
+            "level_rg9": `
+// umbrage_level_rg9: two channels of a 9-bit code, as sampled, to the scale of umbrage_receiver_rg9, on which 1.0 is
+//   not the far plane
+fn umbrage_level_rg9(c: vec2f) -> f32 {
+    return c.x + c.y * 2.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg10": `
+// umbrage_level_rg10: two channels of a 10-bit code, as sampled, to the scale of umbrage_receiver_rg10, on which 1.0 is
+//   not the far plane
+fn umbrage_level_rg10(c: vec2f) -> f32 {
+    return c.x + c.y * 4.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg11": `
+// umbrage_level_rg11: two channels of a 11-bit code, as sampled, to the scale of umbrage_receiver_rg11, on which 1.0 is
+//   not the far plane
+fn umbrage_level_rg11(c: vec2f) -> f32 {
+    return c.x + c.y * 8.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg12": `
+// umbrage_level_rg12: two channels of a 12-bit code, as sampled, to the scale of umbrage_receiver_rg12, on which 1.0 is
+//   not the far plane
+fn umbrage_level_rg12(c: vec2f) -> f32 {
+    return c.x + c.y * 16.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg13": `
+// umbrage_level_rg13: two channels of a 13-bit code, as sampled, to the scale of umbrage_receiver_rg13, on which 1.0 is
+//   not the far plane
+fn umbrage_level_rg13(c: vec2f) -> f32 {
+    return c.x + c.y * 32.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg14": `
+// umbrage_level_rg14: two channels of a 14-bit code, as sampled, to the scale of umbrage_receiver_rg14, on which 1.0 is
+//   not the far plane
+fn umbrage_level_rg14(c: vec2f) -> f32 {
+    return c.x + c.y * 64.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg15": `
+// umbrage_level_rg15: two channels of a 15-bit code, as sampled, to the scale of umbrage_receiver_rg15, on which 1.0 is
+//   not the far plane
+fn umbrage_level_rg15(c: vec2f) -> f32 {
+    return c.x + c.y * 128.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "level_rg16": `
+// umbrage_level_rg16: two channels of a 16-bit code, as sampled, to the scale of umbrage_receiver_rg16, on which 1.0 is
+//   not the far plane
+fn umbrage_level_rg16(c: vec2f) -> f32 {
+    return c.x + c.y * 256.0;  // an exact product: fused or not, it rounds once
+}
+`,
+            "receiver_rg9": `
+// umbrage_receiver_rg9: receiver on the scale of umbrage_level_rg9: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg9(texel, edge), or beyond the far plane
+fn umbrage_receiver_rg9(depth: f32, edge: f32) -> f32 {
+    let level: f32 = (ceil(depth * 512.0 - edge) - 0.5) * 0.00392156886;
+    return select(level, -1.0, depth > 1.0);
+}
+`,
+            "receiver_rg10": `
+// umbrage_receiver_rg10: receiver on the scale of umbrage_level_rg10: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg10(texel, edge), or beyond the far plane
+fn umbrage_receiver_rg10(depth: f32, edge: f32) -> f32 {
+    let level: f32 = (ceil(depth * 1024.0 - edge) - 0.5) * 0.00392156886;
+    return select(level, -1.0, depth > 1.0);
+}
+`,
+            "receiver_rg11": `
+// umbrage_receiver_rg11: receiver on the scale of umbrage_level_rg11: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg11(texel, edge), or beyond the far plane
+fn umbrage_receiver_rg11(depth: f32, edge: f32) -> f32 {
+    let level: f32 = (ceil(depth * 2048.0 - edge) - 0.5) * 0.00392156886;
+    return select(level, -1.0, depth > 1.0);
+}
+`,
+            "receiver_rg12": `
+// umbrage_receiver_rg12: receiver on the scale of umbrage_level_rg12: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg12(texel, edge), or beyond the far plane
+fn umbrage_receiver_rg12(depth: f32, edge: f32) -> f32 {
+    let level: f32 = (ceil(depth * 4096.0 - edge) - 0.5) * 0.00392156886;
+    return select(level, -1.0, depth > 1.0);
+}
+`,
+            "receiver_rg13": `
+// umbrage_receiver_rg13: receiver on the scale of umbrage_level_rg13: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg13(texel, edge), or beyond the far plane
+fn umbrage_receiver_rg13(depth: f32, edge: f32) -> f32 {
+    let level: f32 = (ceil(depth * 8192.0 - edge) - 0.5) * 0.00392156886;
+    return select(level, -1.0, depth > 1.0);
+}
+`,
+            "receiver_rg14": `
+// umbrage_receiver_rg14: receiver on the scale of umbrage_level_rg14: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg14(texel, edge), or beyond the far plane
+fn umbrage_receiver_rg14(depth: f32, edge: f32) -> f32 {
+    let level: f32 = (ceil(depth * 16384.0 - edge) - 0.5) * 0.00392156886;
+    return select(level, -1.0, depth > 1.0);
+}
+`,
+            "receiver_rg15": `
+// umbrage_receiver_rg15: receiver on the scale of umbrage_level_rg15: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg15(texel, edge), or beyond the far plane
+fn umbrage_receiver_rg15(depth: f32, edge: f32) -> f32 {
+    let level: f32 = (ceil(depth * 32768.0 - edge) - 0.5) * 0.00392156886;
+    return select(level, -1.0, depth > 1.0);
+}
+`,
+            "receiver_rg16": `
+// umbrage_receiver_rg16: receiver on the scale of umbrage_level_rg16: it is <= a texel's level exactly when
+//   depth <= umbrage_decode_rg16(texel, edge), or beyond the far plane
+fn umbrage_receiver_rg16(depth: f32, edge: f32) -> f32 {
+    let level: f32 = (ceil(depth * 65536.0 - edge) - 0.5) * 0.00392156886;
+    return select(level, -1.0, depth > 1.0);
+}
+`,
+            "decode_ps14": `
+// umbrage_decode_ps14: the channels of an 11-bit code, as sampled, to x / 2040; compare with umbrage_receiver_ps14;
+//   1.0 is not the far plane on this scale
+fn umbrage_decode_ps14(c: vec2f) -> f32 {
+    return c.x * 0.125 + c.y;  // an exact product: fused or not, it rounds once
+}
+`,
+            "receiver_ps14": `
+// umbrage_receiver_ps14: depth * 256 / 255, the scale of umbrage_decode_ps14; beyond the far plane what every texel
+//   lights
+fn umbrage_receiver_ps14(depth: f32) -> f32 {
+    return select(depth * 1.00392163, -1.0, depth > 1.0);
+}
+`,
+            "inside_map": `
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+fn umbrage_inside_map(size: vec2f, texel: vec2f) -> bool {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+`,
+            "fetch_bordered": `
+// umbrage_fetch_bordered: texel of a map, or border outside of it
+fn umbrage_fetch_bordered(UMBRAGE_MAP map, size: vec2f, texel: vec2f, border: vec4f) -> vec4f {
+    let value: vec4f = umbrage_fetch_clamped(map, size, texel);
+    return select(border, value, umbrage_inside_map(size, texel));
+}
+`,
+            "inside_texel_space": `
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+`,
+            "is_compared": `
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
+    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
+}
+`,
+            "lit": `
+// umbrage_lit: visibility of one comparison with a texel
+fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+`,
+            "lit_2x2": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let a: f32 = umbrage_lit(map, size, texel, receiver);
+    let b: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 0.0), receiver);
+    let c: f32 = umbrage_lit(map, size, texel + vec2f(0.0, 1.0), receiver);
+    let d: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 1.0), receiver);
+    return vec4f(a, b, c, d);
+}
+`,
+            "compare_dx_sdk": `
+// umbrage_compare_dx_sdk: 0.0 when stored + epsilon < receiver, else 1.0
+fn umbrage_compare_dx_sdk(receiver: f32, stored: f32, epsilon: f32) -> f32 {
+    let limit: f32 = stored + epsilon;
+    return select(1.0, 0.0, limit < receiver);
+}
+`,
+            "compare_exercise": `
+// umbrage_compare_exercise: 1.0 when current < stored + epsilon, else 0.0
+fn umbrage_compare_exercise(current: f32, stored: f32, epsilon: f32) -> f32 {
+    let limit: f32 = stored + epsilon;
+    return select(0.0, 1.0, current < limit);
+}
+`,
+            "hard": `
+// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_hard(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let texel: vec2f = select(vec2f(0.0, 0.0), floor(coord), compared);  // no branch: fetches of several taps overlap
+    let lit: f32 = umbrage_lit(map, size, texel, receiver);
+    return select(1.0, lit, compared);
+}
+`,
+            "four_tap": `
+// umbrage_four_tap: mean of the shadow test at four taps; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps in texels, all lit where their mean is 2^15
+//   or more in a direction;   receiver  depth, biased
+fn umbrage_four_tap(UMBRAGE_MAP map, size: vec2f, a: vec2f, b: vec2f, c: vec2f, d: vec2f, receiver: f32) -> f32 {
+    let a_texel: vec2f = floor(a);
+    let b_texel: vec2f = floor(b);
+    let c_texel: vec2f = floor(c);
+    let d_texel: vec2f = floor(d);
+    let sum: vec2f = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    let compared: bool = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    let count: f32 = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
+        umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
+    return select(1.0, count * 0.25, compared);
+}
+`,
+            "pcf_2x2": `
+// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_pcf_2x2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let hi: vec2f = x - texel * 256.0;
+    let lo: vec2f = 256.0 - hi;
+    let lit: vec4f = umbrage_lit_2x2(map, size, texel, receiver);
+    let sum: f32 = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
+    let visibility: f32 = sum * (1.0 / 65536.0);
+    return select(1.0, visibility, compared);
+}
+`,
+            "pcf_2x2_dx_sdk": `
+// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+fn umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, epsilon: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x);
+    let weight: vec2f = x - texel;
+    let a: f32 = umbrage_compare_dx_sdk(receiver, umbrage_fetch_depth(map, size, texel), epsilon);
+    let right: f32 = umbrage_fetch_depth(map, size, texel + vec2f(1.0, 0.0));
+    let above: f32 = umbrage_fetch_depth(map, size, texel + vec2f(0.0, 1.0));
+    let beyond: f32 = umbrage_fetch_depth(map, size, texel + vec2f(1.0, 1.0));
+    let b: f32 = umbrage_compare_dx_sdk(receiver, right, epsilon);
+    let c: f32 = umbrage_compare_dx_sdk(receiver, above, epsilon);
+    let d: f32 = umbrage_compare_dx_sdk(receiver, beyond, epsilon);
+    let low: f32 = a + weight.x * (b - a);
+    let high: f32 = c + weight.x * (d - c);
+    let visibility: f32 = low + weight.y * (high - low);
+    return select(1.0, visibility, compared);
+}
+`,
+            "box_count": `
+// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+fn umbrage_box_count(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: i32) -> f32 {
+    let r: i32 = select(select(8, radius, radius < 8), 0, radius < 0);
+    let width: i32 = 2 * r + 1;
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let first: vec2f = select(vec2f(0.0, 0.0), floor(coord) - f32(r), compared);
+    var count: f32 = 0.0;
+    for (var j: i32 = 0; j < 17; j++) {
+        if (j >= width) { break; }
+        for (var i: i32 = 0; i < 17; i++) {
+            if (i >= width) { break; }
+            count += umbrage_lit(map, size, first + vec2f(f32(i), f32(j)), receiver);
+        }
+    }
+    return select(f32(width * width), count, compared);
+}
+`,
+            "box_scale": `
+// umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
+fn umbrage_box_scale(radius: i32) -> f32 {
+    var scale: f32 = 0.00346020772;  // not returned as a literal: that would have the host's precision
+    if (radius < 8) { scale = 0.00444444455; }
+    if (radius < 7) { scale = 0.00591715984; }
+    if (radius < 6) { scale = 0.00826446246; }
+    if (radius < 5) { scale = 0.0123456791; }
+    if (radius < 4) { scale = 0.0204081628; }
+    if (radius < 3) { scale = 0.0399999991; }
+    if (radius < 2) { scale = 0.111111112; }
+    if (radius < 1) { scale = 1.0; }
+    return scale;
+}
+`,
+            "box": `
+// umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
+fn umbrage_box(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: i32) -> f32 {
+    let visibility: f32 = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
+    return select(1.0, visibility, visibility < 0.999);  // 121 times the rounded 1/121 is not 1
+}
+`,
+            "spot_cone": `
+// umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
+//   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
+fn umbrage_spot_cone(direction: vec3f, to_point: vec3f, cos_outer: f32) -> f32 {
+    let d: f32 = direction.x * to_point.x + direction.y * to_point.y + direction.z * to_point.z;
+    let length2: f32 = to_point.x * to_point.x + to_point.y * to_point.y + to_point.z * to_point.z;
+    let edge2: f32 = cos_outer * cos_outer * length2;
+    let d2: f32 = d * d;
+    return select(0.0, 1.0, d > 0.0 && d2 > edge2);
+}
+`,
+            "diffuse_ambient": `
+// umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
+fn umbrage_diffuse_ambient(albedo: vec3f, ambient: f32, n_dot_l: f32, visibility: f32) -> vec3f {
+    let facing: f32 = select(0.0, n_dot_l, n_dot_l > 0.0);
+    let light: f32 = visibility * facing * (1.0 - ambient) + ambient;
+    return albedo * light;
+}
+`,
+            "false_colour": `
+// umbrage_false_colour: blue for 0.0, through green, to red for 1.0
+fn umbrage_false_colour(v: f32) -> vec3f {
+    let x: f32 = umbrage_saturate(v) * 4.0;
+    let ramp: vec3f = 1.5 - abs(vec3f(x - 3.0, x - 2.0, x - 1.0));
+    return vec3f(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
+}
+`,
+            "hooks/cleared_depth, forward": `
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 1.0;
+}
+`,
+            "hooks/cleared_depth, reversed": `
+// umbrage_cleared_depth: depth of the far plane
+fn umbrage_cleared_depth() -> f32 {
+    return 0.0;
+}
+`,
+            "hooks/beyond_far, forward": `
+// umbrage_beyond_far: whether a receiver is behind the far plane
+fn umbrage_beyond_far(receiver: f32) -> bool {
+    return receiver > 1.0;
+}
+`,
+            "hooks/beyond_far, reversed": `
+// umbrage_beyond_far: whether a receiver is behind the far plane
+fn umbrage_beyond_far(receiver: f32) -> bool {
+    return receiver < 0.0;
+}
+`,
+            "hooks/beyond_far, scaled": `
+// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
+fn umbrage_beyond_far(receiver: f32) -> bool {
+    return false;
+}
+`,
+            "hooks/compare, forward": `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver <= stored);
+}
+`,
+            "hooks/compare, reversed": `
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth, near is 1.0
+fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
+    return select(0.0, 1.0, receiver >= stored);
+}
+`,
+            "hooks/texel": `
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+fn umbrage_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> vec4f {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
+}
+`,
+            "hooks/decode": `
+// umbrage_decode: depth of a texel's value
+fn umbrage_decode(value: vec4f) -> f32 {
+    return UMBRAGE_DEPTH;
+}
+`,
+            "hooks/fetch_depth, clamped": `
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+`,
+            "hooks/fetch_depth, bordered": `
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
+    let depth: f32 = umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+    return select(umbrage_cleared_depth(), depth, umbrage_inside_map(size, texel));
+}
+`,
+            "hooks/lit_texel": `
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map; a NaN is in shadow
+fn umbrage_lit_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let lit: f32 = UMBRAGE_LIT_TEXEL;
+    return select(0.0, lit, receiver > 0.0 || receiver <= 0.0);
+}
+`,
+            "hooks/lit, clamped": `
+// umbrage_lit: visibility of one comparison with a texel, outside the map with the nearest one inside
+fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    return umbrage_lit_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0), receiver);
+}
+`,
+            "hooks/lit, bordered": `
+// umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
+fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
+    let lit: f32 = umbrage_lit_texel(map, size, clamp(texel, vec2f(0.0, 0.0), size - 1.0), receiver);
+    return select(umbrage_compare(receiver, umbrage_cleared_depth()), lit, umbrage_inside_map(size, texel));
+}
+`,
+            "hooks/gather_lit, compared": `
+// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); a NaN is in shadow
+fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let lit: vec4f = UMBRAGE_GATHER_LIT;
+    return select(vec4f(0.0, 0.0, 0.0, 0.0), vec4f(lit.w, lit.z, lit.x, lit.y), receiver > 0.0 || receiver <= 0.0);
+}
+`,
+            "hooks/gather_lit, one channel": `
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let r: vec4f = UMBRAGE_GATHER_RED;
+    let a: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.w, 0.0, 0.0, 0.0)));
+    let b: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.z, 0.0, 0.0, 0.0)));
+    let c: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.x, 0.0, 0.0, 0.0)));
+    let d: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.y, 0.0, 0.0, 0.0)));
+    return vec4f(a, b, c, d);
+}
+`,
+            "hooks/gather_lit, two channels": `
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let r: vec4f = UMBRAGE_GATHER_RED;
+    let g: vec4f = UMBRAGE_GATHER_GREEN;
+    let a: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.w, g.w, 0.0, 0.0)));
+    let b: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.z, g.z, 0.0, 0.0)));
+    let c: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.x, g.x, 0.0, 0.0)));
+    let d: f32 = umbrage_compare(receiver, umbrage_decode(vec4f(r.y, g.y, 0.0, 0.0)));
+    return vec4f(a, b, c, d);
+}
+`,
+            "hooks/lit_2x2, gathered": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); the sampler clamps
+fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    return umbrage_gather_lit(map, size, texel, receiver);
+}
+`,
+            "hooks/lit_2x2, gathered in a region": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with the
+//   nearest texel inside: the gather stays inside, and each comparison is taken from its row and column
+fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let first: vec2f = clamp(texel, vec2f(0.0, 0.0), max(size - 2.0, vec2f(0.0, 0.0)));
+    let low: vec2f = clamp(texel, vec2f(0.0, 0.0), size - 1.0) - first;
+    let high: vec2f = clamp(texel + 1.0, vec2f(0.0, 0.0), size - 1.0) - first;
+    let lit: vec4f = umbrage_gather_lit(map, size, first, receiver);
+    let left: vec2f = select(vec2f(lit.x, lit.z), vec2f(lit.y, lit.w), low.x > 0.5);
+    let right: vec2f = select(vec2f(lit.x, lit.z), vec2f(lit.y, lit.w), high.x > 0.5);
+    let bottom: vec2f = select(vec2f(left.x, right.x), vec2f(left.y, right.y), low.y > 0.5);
+    let top: vec2f = select(vec2f(left.x, right.x), vec2f(left.y, right.y), high.y > 0.5);
+    return vec4f(bottom.x, bottom.y, top.x, top.y);
+}
+`,
+            "hooks/lit_2x2, gathered and bordered": `
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with the
+//   far plane: the gather stays inside
+fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
+    let first: vec2f = clamp(texel, vec2f(0.0, 0.0), max(size - 2.0, vec2f(0.0, 0.0)));
+    let low: vec2f = texel - first;
+    let lit: vec4f = umbrage_gather_lit(map, size, first, receiver);
+    let left: vec2f = select(vec2f(lit.x, lit.z), vec2f(lit.y, lit.w), low.x > 0.5);
+    let right: vec2f = select(vec2f(lit.y, lit.w), vec2f(lit.x, lit.z), low.x < -0.5);
+    let bottom: vec2f = select(vec2f(left.x, right.x), vec2f(left.y, right.y), low.y > 0.5);
+    let top: vec2f = select(vec2f(left.y, right.y), vec2f(left.x, right.x), low.y < -0.5);
+    let outside: f32 = umbrage_compare(receiver, umbrage_cleared_depth());
+    let a: f32 = select(outside, bottom.x, umbrage_inside_map(size, texel));
+    let b: f32 = select(outside, bottom.y, umbrage_inside_map(size, texel + vec2f(1.0, 0.0)));
+    let c: f32 = select(outside, top.x, umbrage_inside_map(size, texel + vec2f(0.0, 1.0)));
+    let d: f32 = select(outside, top.y, umbrage_inside_map(size, texel + vec2f(1.0, 1.0)));
+    return vec4f(a, b, c, d);
+}
+`,
+        },
+    },
+};
+
+// id, name, summary, exactness, ulp, lowest, role, scaled, needs
+const rows = [
+    ["shadow_coordinate", "shadow_coordinate", "world to texels and depth, before the division", "b", 0, "100", "none", false, []],
+    ["tap_coordinate", "tap_coordinate", "a tap's coordinate from the middle's, before the division", "b", 0, "100", "none", false, []],
+    ["project_coordinate", "project_coordinate", "the division by w, lit behind the light", "c", 1, "100", "none", false, []],
+    ["cube_face", "cube_face", "face of a cube that a direction meets", "a", 0, "100", "none", false, []],
+    ["cube_coordinate", "cube_coordinate", "face, and where on it, that a direction meets", "c", 1, "100", "none", false, ["cube_face"]],
+    ["cube_direction", "cube_direction", "direction to a point of a cube's face", "b", 0, "100", "none", false, []],
+    ["cube_tile", "cube_tile", "first texel of a face in an atlas", "a", 0, "100", "none", false, []],
+    ["linear_depth", "linear_depth", "view-space z over z_far", "b", 0, "100", "none", false, []],
+    ["project_depth", "project_depth", "z / w, far behind the light", "c", 1, "100", "none", false, []],
+    ["distance_depth", "distance_depth", "distance to the light over its range", "c", 1, "100", "none", false, []],
+    ["reverse_depth", "reverse_depth", "1 - depth", "b", 0, "100", "none", false, []],
+    ["depth_from_ndc", "depth_from_ndc", "z/w in [-1, 1] to depth in [0, 1]", "b", 0, "100", "none", false, []],
+    ["view_z_from_depth", "view_z_from_depth", "perspective depth to view-space z", "c", 1, "100", "none", false, []],
+    ["depth_from_view_z", "depth_from_view_z", "view-space z to perspective depth", "c", 1, "100", "none", false, []],
+    ["view_z_from_reversed_depth", "view_z_from_reversed_depth", "reversed perspective depth to view-space z", "c", 1, "100", "none", false, []],
+    ["reversed_depth_from_view_z", "reversed_depth_from_view_z", "view-space z to reversed perspective depth", "c", 1, "100", "none", false, []],
+    ["view_z_from_orthographic_depth", "view_z_from_orthographic_depth", "orthographic depth to view-space z", "b", 0, "100", "none", false, []],
+    ["orthographic_depth_from_view_z", "orthographic_depth_from_view_z", "view-space z to orthographic depth", "c", 1, "100", "none", false, []],
+    ["cleared_depth", "cleared_depth", "depth of the far plane", "a", 0, "100", "cleared_depth", false, []],
+    ["saturate", "saturate", "clamp to [0, 1], NaN to far", "a", 0, "100", "none", false, ["cleared_depth"]],
+    ["to_unorm", "to_unorm", "channel 0..255 to the value an 8-bit target stores as it", "a", 0, "100", "none", false, []],
+    ["from_unorm", "from_unorm", "value read from an 8-bit texture to channel 0..255", "a", 0, "100", "none", false, []],
+    ["encode_rg9", "encode_rg9", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
+    ["encode_rg10", "encode_rg10", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
+    ["encode_rg11", "encode_rg11", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
+    ["encode_rg12", "encode_rg12", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
+    ["encode_rg13", "encode_rg13", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
+    ["encode_rg14", "encode_rg14", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
+    ["encode_rg15", "encode_rg15", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
+    ["encode_rg16", "encode_rg16", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
+    ["encode_rgb24", "encode_rgb24", "depth to three channels, R most significant", "a", 0, "100", "none", false, ["saturate"]],
+    ["encode_float_bits", "encode_float_bits", "any float's bit pattern to four channels, R least significant", "a", 0, "300 es", "none", false, []],
+    ["write_threejs_rgba", "write_threejs_rgba", "depth to three.js RGBA, r167 and later", "b", 0, "100", "none", false, ["saturate"]],
+    ["write_threejs_rgb", "write_threejs_rgb", "depth to three.js RGB, r167 and later", "b", 0, "100", "none", false, ["saturate"]],
+    ["write_threejs_rg", "write_threejs_rg", "depth to three.js RG, r167 and later", "b", 0, "100", "none", false, ["saturate"]],
+    ["write_threejs_legacy", "write_threejs_legacy", "depth to three.js RGBA, r73 to r166", "b", 0, "100", "none", false, ["saturate"]],
+    ["encode_threejs_legacy_repaired", "encode_threejs_legacy_repaired", "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired", "a", 0, "100", "none", false, ["saturate"]],
+    ["write_base255", "write_base255", "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx", "b", 0, "100", "none", false, ["saturate"]],
+    ["encode_base255_repaired", "encode_base255_repaired", "depth for readers of base-255 RGBA, 1.0 and truncation repaired", "b", 0, "100", "none", false, ["saturate"]],
+    ["texel", "texel", "texel inside a map", "a", 0, "100", "texel", false, []],
+    ["fetch_clamped", "fetch_clamped", "texel of a map, outside the nearest one inside", "a", 0, "100", "none", false, ["texel"]],
+    ["encode_rg9_table", "encode_rg9_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["encode_rg10_table", "encode_rg10_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["encode_rg11_table", "encode_rg11_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["encode_rg12_table", "encode_rg12_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["encode_rg13_table", "encode_rg13_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["encode_rg14_table", "encode_rg14_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["encode_rg15_table", "encode_rg15_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["encode_rg16_table", "encode_rg16_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["decode_rg9", "decode_rg9", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rg10", "decode_rg10", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rg11", "decode_rg11", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rg12", "decode_rg12", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rg13", "decode_rg13", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rg14", "decode_rg14", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rg15", "decode_rg15", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rg16", "decode_rg16", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rgb24", "decode_rgb24", "three channels, R most significant, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
+    ["decode_float_bits", "decode_float_bits", "four channels, R least significant, to the float they are", "a", 0, "300 es", "none", false, ["saturate"]],
+    ["decode_threejs_rgba", "decode_threejs_rgba", "three.js RGBA, r167 and later, to depth", "b", 0, "100", "none", false, []],
+    ["decode_threejs_rgb", "decode_threejs_rgb", "three.js RGB, r167 and later, to depth", "b", 0, "100", "none", false, []],
+    ["decode_threejs_rg", "decode_threejs_rg", "three.js RG, r167 and later, to depth", "b", 0, "100", "none", false, []],
+    ["decode_threejs_legacy", "decode_threejs_legacy", "three.js RGBA, r73 to r166, to depth", "b", 0, "100", "none", false, []],
+    ["decode_base255", "decode_base255", "base-255 RGBA to depth", "b", 0, "100", "none", false, []],
+    ["level_rg9", "level_rg9", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
+    ["level_rg10", "level_rg10", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
+    ["level_rg11", "level_rg11", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
+    ["level_rg12", "level_rg12", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
+    ["level_rg13", "level_rg13", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
+    ["level_rg14", "level_rg14", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
+    ["level_rg15", "level_rg15", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
+    ["level_rg16", "level_rg16", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
+    ["receiver_rg9", "receiver_rg9", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
+    ["receiver_rg10", "receiver_rg10", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
+    ["receiver_rg11", "receiver_rg11", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
+    ["receiver_rg12", "receiver_rg12", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
+    ["receiver_rg13", "receiver_rg13", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
+    ["receiver_rg14", "receiver_rg14", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
+    ["receiver_rg15", "receiver_rg15", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
+    ["receiver_rg16", "receiver_rg16", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
+    ["decode_ps14", "decode_ps14", "r / 8 + g as the Radeon 8500 computed it", "b", 0, "100", "none", true, []],
+    ["receiver_ps14", "receiver_ps14", "receiver on the scale of decode_ps14", "b", 0, "100", "none", false, []],
+    ["inside_map", "inside_map", "whether a texel is one of the map's", "a", 0, "100", "none", false, []],
+    ["fetch_bordered", "fetch_bordered", "texel of a map, outside a border value", "a", 0, "100", "none", false, ["fetch_clamped", "inside_map"]],
+    ["fetch_depth", "fetch_depth", "stored depth of a texel", "a", 0, "100", "fetch_depth", false, ["fetch_clamped", "fetch_bordered", "cleared_depth"]],
+    ["inside_texel_space", "inside_texel_space", "coordinates a filter can take", "a", 0, "100", "none", false, []],
+    ["beyond_far", "beyond_far", "receivers behind the far plane", "a", 0, "100", "beyond_far", false, []],
+    ["is_compared", "is_compared", "receivers that a filter compares; it takes the others as lit", "a", 0, "100", "none", false, ["inside_texel_space", "beyond_far"]],
+    ["compare", "compare", "one comparison", "a", 0, "100", "compare", false, []],
+    ["lit", "lit", "one comparison with a texel", "a", 0, "100", "lit", false, ["compare", "fetch_depth"]],
+    ["lit_2x2", "lit_2x2", "comparisons with the 2x2 texels from one on", "a", 0, "100", "lit_2x2", false, ["lit"]],
+    ["compare_dx_sdk", "compare_dx_sdk", "stored + epsilon < receiver is shadow", "b", 0, "100", "none", false, []],
+    ["compare_exercise", "compare_exercise", "current < stored + epsilon is lit", "b", 0, "100", "none", false, []],
+    ["hard", "hard", "nearest texel, one test", "a", 0, "100", "none", false, ["is_compared", "lit"]],
+    ["four_tap", "four_tap", "mean of four taps with coordinates of their own", "a", 0, "100", "none", false, ["lit", "beyond_far"]],
+    ["pcf_2x2", "pcf_2x2", "bilinear 2x2, weights in steps of 1/256", "a", 0, "100", "none", false, ["is_compared", "lit_2x2"]],
+    ["pcf_2x2_dx_sdk", "pcf_2x2_dx_sdk", "bilinear 2x2 as the DirectX SDK sample, plain floats", "b", 0, "100", "none", false, ["compare_dx_sdk", "is_compared", "fetch_depth"]],
+    ["box_count", "box_count", "lit texels in a box of radius 0..8", "a", 0, "100", "none", false, ["is_compared", "lit"]],
+    ["box_scale", "box_scale", "1 / (2r+1)^2", "a", 0, "100", "none", false, []],
+    ["box", "box", "lit share of a box of radius 0..8", "b", 0, "100", "none", false, ["box_count", "box_scale"]],
+    ["spot_cone", "spot_cone", "1 inside a spot light's cone", "b", 0, "100", "none", false, []],
+    ["diffuse_ambient", "diffuse_ambient", "diffuse plus ambient light of a surface", "b", 0, "100", "none", false, []],
+    ["false_colour", "false_colour", "0..1 to blue, green, red", "b", 0, "100", "none", false, ["saturate"]],
+    ["hooks/cleared_depth, forward", "cleared_depth", "cleared_depth, forward", "a", 0, "100", "chosen", false, []],
+    ["hooks/cleared_depth, reversed", "cleared_depth", "cleared_depth, reversed", "a", 0, "100", "chosen", false, []],
+    ["hooks/beyond_far, forward", "beyond_far", "beyond_far, forward", "a", 0, "100", "chosen", false, []],
+    ["hooks/beyond_far, reversed", "beyond_far", "beyond_far, reversed", "a", 0, "100", "chosen", false, []],
+    ["hooks/beyond_far, scaled", "beyond_far", "beyond_far, scaled", "a", 0, "100", "chosen", false, []],
+    ["hooks/compare, forward", "compare", "compare, forward", "a", 0, "100", "chosen", false, []],
+    ["hooks/compare, reversed", "compare", "compare, reversed", "a", 0, "100", "chosen", false, []],
+    ["hooks/texel", "texel", "texel", "a", 0, "100", "chosen", false, []],
+    ["hooks/decode", "decode", "decode", "a", 0, "100", "chosen", false, []],
+    ["hooks/fetch_depth, clamped", "fetch_depth", "fetch_depth, clamped", "a", 0, "100", "chosen", false, ["fetch_clamped", "hooks/decode"]],
+    ["hooks/fetch_depth, bordered", "fetch_depth", "fetch_depth, bordered", "a", 0, "100", "chosen", false, ["fetch_clamped", "hooks/decode", "inside_map", "cleared_depth"]],
+    ["hooks/lit_texel", "lit_texel", "lit_texel", "a", 0, "100", "chosen", false, []],
+    ["hooks/lit, clamped", "lit", "lit, clamped", "a", 0, "100", "chosen", false, ["hooks/lit_texel"]],
+    ["hooks/lit, bordered", "lit", "lit, bordered", "a", 0, "100", "chosen", false, ["hooks/lit_texel", "inside_map", "compare", "cleared_depth"]],
+    ["hooks/gather_lit, compared", "gather_lit", "gather_lit, compared", "a", 0, "100", "gather_lit", false, []],
+    ["hooks/gather_lit, one channel", "gather_lit", "gather_lit, one channel", "a", 0, "100", "chosen", false, ["hooks/decode", "compare"]],
+    ["hooks/gather_lit, two channels", "gather_lit", "gather_lit, two channels", "a", 0, "100", "chosen", false, ["hooks/decode", "compare"]],
+    ["hooks/lit_2x2, gathered", "lit_2x2", "lit_2x2, gathered", "a", 0, "100", "chosen", false, ["hooks/gather_lit, compared"]],
+    ["hooks/lit_2x2, gathered in a region", "lit_2x2", "lit_2x2, gathered in a region", "a", 0, "100", "chosen", false, ["hooks/gather_lit, compared"]],
+    ["hooks/lit_2x2, gathered and bordered", "lit_2x2", "lit_2x2, gathered and bordered", "a", 0, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare", "cleared_depth"]],
+];
+const all = new Map(rows.map(([id, name, summary, exactness, ulp, lowest, role, scaled]) =>
+    [id, { id, name, summary, exactness, ulp, lowest, role, scaled, needs: [] }]));
+for (const [id, , , , , , , , needs] of rows) all.get(id).needs.push(...needs.map(need => all.get(need)));
+const part = variants => Object.fromEntries([...all]
+    .filter(([id]) => id.startsWith('hooks/') === variants).map(([id, s]) => [id.replace('hooks/', ''), s]));
+const hooks = part(true);
+export const snippets = part(false);
+export const encodings = {
+    rg9: { depth: "umbrage_decode_rg9(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg9] },
+    rg10: { depth: "umbrage_decode_rg10(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg10] },
+    rg11: { depth: "umbrage_decode_rg11(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg11] },
+    rg12: { depth: "umbrage_decode_rg12(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg12] },
+    rg13: { depth: "umbrage_decode_rg13(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg13] },
+    rg14: { depth: "umbrage_decode_rg14(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg14] },
+    rg15: { depth: "umbrage_decode_rg15(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg15] },
+    rg16: { depth: "umbrage_decode_rg16(value.xy, 1.0)", channels: 2, needs: [snippets.decode_rg16] },
+    rgb24: { depth: "umbrage_decode_rgb24(value.xyz, 1.0)", channels: 3, needs: [snippets.decode_rgb24] },
+    float_bits: { depth: "umbrage_decode_float_bits(value.xyzw)", channels: 4, needs: [snippets.decode_float_bits] },
+    threejs_rgba: { depth: "umbrage_decode_threejs_rgba(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_rgba] },
+    threejs_rgb: { depth: "umbrage_decode_threejs_rgb(value.xyz)", channels: 3, needs: [snippets.decode_threejs_rgb] },
+    threejs_rg: { depth: "umbrage_decode_threejs_rg(value.xy)", channels: 2, needs: [snippets.decode_threejs_rg] },
+    threejs_legacy: { depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy] },
+    threejs_legacy: { depth: "umbrage_decode_threejs_legacy(value.xyzw)", channels: 4, needs: [snippets.decode_threejs_legacy] },
+    base255: { depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255] },
+    base255: { depth: "umbrage_decode_base255(value.xyzw)", channels: 4, needs: [snippets.decode_base255] },
+};
+export const glsl = in_language('glsl');
+export const hlsl = in_language('hlsl');
+export const msl = in_language('msl');
+export const wgsl = in_language('wgsl');
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, inside_texel_space, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, spot_cone, diffuse_ambient, false_colour } = snippets;

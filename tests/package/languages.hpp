@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+//
+// The languages of shaders, and what the package calls things.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <umbrage/depth/encodings.hpp>
+#include <umbrage/shader/glsl.hpp>
+#include <umbrage/shader/hlsl.hpp>
+#include <umbrage/shader/msl.hpp>
+#include <umbrage/shader/registry.hpp>
+#include <umbrage/shader/wgsl.hpp>
+
+namespace package {
+
+namespace glsl = umbrage::glsl;
+
+struct shader_language {
+    std::string_view name, folder, extension;
+    const glsl::detail::language* words;
+    std::string (*text)(std::span<const glsl::bound> items);
+};
+
+inline const std::array languages{
+    shader_language{"glsl", "glsl", ".glsl", &glsl::detail::glsl_language,
+                    [](std::span<const glsl::bound> items) { return glsl::text(items); }},
+    shader_language{"hlsl", "hlsl", ".hlsl", &umbrage::hlsl::detail::language,
+                    [](std::span<const glsl::bound> items) { return umbrage::hlsl::text(items); }},
+    shader_language{"msl", "metal", ".metal", &umbrage::msl::detail::language,
+                    [](std::span<const glsl::bound> items) { return umbrage::msl::text(items); }},
+    shader_language{"wgsl", "wgsl", ".wgsl", &umbrage::wgsl::detail::language,
+                    [](std::span<const glsl::bound> items) { return umbrage::wgsl::text(items); }},
+};
+
+struct named_texture {
+    std::string_view name;
+    glsl::texture kind;
+};
+inline constexpr std::array textures{named_texture{"texture_2d", glsl::texture::texture_2d},
+                                     named_texture{"atlas", glsl::texture::atlas},
+                                     named_texture{"array", glsl::texture::array},
+                                     named_texture{"cube", glsl::texture::cube},
+                                     named_texture{"integer", glsl::texture::integer},
+                                     named_texture{"depth", glsl::texture::depth},
+                                     named_texture{"depth_array", glsl::texture::depth_array},
+                                     named_texture{"shadow", glsl::texture::shadow},
+                                     named_texture{"shadow_array", glsl::texture::shadow_array}};
+
+/// A string of JavaScript and of JSON.
+[[nodiscard]] inline std::string literal(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        if (c == '\n') out += "\\n";
+        else out += c;
+    }
+    return out + '"';
+}
+
+}  // namespace package

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+#
+# Fails when the committed package is not what the programs write.
+file(REMOVE_RECURSE ${MADE})
+execute_process(COMMAND ${WRITER} ${TEMPLATES} ${MADE} COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB_RECURSE made RELATIVE ${MADE} ${MADE}/*)
+file(GLOB_RECURSE committed RELATIVE ${COMMITTED} ${COMMITTED}/shaders/* ${COMMITTED}/*.mjs ${COMMITTED}/*.mts)
+if(NOT made STREQUAL committed)
+    message(FATAL_ERROR "${COMMITTED} has files too many or too few; write them anew: make single-header")
+endif()
+foreach(name IN LISTS made)
+    execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${MADE}/${name} ${COMMITTED}/${name} RESULT_VARIABLE different)
+    if(different)
+        message(FATAL_ERROR "${COMMITTED}/${name} is stale; write it anew: make single-header")
+    endif()
+endforeach()
+list(LENGTH made count)
+message(STATUS "${count} files as committed")

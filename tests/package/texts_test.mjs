@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+//
+// The package's texts against C++'s, character for character:  node texts_test.mjs MODULE EXPECTED
+import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const [module_path, expected] = process.argv.slice(2);
+const umbrage = await import(pathToFileURL(resolve(module_path)).href);
+const { snippets, bind, source } = umbrage;
+
+const item = ({ what, name, map }) => map
+    ? bind(snippets[what], name, { ...map, needs: map.needs.map(need => snippets[need]) })
+    : snippets[what];
+
+function made({ language, version, items }) {
+    try {
+        return version ? source(version, items.map(item), '#define A') : umbrage[language].text(items.map(item));
+    } catch (error) {
+        if (!error.message.startsWith('umbrage: ')) throw error;
+        return null;
+    }
+}
+
+const counts = {};
+let different = 0;
+for (const line of readFileSync(expected, 'utf8').trimEnd().split('\n')) {
+    const test = JSON.parse(line), kind = test.language ?? 'versions', text = made(test);
+    counts[kind] = (counts[kind] ?? 0) + 1;
+    if (text === test.text) continue;
+    if (++different > 3) continue;
+    console.log(`differs: ${line.slice(0, 400)}`);
+    const ours = (text ?? 'refused').split('\n'), theirs = (test.text ?? 'refused').split('\n');
+    const first = ours.findIndex((l, i) => l !== theirs[i]);
+    console.log(`  line ${first + 1}: ${ours[first]}\n   in C++: ${theirs[first]}`);
+}
+
+// Bad input gets a clear answer.
+for (const bad of [() => bind(snippets.hard, 'a b'), () => bind(snippets.hard, '_a'), () => bind(snippets.hard, 'a', { texture: '3d' }),
+    () => bind(snippets.hard, 'a', { size: 3 }), () => bind(snippets.hard, 'a', { gather: 1 }), () => source('200', [snippets.hard]),
+    () => source('300 es', [undefined])]) {
+    let refused = false;
+    try { bad(); } catch (error) { refused = error.message.startsWith('umbrage: '); }
+    if (!refused) console.log(`taken without a word: ${bad}`), ++different;
+}
+console.log(`${Object.entries(counts).map(([kind, n]) => `${kind} ${n}`).join(', ')}: ${different} differ`);
+process.exitCode = different || Object.keys(counts).length < 2 ? 1 : 0;

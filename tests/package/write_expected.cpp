@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+//
+// Writes what the npm package's texts must be, a case in JSON a line:  write_expected FILE
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <vector>
+
+#include "languages.hpp"
+
+namespace package {
+namespace {
+
+using glsl::bound;
+using glsl::snippet;
+
+std::string json(const glsl::binding& map) {
+    std::string out = "{";
+    const auto add = [&](std::string_view name, const std::string& value) {
+        out += (out.size() > 1 ? "," : "") + literal(name) + ":" + value;
+    };
+    for (const named_texture& t : textures)
+        if (t.kind == map.texture) add("texture", literal(t.name));
+    add("direction", map.direction == umbrage::depth_direction::forward ? "\"forward\"" : "\"reversed\"");
+    add("outside_lit", map.outside_lit ? "true" : "false");
+    add("gather", map.gather ? "true" : "false");
+    add("depth", literal(map.depth));
+    add("channels", std::to_string(map.channels));
+    add("origin", literal(map.origin));
+    add("texture_size", literal(map.texture_size));
+    add("parameters", literal(map.parameters));
+    add("arguments", literal(map.arguments));
+    add("texel", literal(map.texel));
+    std::string needs;
+    for (const snippet& need : map.needs) needs += (needs.empty() ? "" : ",") + literal(need.name);
+    add("needs", '[' + needs + ']');
+    return out + '}';
+}
+
+std::string json(const std::vector<bound>& items) {
+    std::string out;
+    for (const bound& item : items) {
+        out += (out.empty() ? "" : ",") + std::string("{\"what\":") + literal(item.what.name);
+        if (!item.by_macros)
+            out +=
+                ",\"name\":" + literal(item.suffix.empty() ? "" : item.suffix.substr(1)) + ",\"map\":" + json(item.map);
+        out += '}';
+    }
+    return '[' + out + ']';
+}
+
+/// Maps of every kind of texture, and of every encoding, in both directions, with and without what they can have.
+std::vector<glsl::binding> maps() {
+    std::vector<glsl::binding> all;
+    for (const named_texture& t : textures)
+        for (const auto direction : {umbrage::depth_direction::forward, umbrage::depth_direction::reversed})
+            for (const bool lit : {false, true})
+                for (const bool gather : {false, true})
+                    all.push_back({.texture = t.kind, .direction = direction, .outside_lit = lit, .gather = gather});
+    umbrage::for_each_encoding([&](const auto& encoding) { all.push_back(glsl::stored_as(encoding)); });
+    all.push_back(glsl::stored_as(umbrage::rg<11>{}, {.outside_lit = true, .gather = true}));
+    all.push_back({.depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}});
+    all.push_back({.gather = true, .origin = "tile", .texture_size = "atlas_size"});
+    all.push_back({.parameters = "int layer", .arguments = "layer", .texel = "fetch(maps, at, layer)"});
+    return all;
+}
+
+/// What text() gives, or that it throws.
+void add(std::ostream& out, const shader_language& l, const std::vector<bound>& items) {
+    std::string text;
+    try {
+        text = literal(l.text(items));
+    } catch (const std::invalid_argument&) { text = "null"; }
+    out << "{\"language\":" << literal(l.name) << ",\"items\":" << json(items) << ",\"text\":" << text << "}\n";
+}
+
+void write(std::ostream& out) {
+    for (const shader_language& l : languages) {
+        for (const snippet* s : glsl::registry) add(out, l, {*s});
+        for (const glsl::binding& map : maps())
+            for (const snippet& s : {glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_dx_sdk})
+                add(out, l, {bind(s, "sun", map)});
+        add(out, l, {bind(glsl::hard, "", {})});
+        add(out, l,
+            {bind(glsl::hard, "a", {}), glsl::level_rg<11>, glsl::pcf_2x2,
+             bind(glsl::box, "b", {.texture = glsl::texture::cube})});
+        add(out, l, {bind(glsl::hard, "a", {}), bind(glsl::box, "a", {.outside_lit = true})});
+    }
+    for (const glsl::version v : glsl::versions)
+        for (const snippet* s : glsl::registry) {
+            if (v == glsl::version::vulkan) continue;
+            const bound item(*s);
+            out << "{\"version\":" << literal(directive(v)) << ",\"items\":" << json({item})
+                << ",\"text\":" << (supports(item, v) ? literal(glsl::source(v, {item}, "#define A")) : "null")
+                << "}\n";
+        }
+}
+
+}  // namespace
+}  // namespace package
+
+int main(int argc, char** argv) {
+    if (argc != 2) return 2;
+    std::ofstream file(argv[1], std::ios::binary);
+    package::write(file);
+    if (file) return 0;
+    std::cerr << "write_expected: cannot write " << argv[1] << '\n';
+    return 1;
+}

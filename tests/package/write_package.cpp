@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+//
+// Writes what needs no build:  write_package TEMPLATES FOLDER
+//
+// FOLDER/shaders/LANGUAGE/NAME.EXTENSION   every snippet with all it needs, to paste
+// FOLDER/umbrage.mjs, umbrage.d.mts        the npm package's module: TEMPLATES/umbrage.mjs.in and the texts
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <stdexcept>
+#include <vector>
+
+#include "languages.hpp"
+
+namespace package {
+namespace {
+
+namespace fs = std::filesystem;
+using glsl::snippet;
+
+const std::string version = std::to_string(UMBRAGE_VERSION_MAJOR) + '.' + std::to_string(UMBRAGE_VERSION_MINOR) + '.' +
+                            std::to_string(UMBRAGE_VERSION_PATCH);
+
+void write(const fs::path& path, const std::string& text) {
+    fs::create_directories(path.parent_path());
+    std::ofstream file(path, std::ios::binary);
+    if (!(file << text)) throw std::runtime_error("cannot write " + path.string());
+}
+
+/// FOLDER/NAME.in with each @key@ replaced.
+std::string filled(const fs::path& path, std::initializer_list<std::pair<std::string_view, std::string>> values) {
+    std::ifstream file(path);
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (text.empty()) throw std::runtime_error("cannot read " + path.string());
+    for (const auto& [key, value] : values)
+        for (auto at = text.find(key); at != text.npos; at = text.find(key, at + value.size()))
+            text.replace(at, key.size(), value);
+    return text;
+}
+
+bool is_variant(const snippet& s) {
+    return std::any_of(glsl::hooks::all.begin(), glsl::hooks::all.end(),
+                       [&](const snippet* hook) { return hook == &s; });
+}
+
+/// What the module calls a snippet: its name, or of a hook's variant which one it is.
+std::string id(const snippet& s) { return is_variant(s) ? "hooks/" + std::string(s.summary) : std::string(s.name); }
+
+std::string list(glsl::snippet_span snippets) {
+    std::string out = "[";
+    for (const snippet* s : snippets) out += (out.size() > 1 ? ", " : "") + literal(id(*s));
+    return out + ']';
+}
+
+std::string_view role(glsl::hook h) {
+    switch (h) {
+        case glsl::hook::none: return "none";
+        case glsl::hook::cleared_depth: return "cleared_depth";
+        case glsl::hook::beyond_far: return "beyond_far";
+        case glsl::hook::compare: return "compare";
+        case glsl::hook::texel: return "texel";
+        case glsl::hook::fetch_depth: return "fetch_depth";
+        case glsl::hook::lit: return "lit";
+        case glsl::hook::lit_2x2: return "lit_2x2";
+        case glsl::hook::gather_lit: return "gather_lit";
+        case glsl::hook::chosen: return "chosen";
+    }
+    return "";
+}
+
+std::string row(const snippet& s) {
+    return "    [" + literal(id(s)) + ", " + literal(s.name) + ", " + literal(s.summary) + ", \"" +
+           "abc"[static_cast<int>(s.exactness)] + "\", " + std::to_string(s.ulp) + ", " + literal(directive(s.lowest)) +
+           ", " + literal(role(s.role)) + ", " + (s.scaled ? "true" : "false") + ", " + list(s.needs) + "],\n";
+}
+
+std::string words(const glsl::detail::texture_words& w) {
+    std::string out = "{ ";
+    const auto add = [&](std::string_view name, std::string_view value) {
+        out += std::string(out.size() > 2 ? ", " : "") + std::string(name) + ": " + literal(value);
+    };
+    add("parameters", w.parameters);
+    add("arguments", w.arguments);
+    add("texel", w.texel);
+    add("lit", w.lit);
+    add("gather_red", w.gather_red);
+    add("gather_green", w.gather_green);
+    add("gather_lit", w.gather_lit);
+    add("size", w.size);
+    add("sampler", w.sampler);
+    add("sampler_argument", w.sampler_argument);
+    return out + " }";
+}
+
+template <class Use>
+void for_each_snippet(const Use& use) {
+    for (const snippet* s : glsl::registry) use(*s);
+    for (const snippet* s : glsl::hooks::all) use(*s);
+}
+
+std::string languages_of_module() {
+    std::string out = "const languages = {\n";
+    for (const shader_language& l : languages) {
+        out += "    " + std::string(l.name) + ": {\n";
+        out += "        prelude: " + literal(l.words->prelude) + ",\n";
+        out += std::string("        preprocessor: ") + (l.words->preprocessor ? "true" : "false") + ",\n";
+        out += std::string("        macros: ") + (l.words->macros ? "true" : "false") + ",\n";
+        out += "        scaled_macro: " + literal(l.words->scaled_macro) + ",\n";
+        out += "        textures: {\n";
+        for (const named_texture& t : textures)
+            out += "            " + std::string(t.name) + ": " + words(l.words->texture(t.kind)) + ",\n";
+        out += "        },\n        texts: {\n";
+        for_each_snippet([&](const snippet& s) {
+            if (!l.words->macros && s.source.find("\n#") != s.source.npos) return;  // a hook that maps always choose
+            out += "            " + literal(id(s)) + ": `" + l.words->translate(s) + "`,\n";
+        });
+        out += "        },\n    },\n";
+    }
+    return out + "};\n";
+}
+
+std::string encodings_of_module() {
+    std::string out = "export const encodings = {\n";
+    umbrage::for_each_encoding([&](const auto& encoding) {
+        const glsl::binding map = glsl::stored_as(encoding);
+        if (map.needs.empty()) return;
+        const std::string name(map.needs.front().name);
+        out += "    " + name.substr(std::string("decode_").size()) + ": { depth: " + literal(map.depth) +
+               ", channels: " + std::to_string(map.channels) + ", needs: [snippets." + name + "] },\n";
+    });
+    return out + "};\n";
+}
+
+std::string module_data() {
+    std::string rows, names, versions, exported;
+    for_each_snippet([&](const snippet& s) { rows += row(s); });
+    for (const snippet* s : glsl::registry) names += (names.empty() ? "" : ", ") + std::string(s->name);
+    for (const glsl::version v : glsl::versions)
+        if (v != glsl::version::vulkan) versions += (versions.empty() ? "" : ", ") + literal(directive(v));
+    for (const shader_language& l : languages)
+        exported += "export const " + std::string(l.name) + " = in_language('" + std::string(l.name) + "');\n";
+    return "export const versions = [" + versions + "];\n\n" + languages_of_module() +
+           "\n// id, name, summary, exactness, ulp, lowest, role, scaled, needs\nconst rows = [\n" + rows +
+           "];\nconst all = new Map(rows.map(([id, name, summary, exactness, ulp, lowest, role, scaled]) =>\n"
+           "    [id, { id, name, summary, exactness, ulp, lowest, role, scaled, needs: [] }]));\n"
+           "for (const [id, , , , , , , , needs] of rows) all.get(id).needs.push(...needs.map(need => "
+           "all.get(need)));\n"
+           "const part = variants => Object.fromEntries([...all]\n"
+           "    .filter(([id]) => id.startsWith('hooks/') === variants).map(([id, s]) => [id.replace('hooks/', ''), "
+           "s]));\n"
+           "const hooks = part(true);\nexport const snippets = part(false);\n" +
+           encodings_of_module() + exported + "export const { " + names + " } = snippets;";
+}
+
+std::string module_names() {
+    std::string out;
+    for (const shader_language& l : languages) out += "export const " + std::string(l.name) + ": Language;\n";
+    for (const snippet* s : glsl::registry)
+        out += "/** " + std::string(s->summary) + " */\nexport const " + std::string(s->name) + ": Snippet;\n";
+    return out;
+}
+
+/// A snippet, as the shader's one map has it, behind all it needs.
+void collect(const snippet& asked, std::vector<const snippet*>& all) {
+    const snippet& s = glsl::detail::chosen(asked, {});
+    for (const snippet* need : s.needs) collect(*need, all);
+    if (std::find(all.begin(), all.end(), &s) == all.end()) all.push_back(&s);
+}
+
+/// Where nothing keeps two pasted texts from clashing, a file is one function, and names the others.
+std::string one_function(const shader_language& l, const std::vector<const snippet*>& needs_and_it) {
+    const snippet& s = *needs_and_it.back();
+    std::string text = "// umbrage " + version + ", MIT License: " + std::string(s.name) + '\n';
+    for (const snippet* need : needs_and_it)
+        if (need != &s)
+            text += (need == needs_and_it.front() ? "// Paste along: " : ", ") + std::string(need->name) +
+                    std::string(l.extension);
+    if (needs_and_it.size() > 1) text += '\n';
+    return text + glsl::detail::laid_out(
+                      glsl::detail::for_map(l.words->translate(s), s, s, l.words->texture(glsl::texture::texture_2d)));
+}
+
+void write_shaders(const fs::path& folder) {
+    for (const shader_language& l : languages)
+        for (const snippet* s : glsl::registry) {
+            const auto file = [&](const snippet& of) {
+                return folder / l.folder / (std::string(of.name) + std::string(l.extension));
+            };
+            if (l.words->preprocessor) {
+                const glsl::bound item(*s);
+                write(file(*s), l.text({&item, 1}));
+                continue;
+            }
+            std::vector<const snippet*> all;
+            collect(*s, all);
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                std::vector<const snippet*> part;
+                collect(*all[i], part);
+                write(file(*all[i]), one_function(l, part));
+            }
+        }
+}
+
+}  // namespace
+}  // namespace package
+
+int main(int argc, char** argv) {
+    if (argc != 3) return 2;
+    try {
+        const std::filesystem::path templates = argv[1], folder = argv[2];
+        package::write_shaders(folder / "shaders");
+        package::write(folder / "umbrage.mjs",
+                       package::filled(templates / "umbrage.mjs.in",
+                                       {{"@version@", package::version}, {"@data@", package::module_data()}}));
+        package::write(folder / "umbrage.d.mts",
+                       package::filled(templates / "umbrage.d.mts.in",
+                                       {{"@version@", package::version}, {"@names@", package::module_names()}}));
+    } catch (const std::exception& error) {
+        std::cerr << "write_package: " << error.what() << '\n';
+        return 1;
+    }
+}
