@@ -16,10 +16,7 @@ std::string make_hlsl(const entry& e) {
         text += "Texture2D<float4> " + names[i] + " : register(t" + std::to_string(i) + ");\n";
         if (i < max_inputs) values += "    float4 x" + std::to_string(i) + " = " + names[i] + ".Load(at);\n";
     }
-    if (!e.maps.empty())
-        values +=
-            "    uint width, height;\n    map.GetDimensions(width, height);\n"
-            "    float2 map_size = float2(width, height);\n";
+    if (!e.maps.empty()) values += "    float2 map_size;\n    map.GetDimensions(map_size.x, map_size.y);\n";
     return text +
            "\nfloat4 main(float4 pixel : SV_Position) : SV_Target0 {\n"
            "    int3 at = int3(int2(pixel.xy), 0);\n" +

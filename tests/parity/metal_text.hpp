@@ -4,6 +4,8 @@
 // two may have different standard libraries.
 #pragma once
 
+#include <cstddef>
+
 #include <glm/vec4.hpp>
 
 namespace parity::metal_text {
@@ -16,5 +18,13 @@ struct texture {
 /// An entry's call, in the order of entries(); x[i] is xi.
 using function = glm::vec4 (*)(const glm::vec4* x, texture map, texture table);
 extern const function functions[];
+
+/// Calls of a few entries as a printer would give them that wrote something else for `from`; a null call ends them.
+struct mistaken {
+    const char* from;
+    std::size_t entry;
+    function call;
+};
+extern const mistaken mistakes[];
 
 }  // namespace parity::metal_text

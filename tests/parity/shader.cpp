@@ -43,9 +43,16 @@ call_snippet::call_snippet(const entry& e) : needs_{e.primitive} {
     items_.push_back(bind(call, "", e.map_kind));
 }
 
+std::string with_mistake(std::string text) {
+    if (planted.from.empty()) return text;
+    for (auto at = text.find(planted.from); at != text.npos; at = text.find(planted.from, at + planted.to.size()))
+        text.replace(at, planted.from.size(), planted.to);
+    return text;
+}
+
 shader make_shader(const entry& e, dialect d) {
-    if (d == dialect::hlsl) return {"", make_hlsl(e)};
-    if (d == dialect::wgsl) return {"", make_wgsl(e)};
+    if (d == dialect::hlsl) return {"", with_mistake(make_hlsl(e))};
+    if (d == dialect::wgsl) return {"", with_mistake(make_wgsl(e))};
     const version v = d.of_glsl;
     const bool old = v == version::v100 || v == version::v110 || v == version::v120;
     const bool es = v == version::v100 || v == version::v300_es || v == version::v310_es || v == version::v320_es;

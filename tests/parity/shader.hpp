@@ -32,6 +32,13 @@ private:
     std::vector<umbrage::glsl::bound> items_;
 };
 
+/// A mistake that the printers are to make, to see whether it is seen: in their texts each `from` becomes `to`.
+struct mistake {
+    std::string from, to;
+};
+inline mistake planted;
+[[nodiscard]] std::string with_mistake(std::string text);
+
 /// The fragment shader in HLSL.
 [[nodiscard]] std::string make_hlsl(const entry& e);
 

@@ -3,6 +3,7 @@
 // Writes every entry's Metal, snippets and call, to be compiled as C++:  write_metal FILE
 #include <fstream>
 #include <iostream>
+#include <utility>
 
 #include <umbrage/shader/msl.hpp>
 
@@ -42,7 +43,7 @@ std::string function(const entry& e) {
     }
     if (!e.maps.empty()) body += texture("map") + "    const float2 map_size(map.get_width(), map.get_height());\n";
     if (!e.table.empty()) body += texture("table");
-    return without_guards(umbrage::msl::text(call.items())) +
+    return without_guards(with_mistake(umbrage::msl::text(call.items()))) +
            "float4 call(const float4* x, texture map_, texture table_) {\n" + body + "    return umbrage_call(" +
            call.arguments() + ");\n}\n";
 }
@@ -53,13 +54,24 @@ int main(int argc, char** argv) {
     if (argc != 2) return 2;
     std::ofstream file(argv[1]);
     file << "#include <metal_stdlib>\n\n#include \"metal_text.hpp\"\n\nnamespace parity::metal_text {\nnamespace {\n";
-    std::string list;
-    for (const entry& e : entries()) {
-        const std::string name = "entry_" + std::to_string(&e - entries().data());
+    std::string list, mistakes;
+    const auto write = [&](const entry& e, const std::string& name) {
         file << "\nnamespace " << name << " {\n" << function(without_swizzles(e)) << "}\n";
-        list += (list.empty() ? "" : ", ") + name + "::call";
+        return name + "::call";
+    };
+    for (const entry& e : entries()) {
+        const std::string number = std::to_string(&e - entries().data());
+        list += write(e, "entry_" + number) + ", ";
+        for (const auto& [m, in] : {std::pair{mistake{"metal::floor", "metal::ceil"}, "encode_rg11"},
+                                    {mistake{"as_type<uint>", "uint"}, "encode_float_bits"}}) {
+            if (e.name() != in) continue;
+            planted = m;
+            mistakes += "{\"" + m.from + "\", " + number + ", " + write(e, "mistaken_" + number) + "}, ";
+            planted = {};
+        }
     }
-    file << "\n}\n\nconst function functions[]{" << list << "};\n\n}\n";
+    file << "\n}\n\nconst function functions[]{" << list << "nullptr};\nconst mistaken mistakes[]{" << mistakes
+         << "{}};\n\n}\n";
     if (!file) {
         std::cerr << "write_metal: cannot write " << argv[1] << '\n';
         return 1;
