@@ -4,27 +4,13 @@
 //
 // DRIVER is the Vulkan loader's description of a driver. Jobs are those of webgl.js, with WGSL as fragment shader.
 'use strict';
-const os = require('os');
-const path = require('path');
-const { pathToFileURL } = require('url');
+const dawn = require('./dawn.js');
 const { serve, parts_of } = require('./frames.js');
 const [modules, driver] = process.argv.slice(2);
-
-process.env.VK_ICD_FILENAMES = driver;
-process.env.XDG_RUNTIME_DIR ||= os.tmpdir();
 
 const triangle = `@vertex fn main(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {
     return vec4f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1) * 4.0 - 1.0, 0.0, 1.0);
 }`;
-
-async function open() {
-    const { create, globals } = await import(pathToFileURL(path.join(modules, 'webgpu/index.js')));
-    Object.assign(globalThis, globals);
-    const gpu = create(['backend=vulkan']);
-    const adapter = await gpu.requestAdapter();
-    if (!adapter) throw new Error('Dawn finds no adapter');
-    return { gpu, adapter, device: await adapter.requestDevice() };
-}
 
 async function draw({ adapter, device }) {
     const textures = [], targets = {};
@@ -95,7 +81,7 @@ async function draw({ adapter, device }) {
     }));
 }
 
-open().then(draw).then(() => process.exit(0), error => {
+dawn.open(modules, driver).then(draw).then(() => process.exit(0), error => {
     console.error('webgpu.js: ' + error.message);
     process.exit(1);
 });

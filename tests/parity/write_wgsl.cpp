@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+//
+// One shader in WGSL with every filter over every kind of map, each bound under a name of its own:  write_wgsl FILE
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <umbrage/depth/rg.hpp>
+#include <umbrage/filter/filters.hpp>
+#include <umbrage/shader/wgsl.hpp>
+
+using namespace umbrage;
+using glsl::bound;
+using glsl::texture;
+
+namespace {
+
+template <class... Filters>
+std::vector<const glsl::snippet*> snippets_of(const list_of<Filters...>*) {
+    return {Filters::snippet...};
+}
+
+/// Filters that compare on their own ask a map for depths, which a comparison sampler does not give.
+bool reads_depths(const glsl::snippet& filter) {
+    return std::find(filter.needs.begin(), filter.needs.end(), &glsl::fetch_depth) != filter.needs.end();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+    if (argc != 2) throw std::invalid_argument("one argument");
+    constexpr texture kinds[]{texture::texture_2d,  texture::atlas,   texture::array,
+                              texture::cube,        texture::integer, texture::depth,
+                              texture::depth_array, texture::shadow,  texture::shadow_array};
+    std::vector<bound> all;
+    for (const texture kind : kinds)
+        for (const bool gather : {false, true}) {
+            const bool gathers = kind != texture::cube && kind != texture::integer;
+            if (gather && !gathers) continue;
+            for (const bool packed : {false, true}) {
+                const bool has_channels =
+                    kind == texture::texture_2d || kind == texture::atlas || kind == texture::array;
+                if (packed && !has_channels) continue;
+                const glsl::binding plain{.texture = kind,
+                                          .direction = depth_direction::reversed,
+                                          .outside_lit = gather != packed,
+                                          .gather = gather};
+                const std::string name = "kind" + std::to_string(static_cast<int>(kind)) + (gather ? "_gathered" : "") +
+                                         (packed ? "_packed" : "");
+                const bool compares = kind == texture::shadow || kind == texture::shadow_array;
+                for (const glsl::snippet* s : snippets_of(static_cast<const filters::all*>(nullptr)))
+                    if (!compares || !reads_depths(*s))
+                        all.push_back(bind(*s, name, packed ? glsl::stored_as(rg<11>{}, plain) : plain));
+            }
+        }
+    std::ofstream(argv[1]) << wgsl::text(all);
+} catch (const std::exception& error) {
+    std::cerr << "write_wgsl: " << error.what() << '\n';
+    return 2;
+}
