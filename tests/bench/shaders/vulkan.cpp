@@ -14,6 +14,7 @@
 namespace bench {
 namespace {
 
+constexpr std::uint32_t binding_count = 8;
 constexpr VkDescriptorType texture_type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkFormat target_format = VK_FORMAT_R8G8B8A8_UNORM;
 
@@ -50,12 +51,12 @@ public:
         check(vkCreateDevice(physical_, &info, nullptr, &device_), "vkCreateDevice");
 
         std::vector<VkDescriptorSetLayoutBinding> bindings;
-        for (std::uint32_t i = 0; i < 3; ++i)
+        for (std::uint32_t i = 0; i < binding_count; ++i)
             bindings.push_back({i, texture_type, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
         set_layout_ = make<VkDescriptorSetLayout>(
             device_, vkCreateDescriptorSetLayout,
             VkDescriptorSetLayoutCreateInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
-                                            .bindingCount = 3,
+                                            .bindingCount = binding_count,
                                             .pBindings = bindings.data()});
         const VkPushConstantRange constants{VK_SHADER_STAGE_FRAGMENT_BIT, 0, 8};
         layout_ =
@@ -217,13 +218,13 @@ private:
                                                            .queryCount = 2});
         target_ = image(target_format, width, height, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, false);
 
-        const VkDescriptorPoolSize three{texture_type, 3};
+        const VkDescriptorPoolSize all{texture_type, binding_count};
         const auto sets =
             make<VkDescriptorPool>(device_, vkCreateDescriptorPool,
                                    VkDescriptorPoolCreateInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                                               .maxSets = 1,
                                                               .poolSizeCount = 1,
-                                                              .pPoolSizes = &three});
+                                                              .pPoolSizes = &all});
         set_ =
             make<VkDescriptorSet>(device_, vkAllocateDescriptorSets,
                                   VkDescriptorSetAllocateInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
