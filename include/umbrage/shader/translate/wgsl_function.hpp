@@ -4,11 +4,13 @@
 //
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
