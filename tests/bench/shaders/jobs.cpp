@@ -48,7 +48,7 @@ std::vector<job> jobs(const std::string& folder) {
     const std::string rg11 = fetch("umbrage_decode_rg11(" + texel + ".xy, 1.0)");
     const std::string level = fetch("umbrage_level_rg11(" + texel + ".xy)");
     const auto by_level = [](const snippet& filter) {
-        return std::vector<snippet>{glsl::level_rg<11>, glsl::receiver_rg<11>, filter};
+        return std::vector<glsl::bound>{glsl::level_rg<11>, glsl::receiver_rg<11>, filter};
     };
     const std::string ps14 = fetch("umbrage_decode_ps14(" + texel + ".xy)");
     const std::string threejs_rg = text("three") + fetch("unpackRGToDepth(" + texel + ".xy)");
@@ -62,6 +62,8 @@ std::vector<job> jobs(const std::string& folder) {
                receiver + "))";
     };
     const std::string receiver = "umbrage_receiver_rg11(x1.z, 1.0)";
+    const glsl::binding levels{
+        .gather = true, .depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}};
 
     return {
         {"nothing", {{us, "nothing", "", {}, "x0"}}},
@@ -145,6 +147,11 @@ std::vector<job> jobs(const std::string& folder) {
            "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, " + receiver + "))"},
           {us, "rg11", rg11, {glsl::decode_rg<11>, glsl::pcf_2x2}, pcf},
           {us,
+           "rg11 by level, gathered",
+           "",
+           {glsl::receiver_rg<11>, bind(glsl::pcf_2x2, "gathered", levels)},
+           "vec4(umbrage_pcf_2x2_gathered(map, map_size, x1.xy, " + receiver + "))"},
+          {us,
            "ps14",
            ps14,
            {glsl::decode_ps14, glsl::receiver_ps14, glsl::pcf_2x2},
@@ -155,6 +162,21 @@ std::vector<job> jobs(const std::string& folder) {
           {playcanvas, "uint2float in the same filter", playcanvas_rgba, {glsl::pcf_2x2}, pcf}}},
         {"2x2 PCF, depth map",  // the peers leave the filter to the sampler, whose work no instruction shows
          {{us, "pcf_2x2", "", {glsl::pcf_2x2}, pcf},
+          {us,
+           "pcf_2x2, gathered",
+           "",
+           {bind(glsl::pcf_2x2, "gathered", {.gather = true})},
+           "vec4(umbrage_pcf_2x2_gathered(map, map_size, x1.xy, x1.z))"},
+          {us,
+           "pcf_2x2, four comparisons by the sampler",
+           "",
+           {bind(glsl::pcf_2x2, "sampled", {.texture = glsl::texture::shadow})},
+           "vec4(umbrage_pcf_2x2_sampled(depth_map, map_size, x1.xy, x1.z))"},
+          {us,
+           "pcf_2x2, one gather of comparisons",
+           "",
+           {bind(glsl::pcf_2x2, "sampled", {.texture = glsl::texture::shadow, .gather = true})},
+           "vec4(umbrage_pcf_2x2_sampled(depth_map, map_size, x1.xy, x1.z))"},
           {babylon,
            "computeShadowWithPCF1, by the sampler",
            babylon_shadow,
@@ -214,7 +236,9 @@ job registry() {
     for (const snippet* s : glsl::registry)
         for (const parity::entry& e : parity::entries())
             if (e.primitive == s && e.variant.empty()) {
-                all.shaders.push_back({"umbrage", std::string(s->name), e.preamble, e.snippets(), e.call});
+                const auto snippets = e.snippets();
+                all.shaders.push_back(
+                    {"umbrage", std::string(s->name), e.preamble, {snippets.begin(), snippets.end()}, e.call});
                 break;
             }
     if (all.shaders.size() != glsl::registry.size()) throw std::runtime_error("a snippet without a parity entry");

@@ -17,7 +17,7 @@ namespace bench {
 struct shader {
     std::string owner, name;
     std::string preamble;  ///< macros, functions of peers
-    std::vector<umbrage::glsl::snippet> snippets;
+    std::vector<umbrage::glsl::bound> snippets;
     std::string result;  ///< vec4 expression of x0 .. x5, map, table, depth_map, map_size
 };
 
