@@ -7260,7 +7260,8 @@ public:
 
 enum class table_store { none, plain, streaming };
 
-/// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`.
+/// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`, or of
+/// integers `line` itself, which then holds all that is above.
 template <table_store Store, int Lanes, class From, class Sum>
 UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line, Sum* to, int count) {
     using few = lanes_of<Sum, Lanes>;
@@ -7275,8 +7276,10 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         carry = carry + together;
         store_lanes(sums, lines);
         if constexpr (Store == table_store::none) return;
-        load_lanes(under, there);
-        sums = sums + there;
+        if constexpr (!std::is_integral_v<Sum>) {
+            load_lanes(under, there);
+            sums = sums + there;
+        }
         if constexpr (Store == table_store::plain) store_lanes(sums, result);
         if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
     };
@@ -7380,6 +7383,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
         detail::band_sums<Sum> band(length, values.data, sums.data);
         for (int b = 0; b < bands; ++b) {
             detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), band.base, band.line);
+            if constexpr (std::is_integral_v<Sum>) continue;
             add(band.line, band.base);
             std::fill(band.line, band.line + length, Sum(0));
         }
@@ -7396,7 +7400,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
         parallel(bands, [&](int first, int last) {
             for (int b = first; b < last; ++b) {
                 detail::band_sums<Sum> band(length, values.data, sums.data);
-                std::copy(base(b), base(b) + length, band.base);
+                std::copy(base(b), base(b) + length, std::is_integral_v<Sum> ? band.line : band.base);
                 detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), band.base, band.line);
             }
         });
