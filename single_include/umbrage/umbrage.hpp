@@ -51,7 +51,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <metal_stdlib>
 #include <new>
 #include <numbers>
 #include <set>
@@ -8907,10 +8906,10 @@ namespace umbrage::msl {
 
 /// What every text begins with. Metal computes with fast mathematics unless it is told not to; from here to the end of
 /// the file it is told.
-inline constexpr std::string_view prelude = R"MSL(
-#pragma METAL fp math_mode(safe)
-#pragma METAL fp contract(off)
-)MSL";
+inline constexpr std::string_view prelude =
+    "\n#include <metal_stdlib>\n"  // no line of its own, which the single header would take for C++'s
+    "#pragma METAL fp math_mode(safe)\n"
+    "#pragma METAL fp contract(off)\n";
 
 namespace detail {
 
