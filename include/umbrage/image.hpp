@@ -71,7 +71,7 @@ struct image_view {
         return row(texel.y)[texel.x];
     }
 
-    /// The texels from `first` on, `extent` of them, as a map of their own: a tile of an atlas, clamped at its own edges.
+    /// The texels from `first` on, `extent` of them, as a map of their own: a tile of an atlas, with edges of its own.
     /// @throws std::invalid_argument  not inside the image
     [[nodiscard]] image_view region(glm::ivec2 first, glm::ivec2 extent) const {
         const bool inside = first.x >= 0 && first.y >= 0 && extent.x >= 0 && extent.y >= 0 &&

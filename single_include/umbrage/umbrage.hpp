@@ -160,8 +160,8 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
     return "";
 }
 
-/// What of a snippet is a map's own affair. The text of such a snippet is what holds for a shader's one map, with macros
-/// to change it; bind() puts another in its place.
+/// What of a snippet is a map's own affair. The text of such a snippet is what holds for a shader's one map, with
+/// macros to change it; bind() puts another in its place.
 enum class hook { none, cleared_depth, beyond_far, compare, texel, fetch_depth, lit, lit_2x2, gather_lit, chosen };
 
 struct snippet;
@@ -1540,7 +1540,7 @@ struct image_view {
         return row(texel.y)[texel.x];
     }
 
-    /// The texels from `first` on, `extent` of them, as a map of their own: a tile of an atlas, clamped at its own edges.
+    /// The texels from `first` on, `extent` of them, as a map of their own: a tile of an atlas, with edges of its own.
     /// @throws std::invalid_argument  not inside the image
     [[nodiscard]] image_view region(glm::ivec2 first, glm::ivec2 extent) const {
         const bool inside = first.x >= 0 && first.y >= 0 && extent.x >= 0 && extent.y >= 0 &&
@@ -7930,8 +7930,8 @@ inline constexpr snippet gathered_region{.name = "lit_2x2",
                                          .needs = list<&gather_compared>,
                                          .role = hook::chosen,
                                          .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with the
-//   nearest texel inside: the gather stays inside, and each comparison is taken from its row and column
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the nearest texel inside: the gather stays inside, and each comparison is taken from its row and column
 UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
@@ -7951,8 +7951,8 @@ inline constexpr snippet gathered_bordered{.name = "lit_2x2",
                                            .needs = list<&gather_compared, &inside_map, &compare, &cleared_depth>,
                                            .role = hook::chosen,
                                            .source = R"GLSL(
-// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with the
-//   far plane: the gather stays inside
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the far plane: the gather stays inside
 UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
                                    UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));

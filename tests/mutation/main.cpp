@@ -56,8 +56,8 @@ options parse(int argc, char** argv) {
     return o;
 }
 
-/// Mutants that compute the same, as "primitive: operator: site", and shapes of such, which need not occur. In the file a
-/// reason stands above both, after "= "; a shape is a regular expression for the whole of it, after "~ ".
+/// Mutants that compute the same, as "primitive: operator: site", and shapes of such, which need not occur. In the file
+/// a reason stands above both, after "= "; a shape is a regular expression for the whole of it, after "~ ".
 struct equivalents {
     std::set<std::string> names;
     std::vector<std::regex> shapes;

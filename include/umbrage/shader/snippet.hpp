@@ -46,8 +46,8 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
     return "";
 }
 
-/// What of a snippet is a map's own affair. The text of such a snippet is what holds for a shader's one map, with macros
-/// to change it; bind() puts another in its place.
+/// What of a snippet is a map's own affair. The text of such a snippet is what holds for a shader's one map, with
+/// macros to change it; bind() puts another in its place.
 enum class hook { none, cleared_depth, beyond_far, compare, texel, fetch_depth, lit, lit_2x2, gather_lit, chosen };
 
 struct snippet;

@@ -167,15 +167,16 @@ bool nan_promises_hold() {
         const float nan = from_bits((from.next() & 0x80000000u) | (0x7F800001u + from.below(0x7FFFFF)));
         const auto nowhere = [nan](glm::ivec2) { return nan; };
         const glm::vec2 middle(4.0f, 4.0f), astray = from.one_in(2) ? glm::vec2(nan, 4.0f) : glm::vec2(4.0f, nan);
-        const bool hold =
-            is_nan(nan) && !is_finite(nan) && saturate(nan) == 1.0f && encode_rg<11>(nan) == encode_rg<11>(1.0f) &&
-            encode_rgb24(nan) == encode_rgb24(1.0f) && !less_equal{}(nan, 1.0f) && !less_equal{}(0.0f, nan) &&
-            !greater_equal{}(nan, 0.0f) && !greater_equal{}(1.0f, nan) && !inside_texel_space(astray) &&
-            hard(nowhere, astray, nan) == 1.0f && hard(lit, middle, nan) == 0.0f &&
-            hard(nowhere, middle, 0.0f) == 0.0f && pcf_2x2(nowhere, astray, nan) == 1.0f &&
-            pcf_2x2(lit, middle, nan) == 0.0f && pcf_2x2(nowhere, middle, 0.0f) == 0.0f &&
-            box_count(nowhere, astray, nan, 1) == 9.0f && box_count(lit, middle, nan, 1) == 0.0f &&
-            box_count(nowhere, middle, 0.0f, 1) == 0.0f && four_tap(nowhere, astray, middle, middle, middle, nan) == 1.0f;
+        const bool hold = is_nan(nan) && !is_finite(nan) && saturate(nan) == 1.0f &&
+                          encode_rg<11>(nan) == encode_rg<11>(1.0f) && encode_rgb24(nan) == encode_rgb24(1.0f) &&
+                          !less_equal{}(nan, 1.0f) && !less_equal{}(0.0f, nan) && !greater_equal{}(nan, 0.0f) &&
+                          !greater_equal{}(1.0f, nan) && !inside_texel_space(astray) &&
+                          hard(nowhere, astray, nan) == 1.0f && hard(lit, middle, nan) == 0.0f &&
+                          hard(nowhere, middle, 0.0f) == 0.0f && pcf_2x2(nowhere, astray, nan) == 1.0f &&
+                          pcf_2x2(lit, middle, nan) == 0.0f && pcf_2x2(nowhere, middle, 0.0f) == 0.0f &&
+                          box_count(nowhere, astray, nan, 1) == 9.0f && box_count(lit, middle, nan, 1) == 0.0f &&
+                          box_count(nowhere, middle, 0.0f, 1) == 0.0f &&
+                          four_tap(nowhere, astray, middle, middle, middle, nan) == 1.0f;
         if (!hold) return false;
     }
     return true;
