@@ -182,8 +182,8 @@ function compose(language, items) {
         if (!item.by_macros && items.some(other => other.suffix === item.suffix && !same(other.map, item.map)))
             throw new Error(`umbrage: text: two maps have one name: ${item.suffix.slice(1)}`);
 
-    let text = `// umbrage 0.1.0, MIT License` +
-        items.map((item, i) => (i ? ', ' : ': ') + item.what.name + item.suffix).join('') + '\n' + language.prelude;
+    const names = [...new Set(items.map(item => item.what.name + item.suffix))];
+    let text = `// umbrage 0.1.0, MIT License${names.length ? ': ' : ''}${names.join(', ')}\n${language.prelude}`;
     if (language.macros && one.needs.length) text += language.scaled_macro;
     const done = new Set();
     const add = (asked, item, of_map) => {

@@ -81,6 +81,8 @@ void write(std::ostream& out) {
             for (const snippet& s : {glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_dx_sdk})
                 add(out, l, {bind(s, "sun", map)});
         add(out, l, {bind(glsl::hard, "", {})});
+        add(out, l, {glsl::hard, glsl::hard});
+        add(out, l, {});
         add(out, l,
             {bind(glsl::hard, "a", {}), glsl::level_rg<11>, glsl::pcf_2x2,
              bind(glsl::box, "b", {.texture = glsl::texture::cube})});

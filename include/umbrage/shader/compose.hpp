@@ -228,8 +228,13 @@ private:
     std::string title = "// umbrage " + std::to_string(UMBRAGE_VERSION_MAJOR) + '.' +
                         std::to_string(UMBRAGE_VERSION_MINOR) + '.' + std::to_string(UMBRAGE_VERSION_PATCH) +
                         ", MIT License";
-    for (const bound& item : items)
-        title += (&item == items.data() ? ": " : ", ") + std::string(item.what.name) + item.suffix;
+    std::vector<std::string> names;
+    for (const bound& item : items) {
+        std::string name = std::string(item.what.name) + item.suffix;
+        if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+        title += (names.empty() ? ": " : ", ") + name;
+        names.push_back(std::move(name));
+    }
     return title + '\n' + std::string(l.prelude) + composition(l, items).text();
 }
 
