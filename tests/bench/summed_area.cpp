@@ -68,7 +68,7 @@ const bench::registration rows([] {
     const auto near = [](float a, float b) { return std::abs(a - b) <= 1e-3f * b; };
     bench::add({.work = "summed-area table of uint32, 2048 x 2048",
                 .peer = "OpenCV integral, float",
-                .at_least = 1.6,
+                .at_least = 2,
                 .items = bench::map_texels,
                 .ours = words,
                 .theirs = their_floats,
@@ -85,6 +85,7 @@ const bench::registration rows([] {
                 .agree = [s, near] { return state::agree(s->float_sums, s->their_float_sums, near); }});
     bench::add({.work = "summed-area table of bytes, 2048 x 2048",
                 .peer = "OpenCV integral, bytes",
+                .at_least = 1.3,
                 .items = bench::map_texels,
                 .ours = [s] { umbrage::summed_area(s->bytes.view(), s->byte_sums.view()); },
                 .theirs = [s] { peers::opencv::integral(s->bytes, s->their_sums); },
