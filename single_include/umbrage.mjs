@@ -1036,7 +1036,8 @@ bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
             "is_compared": `
 // umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
 bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
-    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 `,
             "compare": `
@@ -1112,7 +1113,7 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     UMBRAGE_HIGHP vec2 d_texel = floor(d);
     UMBRAGE_HIGHP vec2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    bool compared = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    bool compared = umbrage_beyond_far(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     UMBRAGE_HIGHP float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
                                 umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return compared ? count * 0.25 : 1.0;
@@ -2137,7 +2138,8 @@ precise bool umbrage_inside_texel_space(float2 coord) {
             "is_compared": `
 // umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
 precise bool umbrage_is_compared(float2 coord, float receiver) {
-    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 `,
             "lit": `
@@ -2192,7 +2194,7 @@ float umbrage_four_tap(UMBRAGE_MAP map, float2 size, float2 a, float2 b, float2 
     float2 d_texel = floor(d);
     float2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    bool compared = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    bool compared = umbrage_beyond_far(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
         umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return compared ? count * 0.25 : 1.0;
@@ -3199,7 +3201,8 @@ inline bool umbrage_inside_texel_space(float2 coord) {
             "is_compared": `
 // umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
 inline bool umbrage_is_compared(float2 coord, float receiver) {
-    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 `,
             "lit": `
@@ -3254,7 +3257,7 @@ inline float umbrage_four_tap(UMBRAGE_MAP map, float2 size, float2 a, float2 b, 
     float2 d_texel = metal::floor(d);
     float2 sum = metal::abs(a_texel) + metal::abs(b_texel) + metal::abs(c_texel) + metal::abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    bool compared = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    bool compared = umbrage_beyond_far(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
         umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return compared ? count * 0.25 : 1.0;
@@ -4261,7 +4264,8 @@ fn umbrage_inside_texel_space(coord: vec2f) -> bool {
             "is_compared": `
 // umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
 fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
-    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return select(umbrage_inside_texel_space(coord), false, umbrage_beyond_far(receiver));
 }
 `,
             "lit": `
@@ -4316,7 +4320,7 @@ fn umbrage_four_tap(UMBRAGE_MAP map, size: vec2f, a: vec2f, b: vec2f, c: vec2f, 
     let d_texel: vec2f = floor(d);
     let sum: vec2f = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    let compared: bool = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    let compared: bool = select(sum.x < 131072.0 && sum.y * 2.0 < 262144.0, false, umbrage_beyond_far(receiver));
     let count: f32 = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
         umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return select(1.0, count * 0.25, compared);

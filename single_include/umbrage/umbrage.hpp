@@ -2671,7 +2671,8 @@ inline constexpr snippet is_compared{
     .source = R"GLSL(
 // umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
 bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
-    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 )GLSL",
 };
@@ -3353,7 +3354,7 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     UMBRAGE_HIGHP vec2 d_texel = floor(d);
     UMBRAGE_HIGHP vec2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    bool compared = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    bool compared = umbrage_beyond_far(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     UMBRAGE_HIGHP float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
                                 umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return compared ? count * 0.25 : 1.0;
@@ -8885,10 +8886,8 @@ inline constexpr glsl::detail::language language{
 /// The snippets, or what bind() gives for a map, and all they need, each once and guarded: text to paste into any
 /// shader.
 ///
-/// glslang gives the bits of the other languages. FXC does too, run on lavapipe, but for one NaN: filters take a NaN as
-/// receiver for lit and not for in shadow, as FXC makes a <= b of !(a > b). Nothing in HLSL says how large a texture is
-/// within an expression: a map that is a region of one, and is gathered from or compared by its sampler, needs the
-/// binding's texture_size.
+/// Nothing in HLSL says how large a texture is within an expression: a map that is a region of one, and is gathered from
+/// or compared by its sampler, needs the binding's texture_size.
 ///
 /// @throws std::invalid_argument   for what HLSL has no word for
 [[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {

@@ -108,10 +108,8 @@ inline constexpr glsl::detail::language language{
 /// The snippets, or what bind() gives for a map, and all they need, each once and guarded: text to paste into any
 /// shader.
 ///
-/// glslang gives the bits of the other languages. FXC does too, run on lavapipe, but for one NaN: filters take a NaN as
-/// receiver for lit and not for in shadow, as FXC makes a <= b of !(a > b). Nothing in HLSL says how large a texture is
-/// within an expression: a map that is a region of one, and is gathered from or compared by its sampler, needs the
-/// binding's texture_size.
+/// Nothing in HLSL says how large a texture is within an expression: a map that is a region of one, and is gathered from
+/// or compared by its sampler, needs the binding's texture_size.
 ///
 /// @throws std::invalid_argument   for what HLSL has no word for
 [[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {

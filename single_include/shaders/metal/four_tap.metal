@@ -73,7 +73,7 @@ inline float umbrage_four_tap(metal::texture2d<float> map, float2 size, float2 a
     float2 d_texel = metal::floor(d);
     float2 sum = metal::abs(a_texel) + metal::abs(b_texel) + metal::abs(c_texel) + metal::abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    bool compared = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    bool compared = umbrage_beyond_far(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
         umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return compared ? count * 0.25 : 1.0;

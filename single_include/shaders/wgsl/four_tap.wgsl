@@ -11,7 +11,7 @@ fn umbrage_four_tap(map: texture_2d<f32>, size: vec2f, a: vec2f, b: vec2f, c: ve
     let d_texel: vec2f = floor(d);
     let sum: vec2f = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    let compared: bool = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    let compared: bool = select(sum.x < 131072.0 && sum.y * 2.0 < 262144.0, false, umbrage_beyond_far(receiver));
     let count: f32 = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
         umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return select(1.0, count * 0.25, compared);

@@ -54,7 +54,7 @@ UMBRAGE_HIGHP float umbrage_four_tap(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     UMBRAGE_HIGHP vec2 d_texel = floor(d);
     UMBRAGE_HIGHP vec2 sum = abs(a_texel) + abs(b_texel) + abs(c_texel) + abs(d_texel);
     // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    bool compared = sum.x < 131072.0 && sum.y * 2.0 < 262144.0 && !umbrage_beyond_far(receiver);
+    bool compared = umbrage_beyond_far(receiver) ? false : sum.x < 131072.0 && sum.y * 2.0 < 262144.0;
     UMBRAGE_HIGHP float count = umbrage_lit(map, size, a_texel, receiver) + umbrage_lit(map, size, b_texel, receiver) +
                                 umbrage_lit(map, size, c_texel, receiver) + umbrage_lit(map, size, d_texel, receiver);
     return compared ? count * 0.25 : 1.0;
