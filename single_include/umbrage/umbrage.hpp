@@ -130,7 +130,8 @@ namespace umbrage::glsl {
 /// How exactly a snippet and its C++ twin agree.
 ///   a  bit for bit on every implementation: every intermediate is representable, so nothing can round
 ///   b  bit for bit where + - * round to nearest in written order; a few ulp elsewhere
-///   c  within snippet::ulp units in the last place on every implementation tried: division, square root
+///   c  within snippet::ulp units in the last place on every implementation tried: division, square root; or within
+///      snippet::within, where the hardware has weights of its own
 enum class tier { a, b, c };
 
 /// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
@@ -162,7 +163,19 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
 
 /// What of a snippet is a map's own affair. The text of such a snippet is what holds for a shader's one map, with
 /// macros to change it; bind() puts another in its place.
-enum class hook { none, cleared_depth, beyond_far, compare, texel, fetch_depth, lit, lit_2x2, gather_lit, chosen };
+enum class hook {
+    none,
+    cleared_depth,
+    beyond_far,
+    compare,
+    texel,
+    fetch_depth,
+    lit,
+    lit_2x2,
+    gather_lit,
+    pcf_2x2_hardware,
+    chosen
+};
 
 struct snippet;
 
@@ -184,6 +197,7 @@ struct snippet {
     std::string_view summary{};  ///< one line
     tier exactness = tier::a;
     int ulp = 0;                     ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
+    float within = 0.0f;             ///< tier c without ulp: greatest difference from the C++ twin
     version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
     snippet_span needs{};            ///< a list<>
     hook role = hook::none;
@@ -3538,6 +3552,51 @@ struct pcf_2x2_dx_sdk {
 };
 
 }  // namespace filters
+}  // namespace umbrage
+
+// ---- umbrage/filter/pcf/pcf_2x2_hardware.hpp
+// pcf_2x2 by the sampler: one look-up that compares four texels and weighs them.
+//
+//     float visibility = umbrage::pcf_2x2_hardware(umbrage::clamped(map), coord, depth - bias);
+//
+// In a shader bind it to a texture::shadow or texture::shadow_array whose sampler filters linearly; for any other map
+// it is pcf_2x2. The bound holds for samplers that weigh in steps of 1/256, as Direct3D has them, or finer. OpenGL
+// leaves what a linear filter does to comparisons to the implementation: Mesa's softpipe compares a filtered depth.
+//
+
+namespace umbrage {
+
+/// What the sampler gives, but for the rounding of its weights: pcf_2x2.
+/// @return        visibility, 0 in shadow, 1 lit
+/// @exactness     C, within 1/128 in a shader: either axis' weight is the hardware's, within 1/256 of ours
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T pcf_2x2_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return pcf_2x2(fetch, coord, receiver, is_lit);
+}
+
+namespace glsl {
+
+inline constexpr snippet pcf_2x2_hardware{
+    .name = "pcf_2x2_hardware",
+    .summary = "2x2 by a comparison sampler with a linear filter",
+    .exactness = tier::c,
+    .within = 1.0f / 128.0f,
+    .needs = list<&pcf_2x2>,
+    .role = hook::pcf_2x2_hardware,
+    .source = R"GLSL(
+// umbrage_pcf_2x2_hardware: 2x2 comparisons; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                             UMBRAGE_HIGHP float receiver) {
+    return umbrage_pcf_2x2(map, size, coord, receiver);
+}
+)GLSL",
+};
+
+inline constexpr auto pcf_2x2_hardware_snippets = list<&pcf_2x2_hardware>;
+
+}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/light/cube_map.hpp
@@ -7661,6 +7720,9 @@ namespace umbrage::glsl {
 ///   depth, depth_array     depth textures that are read as they are; in GLSL texture_2d and array
 ///   shadow, shadow_array   comparison samplers, sampler2DShadow map: they compare themselves, in the direction that
 ///                          they were set to; a filter that needs depths cannot be bound to them
+/// Samplers clamp to the edge and take the nearest texel, but for those of pcf_2x2_hardware. A depth texture of floats
+/// gives the plain form's bits. Where its depths are whole numbers, a sampler compares with the receiver as one from 0
+/// to 1: filters give the same all the same, as they light what is beyond the far plane; lit() alone does not.
 enum class texture { texture_2d, atlas, array, cube, integer, depth, depth_array, shadow, shadow_array };
 
 /// A map for shaders: where its texels are, and how they compare. Texts in it are in the shader's own language.
@@ -7972,12 +8034,52 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 }
 )GLSL"};
 
+// The sampler weighs: coordinates stay half a texel inside, so that what is beside the map has no weight.
+
+inline constexpr snippet clamped_pcf_2x2_hardware{.name = "pcf_2x2_hardware",
+                                                  .summary = "pcf_2x2_hardware, clamped",
+                                                  .needs = list<&is_compared>,
+                                                  .role = hook::chosen,
+                                                  .source = R"GLSL(
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                             UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 texel = compared ? clamp(coord, vec2(0.5, 0.5), size - 0.5) : vec2(0.5, 0.5);
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
+    UMBRAGE_HIGHP float visibility = receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+    return compared ? visibility : 1.0;
+}
+)GLSL"};
+
+inline constexpr snippet bordered_pcf_2x2_hardware{.name = "pcf_2x2_hardware",
+                                                   .summary = "pcf_2x2_hardware, bordered",
+                                                   .needs = list<&is_compared, &compare, &cleared_depth>,
+                                                   .role = hook::chosen,
+                                                   .source = R"GLSL(
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler, outside the map with the far plane; visibility,
+//   1.0 is lit
+UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                             UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 texel = compared ? clamp(coord, vec2(0.5, 0.5), size - 0.5) : vec2(0.5, 0.5);
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
+    UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    UMBRAGE_HIGHP float sum = outside + inside.x * inside.y * (lit - outside);
+    UMBRAGE_HIGHP float visibility = receiver > 0.0 || receiver <= 0.0 ? sum : 0.0;
+    return compared ? visibility : 1.0;
+}
+)GLSL"};
+
 /// Every one of them, for printers and packages.
 inline constexpr auto all =
     list<&forward_cleared_depth, &reversed_cleared_depth, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far,
          &forward_compare, &reversed_compare, &texel, &decode, &clamped_depth, &bordered_depth, &lit_texel,
          &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels, &gathered,
-         &gathered_region, &gathered_bordered>;
+         &gathered_region, &gathered_bordered, &clamped_pcf_2x2_hardware, &bordered_pcf_2x2_hardware>;
 
 }  // namespace umbrage::glsl::hooks
 
@@ -8066,6 +8168,7 @@ struct texture_words {
     std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
     std::string_view gather_red{}, gather_green{};   ///< vec4
     std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
+    std::string_view lit_filtered{};                 ///< those around the point `at`, weighted by the sampler: float
     std::string_view size{};                         ///< of the texture: vec2
     std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
 };
@@ -8137,6 +8240,9 @@ template <class Replacement>
             if (compares(b.texture)) return hooks::gather_compared;
             if (b.channels > 2) umbrage::detail::fail("umbrage::glsl::bind: a gather of more than two channels");
             return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
+        case hook::pcf_2x2_hardware:
+            if (!compares(b.texture)) return s;
+            return b.outside_lit ? hooks::bordered_pcf_2x2_hardware : hooks::clamped_pcf_2x2_hardware;
     }
     return s;
 }
@@ -8207,6 +8313,7 @@ template <class Replacement>
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(texel);
         if (word == "UMBRAGE_LIT_TEXEL") return of_texture(words.lit);
+        if (word == "UMBRAGE_LIT_FILTERED") return of_texture(words.lit_filtered);
         if (word == "UMBRAGE_GATHER_RED") return of_texture(words.gather_red);
         if (word == "UMBRAGE_GATHER_GREEN") return of_texture(words.gather_green);
         if (word == "UMBRAGE_GATHER_LIT") return of_texture(words.gather_lit);
@@ -8360,6 +8467,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
                     .arguments = "map",
                     .lit = "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)",
                     .gather_lit = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .lit_filtered = "textureLod(map, vec3(at / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)",
                     .size = "vec2(textureSize(map, 0))"};
         case texture::shadow_array:
             return {.parameters = "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer",
@@ -8368,6 +8476,9 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
                         "textureGrad(map, vec4((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), "
                         "vec2(0.0, 0.0))",
                     .gather_lit = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
+                    .lit_filtered =
+                        "textureGrad(map, vec4(at / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), "
+                        "vec2(0.0, 0.0))",
                     .size = "vec2(textureSize(map, 0))"};
     }
     return {};
@@ -8386,7 +8497,7 @@ inline constexpr language glsl_language{.prelude = prelude,
 }  // namespace detail
 
 /// True when the snippet bound to its map compiles in dialect `v`.
-[[nodiscard]] constexpr bool supports(const bound& item, version v) {
+[[nodiscard]] inline bool supports(const bound& item, version v) {
     if (!supports(item.what, v)) return false;
     if (item.by_macros) return true;
     for (const snippet& need : item.map.needs)
@@ -8394,6 +8505,7 @@ inline constexpr language glsl_language{.prelude = prelude,
     const bool gathers = v == version::v310_es || v == version::v320_es || v >= version::v430;
     if (item.map.gather) return gathers;
     const texture kind = item.map.texture;
+    if (detail::has_region(item.map) && item.map.texture_size.empty() && v < version::v130) return false;
     return kind == texture::texture_2d || kind == texture::depth || kind == texture::atlas || kind == texture::cube ||
            v >= version::v300_es;
 }
@@ -8764,8 +8876,8 @@ private:
     /// A word that a map fills in.
     [[nodiscard]] static bool is_of_a_map(std::string_view word) {
         static constexpr std::string_view all[]{"UMBRAGE_DEPTH",      "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",
-                                                "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_ORIGIN",
-                                                "UMBRAGE_TEXEL"};
+                                                "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED",
+                                                "UMBRAGE_ORIGIN",     "UMBRAGE_TEXEL"};
         for (std::string_view w : all)
             if (word == w) return true;
         return false;
@@ -8855,7 +8967,8 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
             return {.parameters = "Texture2D<float> map, SamplerComparisonState map_sampler",
                     .arguments = "map, map_sampler",
                     .lit = "map.SampleCmpLevelZero(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                    .gather_lit = "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)"};
+                    .gather_lit = "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .lit_filtered = "map.SampleCmpLevelZero(map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver)"};
         case shadow_array:
             return {
                 .parameters = "Texture2DArray<float> map, SamplerComparisonState map_sampler, float layer",
@@ -8863,7 +8976,9 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
                 .lit =
                     "map.SampleCmpLevelZero(map_sampler, float3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer), "
                     "receiver)",
-                .gather_lit = "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)"};
+                .gather_lit = "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
+                .lit_filtered =
+                    "map.SampleCmpLevelZero(map_sampler, float3(at / UMBRAGE_TEXTURE_SIZE, layer), receiver)"};
     }
     return {};
 }
@@ -8974,12 +9089,14 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
             return {
                 .parameters = "metal::texture2d<uint> map", .arguments = "map", .texel = "float4(map.read(uint2(at)))"};
         case shadow:
-            return {.parameters = "metal::depth2d<float> map, metal::sampler map_sampler",
-                    .arguments = "map, map_sampler",
-                    .lit =
-                        "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, "
-                        "metal::level(0.0))",
-                    .gather_lit = "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)"};
+            return {
+                .parameters = "metal::depth2d<float> map, metal::sampler map_sampler",
+                .arguments = "map, map_sampler",
+                .lit =
+                    "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))",
+                .gather_lit = "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                .lit_filtered =
+                    "map.sample_compare(map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))"};
         case shadow_array:
             return {.parameters = "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer",
                     .arguments = "map, map_sampler, layer",
@@ -8987,7 +9104,10 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
                         "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, "
                         "metal::level(0.0))",
                     .gather_lit =
-                        "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)"};
+                        "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)",
+                    .lit_filtered =
+                        "map.sample_compare(map_sampler, at / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, "
+                        "metal::level(0.0))"};
     }
     return {};
 }
@@ -9081,8 +9201,8 @@ inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes =
     collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
-inline constexpr auto maps =
-    collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, filters);
+inline constexpr auto maps = collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets,
+                                     filters, pcf_2x2_hardware_snippets);
 inline constexpr auto shade = collect(lighting_snippets);
 inline constexpr auto view = collect(false_colour_snippets);
 inline constexpr auto everything = collect(light, kinds, codes, levels, maps, shade, view);
@@ -9185,9 +9305,9 @@ struct value {
 
 /// What a map fills in, and its type in GLSL. Printed as it is.
 inline constexpr std::pair<std::string_view, std::string_view> words_of_maps[]{
-    {"UMBRAGE_TEXEL", "vec4"},        {"UMBRAGE_LIT_TEXEL", "float"}, {"UMBRAGE_GATHER_RED", "vec4"},
-    {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"}, {"UMBRAGE_ORIGIN", "vec2"},
-    {"UMBRAGE_DEPTH", "float"}};
+    {"UMBRAGE_TEXEL", "vec4"},      {"UMBRAGE_LIT_TEXEL", "float"},   {"UMBRAGE_LIT_FILTERED", "float"},
+    {"UMBRAGE_GATHER_RED", "vec4"}, {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"},
+    {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"}};
 
 [[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
 
@@ -9728,11 +9848,11 @@ namespace detail {
                     .arguments = "map",
                     .texel = "vec4f(textureLoad(map, vec2i(at), 0))"};
         case texture::shadow:
-            return {
-                .parameters = "map: texture_depth_2d, map_sampler: sampler_comparison",
-                .arguments = "map, map_sampler",
-                .lit = "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                .gather_lit = "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)"};
+            return {.parameters = "map: texture_depth_2d, map_sampler: sampler_comparison",
+                    .arguments = "map, map_sampler",
+                    .lit = "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .gather_lit = "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .lit_filtered = "textureSampleCompareLevel(map, map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver)"};
         case texture::shadow_array:
             return {.parameters = "map: texture_depth_2d_array, map_sampler: sampler_comparison, layer: f32",
                     .arguments = "map, map_sampler, layer",
@@ -9741,7 +9861,9 @@ namespace detail {
                         "receiver)",
                     .gather_lit =
                         "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer), "
-                        "receiver)"};
+                        "receiver)",
+                    .lit_filtered =
+                        "textureSampleCompareLevel(map, map_sampler, at / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)"};
     }
     return {};
 }

@@ -80,6 +80,7 @@ std::vector<family> families() {
 std::string tier_of(const glsl::snippet& s) {
     if (s.exactness == glsl::tier::a) return "A";
     if (s.exactness == glsl::tier::b) return "B";
+    if (s.within > 0.0f) return "C, 1/" + std::to_string(static_cast<int>(1.0f / s.within));
     return "C, " + std::to_string(s.ulp) + " ulp";
 }
 

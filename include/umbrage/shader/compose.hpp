@@ -26,6 +26,7 @@ struct texture_words {
     std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
     std::string_view gather_red{}, gather_green{};   ///< vec4
     std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
+    std::string_view lit_filtered{};                 ///< those around the point `at`, weighted by the sampler: float
     std::string_view size{};                         ///< of the texture: vec2
     std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
 };
@@ -97,6 +98,9 @@ template <class Replacement>
             if (compares(b.texture)) return hooks::gather_compared;
             if (b.channels > 2) umbrage::detail::fail("umbrage::glsl::bind: a gather of more than two channels");
             return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
+        case hook::pcf_2x2_hardware:
+            if (!compares(b.texture)) return s;
+            return b.outside_lit ? hooks::bordered_pcf_2x2_hardware : hooks::clamped_pcf_2x2_hardware;
     }
     return s;
 }
@@ -167,6 +171,7 @@ template <class Replacement>
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(texel);
         if (word == "UMBRAGE_LIT_TEXEL") return of_texture(words.lit);
+        if (word == "UMBRAGE_LIT_FILTERED") return of_texture(words.lit_filtered);
         if (word == "UMBRAGE_GATHER_RED") return of_texture(words.gather_red);
         if (word == "UMBRAGE_GATHER_GREEN") return of_texture(words.gather_green);
         if (word == "UMBRAGE_GATHER_LIT") return of_texture(words.gather_lit);

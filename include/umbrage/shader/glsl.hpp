@@ -89,6 +89,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
                     .arguments = "map",
                     .lit = "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)",
                     .gather_lit = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .lit_filtered = "textureLod(map, vec3(at / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)",
                     .size = "vec2(textureSize(map, 0))"};
         case texture::shadow_array:
             return {.parameters = "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer",
@@ -97,6 +98,9 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
                         "textureGrad(map, vec4((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), "
                         "vec2(0.0, 0.0))",
                     .gather_lit = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
+                    .lit_filtered =
+                        "textureGrad(map, vec4(at / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), "
+                        "vec2(0.0, 0.0))",
                     .size = "vec2(textureSize(map, 0))"};
     }
     return {};
@@ -115,7 +119,7 @@ inline constexpr language glsl_language{.prelude = prelude,
 }  // namespace detail
 
 /// True when the snippet bound to its map compiles in dialect `v`.
-[[nodiscard]] constexpr bool supports(const bound& item, version v) {
+[[nodiscard]] inline bool supports(const bound& item, version v) {
     if (!supports(item.what, v)) return false;
     if (item.by_macros) return true;
     for (const snippet& need : item.map.needs)
@@ -123,6 +127,7 @@ inline constexpr language glsl_language{.prelude = prelude,
     const bool gathers = v == version::v310_es || v == version::v320_es || v >= version::v430;
     if (item.map.gather) return gathers;
     const texture kind = item.map.texture;
+    if (detail::has_region(item.map) && item.map.texture_size.empty() && v < version::v130) return false;
     return kind == texture::texture_2d || kind == texture::depth || kind == texture::atlas || kind == texture::cube ||
            v >= version::v300_es;
 }

@@ -77,7 +77,8 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
             return {.parameters = "Texture2D<float> map, SamplerComparisonState map_sampler",
                     .arguments = "map, map_sampler",
                     .lit = "map.SampleCmpLevelZero(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                    .gather_lit = "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)"};
+                    .gather_lit = "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .lit_filtered = "map.SampleCmpLevelZero(map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver)"};
         case shadow_array:
             return {
                 .parameters = "Texture2DArray<float> map, SamplerComparisonState map_sampler, float layer",
@@ -85,7 +86,9 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
                 .lit =
                     "map.SampleCmpLevelZero(map_sampler, float3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer), "
                     "receiver)",
-                .gather_lit = "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)"};
+                .gather_lit = "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
+                .lit_filtered =
+                    "map.SampleCmpLevelZero(map_sampler, float3(at / UMBRAGE_TEXTURE_SIZE, layer), receiver)"};
     }
     return {};
 }

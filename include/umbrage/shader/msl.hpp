@@ -83,12 +83,14 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
             return {
                 .parameters = "metal::texture2d<uint> map", .arguments = "map", .texel = "float4(map.read(uint2(at)))"};
         case shadow:
-            return {.parameters = "metal::depth2d<float> map, metal::sampler map_sampler",
-                    .arguments = "map, map_sampler",
-                    .lit =
-                        "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, "
-                        "metal::level(0.0))",
-                    .gather_lit = "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)"};
+            return {
+                .parameters = "metal::depth2d<float> map, metal::sampler map_sampler",
+                .arguments = "map, map_sampler",
+                .lit =
+                    "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))",
+                .gather_lit = "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                .lit_filtered =
+                    "map.sample_compare(map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))"};
         case shadow_array:
             return {.parameters = "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer",
                     .arguments = "map, map_sampler, layer",
@@ -96,7 +98,10 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
                         "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, "
                         "metal::level(0.0))",
                     .gather_lit =
-                        "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)"};
+                        "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)",
+                    .lit_filtered =
+                        "map.sample_compare(map_sampler, at / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, "
+                        "metal::level(0.0))"};
     }
     return {};
 }

@@ -18,6 +18,7 @@
 #include <umbrage/depth/rg_level.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/filter/filters.hpp>
+#include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/cube_map.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -79,8 +80,8 @@ inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes =
     collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
-inline constexpr auto maps =
-    collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, filters);
+inline constexpr auto maps = collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets,
+                                     filters, pcf_2x2_hardware_snippets);
 inline constexpr auto shade = collect(lighting_snippets);
 inline constexpr auto view = collect(false_colour_snippets);
 inline constexpr auto everything = collect(light, kinds, codes, levels, maps, shade, view);

@@ -16,7 +16,8 @@ namespace umbrage::glsl {
 /// How exactly a snippet and its C++ twin agree.
 ///   a  bit for bit on every implementation: every intermediate is representable, so nothing can round
 ///   b  bit for bit where + - * round to nearest in written order; a few ulp elsewhere
-///   c  within snippet::ulp units in the last place on every implementation tried: division, square root
+///   c  within snippet::ulp units in the last place on every implementation tried: division, square root; or within
+///      snippet::within, where the hardware has weights of its own
 enum class tier { a, b, c };
 
 /// A GLSL dialect. `vulkan` is GLSL 450 with GL_KHR_vulkan_glsl.
@@ -48,7 +49,19 @@ inline constexpr std::array versions{version::v100,    version::v110,    version
 
 /// What of a snippet is a map's own affair. The text of such a snippet is what holds for a shader's one map, with
 /// macros to change it; bind() puts another in its place.
-enum class hook { none, cleared_depth, beyond_far, compare, texel, fetch_depth, lit, lit_2x2, gather_lit, chosen };
+enum class hook {
+    none,
+    cleared_depth,
+    beyond_far,
+    compare,
+    texel,
+    fetch_depth,
+    lit,
+    lit_2x2,
+    gather_lit,
+    pcf_2x2_hardware,
+    chosen
+};
 
 struct snippet;
 
@@ -70,6 +83,7 @@ struct snippet {
     std::string_view summary{};  ///< one line
     tier exactness = tier::a;
     int ulp = 0;                     ///< tier c: greatest distance from the C++ twin, twice the worst seen or 1
+    float within = 0.0f;             ///< tier c without ulp: greatest difference from the C++ twin
     version lowest = version::v100;  ///< v100: every dialect; v300_es: 300 es and 330 upwards
     snippet_span needs{};            ///< a list<>
     hook role = hook::none;

@@ -64,11 +64,11 @@ namespace detail {
                     .arguments = "map",
                     .texel = "vec4f(textureLoad(map, vec2i(at), 0))"};
         case texture::shadow:
-            return {
-                .parameters = "map: texture_depth_2d, map_sampler: sampler_comparison",
-                .arguments = "map, map_sampler",
-                .lit = "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                .gather_lit = "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)"};
+            return {.parameters = "map: texture_depth_2d, map_sampler: sampler_comparison",
+                    .arguments = "map, map_sampler",
+                    .lit = "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .gather_lit = "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
+                    .lit_filtered = "textureSampleCompareLevel(map, map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver)"};
         case texture::shadow_array:
             return {.parameters = "map: texture_depth_2d_array, map_sampler: sampler_comparison, layer: f32",
                     .arguments = "map, map_sampler, layer",
@@ -77,7 +77,9 @@ namespace detail {
                         "receiver)",
                     .gather_lit =
                         "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer), "
-                        "receiver)"};
+                        "receiver)",
+                    .lit_filtered =
+                        "textureSampleCompareLevel(map, map_sampler, at / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)"};
     }
     return {};
 }

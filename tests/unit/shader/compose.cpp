@@ -11,7 +11,7 @@
 #include <umbrage/depth/rg_level.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
-#include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 #include <umbrage/shader/glsl.hpp>
 
 using namespace umbrage;
@@ -119,8 +119,10 @@ TEST_CASE("what a map cannot have is refused") {
     too_old(version::v150, {.texture = texture::shadow});
     too_old(version::v330, {.gather = true});
     too_old(version::v300_es, {.gather = true});
+    too_old(version::v120, {.texture = texture::atlas});  // the texture's size is not known
     CHECK(supports(bind(glsl::pcf_2x2, "a", {.gather = true}), version::v310_es));
     CHECK(supports(bind(glsl::pcf_2x2, "a", {.texture = texture::cube}), version::v100));
+    CHECK(supports(bind(glsl::pcf_2x2, "a", {.origin = "first", .texture_size = "all"}), version::v100));
 }
 
 TEST_CASE("own words for a texture: parameters, arguments and the value") {
@@ -140,11 +142,11 @@ TEST_CASE("every filter and every kind of texture make a text without a word lef
             for (const bool gather : {false, true}) {
                 if (gather && (kind == texture::cube || kind == texture::integer)) continue;
                 const binding map{.texture = kind, .outside_lit = lit, .gather = gather};
-                for (const snippet& s : {glsl::hard, glsl::pcf_2x2, glsl::box}) {
+                for (const snippet& s : {glsl::hard, glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_hardware}) {
                     const std::string text = glsl::text({bind(s, "a", map)});
-                    for (const char* word :
-                         {"UMBRAGE_MAP", "UMBRAGE_PARAMETERS", "UMBRAGE_TEXEL", "UMBRAGE_LIT_TEXEL", "UMBRAGE_GATHER",
-                          "UMBRAGE_ORIGIN", "UMBRAGE_DEPTH", "UMBRAGE_TEXTURE_SIZE"})
+                    for (const char* word : {"UMBRAGE_MAP", "UMBRAGE_PARAMETERS", "UMBRAGE_TEXEL", "UMBRAGE_LIT_TEXEL",
+                                             "UMBRAGE_LIT_FILTERED", "UMBRAGE_GATHER", "UMBRAGE_ORIGIN",
+                                             "UMBRAGE_DEPTH", "UMBRAGE_TEXTURE_SIZE"})
                         CHECK(text.find(word) == std::string::npos);
                 }
             }

@@ -30,7 +30,7 @@ struct found {
 std::vector<found> snippets_in_headers() {
     std::vector<found> all;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(UMBRAGE_SOURCE_DIR "/include/umbrage")) {
-        if (entry.path().extension() != ".hpp") continue;
+        if (entry.path().extension() != ".hpp" || entry.path().filename() == "hooks.hpp") continue;  // what maps choose
         std::ifstream file(entry.path());
         const std::string text{std::istreambuf_iterator<char>(file), {}};
         const std::string key = "inline constexpr snippet ";
@@ -103,7 +103,7 @@ TEST_CASE("registry: the GLSL function is umbrage_ and the snippet's name, and a
 TEST_CASE("registry: ulp are stated for tier c, and only there; what cannot round asks for no precision") {
     for (const snippet* s : registry) {
         CAPTURE(s->name);
-        CHECK((s->ulp > 0) == (s->exactness == tier::c));
+        CHECK(((s->ulp > 0) != (s->within > 0.0f)) == (s->exactness == tier::c));
         if (s->exactness == tier::a) CHECK(s->source.find("UMBRAGE_PRECISE") == s->source.npos);
     }
 }

@@ -48,9 +48,9 @@ struct value {
 
 /// What a map fills in, and its type in GLSL. Printed as it is.
 inline constexpr std::pair<std::string_view, std::string_view> words_of_maps[]{
-    {"UMBRAGE_TEXEL", "vec4"},        {"UMBRAGE_LIT_TEXEL", "float"}, {"UMBRAGE_GATHER_RED", "vec4"},
-    {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"}, {"UMBRAGE_ORIGIN", "vec2"},
-    {"UMBRAGE_DEPTH", "float"}};
+    {"UMBRAGE_TEXEL", "vec4"},      {"UMBRAGE_LIT_TEXEL", "float"},   {"UMBRAGE_LIT_FILTERED", "float"},
+    {"UMBRAGE_GATHER_RED", "vec4"}, {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"},
+    {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"}};
 
 [[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
 
