@@ -44,7 +44,7 @@ texels flush(texels map) {
 
 void compare(const job& j, const expectation& expected, const std::vector<vec4>& got, tally& t, std::ostream& log) {
     const entry& e = *j.what;
-    const bool within = e.primitive->exactness == tier::c;
+    const bool near = e.primitive->exactness == tier::c;
     for (std::size_t i = 0; i < got.size(); ++i) {
         const vec4 want = expected.plain[i], is = got[i];
         bool same = true;
@@ -64,15 +64,19 @@ void compare(const job& j, const expectation& expected, const std::vector<vec4>&
         for (int c = 0; c < 4; ++c) {
             bool bits = false;
             auto ulp = std::numeric_limits<std::int64_t>::max();
+            float distance = std::numeric_limits<float>::infinity();
             for (const vec4& a : accepted) {
                 bits = bits || same_bits(a[c], is[c]) || (!e.bits && zeros(a[c], is[c]));
                 ulp = std::min(ulp, ulp_distance(a[c], is[c]));
+                distance = std::fmin(distance, std::abs(a[c] - is[c]));
             }
-            if (within) t.worst_ulp = std::max(t.worst_ulp, ulp);
-            good = good && (within ? ulp <= e.primitive->ulp : bits);
+            const float within = e.primitive->within;
+            if (within > 0.0f) t.worst_distance = std::max(t.worst_distance, bits ? 0.0f : distance);
+            else if (near) t.worst_ulp = std::max(t.worst_ulp, ulp);
+            good = good && (within > 0.0f ? bits || distance <= within : near ? ulp <= e.primitive->ulp : bits);
         }
         if (good) {
-            if (!within) ++t.flushed;
+            if (!near) ++t.flushed;
             continue;
         }
         if (t.different++ >= 3) continue;

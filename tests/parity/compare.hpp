@@ -2,7 +2,7 @@
 //
 // The one comparison of all back ends.
 //
-// A and B: bit for bit; C: within the snippet's ulp. NaN equals NaN. Unless the entry is about bits, -0 equals +0 and a
+// A and B: bit for bit; C: within the snippet's ulp, or its distance. NaN equals NaN. Unless the entry is about bits, -0 equals +0 and a
 // denormal may act as zero (IEEE 754 hardware modes and llvmpipe flush): results of flushed inputs, and flushed
 // results, count as equal.
 #pragma once
@@ -18,6 +18,7 @@ struct tally {
     std::map<std::string, std::uint64_t> inputs;  ///< per class
     std::uint64_t total = 0, different = 0, flushed = 0;
     std::int64_t worst_ulp = 0;
+    float worst_distance = 0.0f;  ///< where that is what counts
 };
 
 /// Results a twin may have.

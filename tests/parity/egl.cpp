@@ -59,6 +59,9 @@ public:
         return all;
     }
     [[nodiscard]] std::string obstacle(const entry& e) const override {
+        const auto filtered = [](const bound_map& b) { return b.linear; };
+        if (name() == "softpipe" && std::any_of(e.bound.begin(), e.bound.end(), filtered))
+            return "softpipe compares with a filtered depth, it does not filter comparisons";
         const int limit = contexts_.front()->max_size();
         if (e.table.size().x <= limit) return {};
         return "its table of " + std::to_string(e.table.size().x) + " texels is wider than a texture here, " +

@@ -33,6 +33,7 @@ using umbrage::glsl::version;
 using texels = umbrage::image<vec4>;
 
 inline constexpr int max_inputs = 6;
+inline constexpr int max_maps = 4;  ///< in one shader
 
 /// What a shader is written in: a dialect of GLSL, or a language that the snippets are printed in.
 struct dialect {
@@ -80,6 +81,20 @@ struct enumeration {
 /// Where GLSL writes: floats, or a real 8-bit render target whose bytes come back as 0..255.
 enum class target { rgba32f, rgba8 };
 
+/// A map as bind() has it under a name: functions umbrage_..._<name>, a sampler <name>.
+struct bound_map {
+    static constexpr ivec2 origin{5, 3}, margin{9, 7};  ///< of a region; what its texture has besides, either side
+    static constexpr float whole = 65536.0f;            ///< which whole numbers are 1.0
+
+    std::string name{};
+    umbrage::glsl::binding as{};
+    bool linear = false;  ///< the sampler's filter; else the nearest texel
+
+    [[nodiscard]] bool is_region() const { return umbrage::glsl::detail::has_region(as); }
+    /// What functions of the map are called with first.
+    [[nodiscard]] std::string arguments() const;
+};
+
 struct entry {
     const snippet* primitive = nullptr;
     std::string variant{};               ///< tells entries of one primitive apart; empty for the plain one
@@ -88,12 +103,14 @@ struct entry {
     std::function<vec4(const sample&)> twin{};
     std::string call{};                  ///< vec4 expression of x0 .. x5, map, map_size, table; GLSL and C++ alike
     std::vector<texels> maps{};          ///< each gets its share of the inputs; none: no map
+    std::vector<bound_map> bound{};      ///< as what shaders have it; to the k-th its k-th channel is the first
     texels table{};                      ///< values k / 255
     std::vector<const snippet*> also{};  ///< further snippets that `call` uses
     umbrage::glsl::binding map_kind{};   ///< of a depth it takes the first channels: "...(value.xy...)"
     std::string preamble{};              ///< macros, beyond those that say what map_kind does
     target output = target::rgba32f;
-    bool bits = false;  ///< a denormal must not act as zero
+    bool bits = false;      ///< a denormal must not act as zero
+    std::size_t share = 1;  ///< takes one input of so many
 
     [[nodiscard]] std::string name() const {
         return std::string(primitive->name) + (variant.empty() ? "" : " (" + variant + ")");
@@ -105,11 +122,9 @@ struct entry {
         for (const snippet* s : also) all.push_back(*s);
         return all;
     }
-    [[nodiscard]] bool runs_in(dialect d) const {
-        for (const snippet& s : snippets())
-            if (!supports(s, d.of_glsl)) return false;
-        return true;
-    }
+    /// The snippets for the shader's one map, or for each of those bound.
+    [[nodiscard]] std::vector<umbrage::glsl::bound> items() const;
+    [[nodiscard]] bool runs_in(dialect d) const;
 };
 
 /// What a user defines in GLSL for the entry's kind of map.

@@ -16,6 +16,7 @@
 
 #include "backend.hpp"
 #include "shader.hpp"
+#include "texture.hpp"
 
 namespace parity {
 
@@ -35,6 +36,7 @@ namespace parity {
     X(CREATESHADER, CreateShader)                       \
     X(DELETEPROGRAM, DeleteProgram)                     \
     X(DELETESHADER, DeleteShader)                       \
+    X(DELETETEXTURES, DeleteTextures)                   \
     X(DISABLE, Disable)                                 \
     X(DRAWARRAYS, DrawArrays)                           \
     X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
@@ -56,8 +58,8 @@ namespace parity {
     X(READPIXELS, ReadPixels)                           \
     X(SHADERSOURCE, ShaderSource)                       \
     X(TEXIMAGE2D, TexImage2D)                           \
+    X(TEXIMAGE3D, TexImage3D)                           \
     X(TEXPARAMETERI, TexParameteri)                     \
-    X(TEXSUBIMAGE2D, TexSubImage2D)                     \
     X(UNIFORM1I, Uniform1i)                             \
     X(UNIFORM2F, Uniform2f)                             \
     X(USEPROGRAM, UseProgram)                           \
@@ -76,8 +78,6 @@ struct functions {
 /// One context with what drawing needs: a target of each kind, a texture per sampler, the programs of one entry.
 class context {
 public:
-    static constexpr int width = 1024;
-
     context(EGLDisplay display, EGLContext handle) : display_(display), handle_(handle) {
         make_current();
         gl_ = functions();
@@ -93,7 +93,6 @@ public:
         gl_.BufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
         gl_.EnableVertexAttribArray(0);
         gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-        gl_.GenTextures(static_cast<GLsizei>(textures_.size()), textures_.data());
         gl_.GenTextures(2, target_textures_.data());
         gl_.GenFramebuffers(2, targets_.data());
         gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_size_);
@@ -121,22 +120,21 @@ public:
 
     std::vector<vec4> run(version v, const job& j, std::size_t count) {
         make_current();
-        const int height = static_cast<int>((j.count + width - 1) / width);
-        if (serial_ != j.serial) send(j, height);
+        const int height = rows(j.count), read_rows = rows(count);
+        if (serial_ != j.serial) send(j);
         use(v, j);
         const bool bytes = j.what->output == target::rgba8;
-        const int rows = static_cast<int>((count + width - 1) / width);
         bind_target(bytes, height);
         gl_.Viewport(0, 0, width, height);  // the whole height, so that positions stay what they are
         gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 
-        std::vector<vec4> result(static_cast<std::size_t>(width * rows));
+        std::vector<vec4> result(static_cast<std::size_t>(width * read_rows));
         if (bytes) {
             std::vector<glm::vec<4, std::uint8_t>> read(result.size());
-            gl_.ReadPixels(0, 0, width, rows, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
+            gl_.ReadPixels(0, 0, width, read_rows, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
             std::copy(read.begin(), read.end(), result.begin());
         } else {
-            gl_.ReadPixels(0, 0, width, rows, GL_RGBA, GL_FLOAT, result.data());
+            gl_.ReadPixels(0, 0, width, read_rows, GL_RGBA, GL_FLOAT, result.data());
         }
         if (const GLenum error = gl_.GetError()) throw std::runtime_error("GL error " + std::to_string(error));
         result.resize(count);
@@ -149,27 +147,55 @@ private:
         GLuint id;
     };
 
-    void upload(std::size_t unit, const vec4* texels_of, glm::ivec2 size, int whole_height) const {
-        gl_.ActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
-        gl_.BindTexture(GL_TEXTURE_2D, textures_[unit]);
-        for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-            gl_.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-        for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-            gl_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-        gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, whole_height, 0, GL_RGBA, GL_FLOAT, nullptr);
-        gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, texels_of);
+    /// What GL calls a texture's shape and format.
+    struct names {
+        GLenum target, internal, format, type;
+    };
+    static names names_of(const texture_image& t) {
+        const GLenum targets[] = {GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_CUBE_MAP};
+        const names formats[] = {{0, GL_RGBA32F, GL_RGBA, GL_FLOAT},
+                                 {0, GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT},
+                                 {0, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT}};
+        names n = formats[t.format];
+        n.target = targets[t.shape];
+        return n;
     }
 
-    void send(const job& j, int height) {
-        for (std::size_t k = 0; k < max_inputs; ++k) {
-            if (j.x[k].empty()) continue;
-            std::vector<vec4> padded = j.x[k];
-            padded.resize(static_cast<std::size_t>(width * height));
-            upload(k, padded.data(), {width, height}, height);
+    void upload(const filled_texture& t) {
+        const texture_image& image = t.image;
+        GLuint& id = textures_[t.unit];
+        gl_.DeleteTextures(1, &id);  // its shape may be another
+        gl_.GenTextures(1, &id);
+        const names n = names_of(image);
+        gl_.ActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + t.unit));
+        gl_.BindTexture(n.target, id);
+        const auto set = [&](GLenum what, GLenum value) {
+            gl_.TexParameteri(n.target, what, static_cast<GLint>(value));
+        };
+        for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+            set(filter, image.linear ? GL_LINEAR : GL_NEAREST);
+        for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) set(wrap, GL_CLAMP_TO_EDGE);
+        if (image.compare != texture_image::none) {
+            set(GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+            set(GL_TEXTURE_COMPARE_FUNC, image.compare == texture_image::less_equal ? GL_LEQUAL : GL_GEQUAL);
         }
-        if (j.map) upload(max_inputs, j.map->texels().data(), j.map->size(), j.map->size().y);
-        const texels& table = j.what->table;
-        if (!table.empty()) upload(max_inputs + 1, table.texels().data(), table.size(), table.size().y);
+        const std::string bytes = t.bytes();
+        const auto internal = static_cast<GLint>(n.internal);
+        const ivec2 size = image.size;
+        if (image.shape == texture_image::array) {
+            gl_.TexImage3D(n.target, 0, internal, size.x, size.y, image.layers, 0, n.format, n.type, bytes.data());
+            return;
+        }
+        const std::size_t layer = bytes.size() / static_cast<std::size_t>(image.layers);
+        for (int l = 0; l < image.layers; ++l) {
+            const GLenum face = image.shape == texture_image::cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : n.target;
+            gl_.TexImage2D(face + static_cast<GLenum>(l), 0, internal, size.x, size.y, 0, n.format, n.type,
+                           bytes.data() + static_cast<std::size_t>(l) * layer);
+        }
+    }
+
+    void send(const job& j) {
+        for (const filled_texture& t : textures(j)) upload(t);
         serial_ = j.serial;
     }
 
@@ -185,10 +211,10 @@ private:
             found = programs_.end() - 1;
         }
         gl_.UseProgram(found->id);
-        const auto names = samplers(*j.what);
-        for (std::size_t unit = 0; unit < names.size(); ++unit)
-            if (!names[unit].empty())
-                gl_.Uniform1i(gl_.GetUniformLocation(found->id, names[unit].c_str()), static_cast<GLint>(unit));
+        const auto all = samplers(*j.what);
+        for (std::size_t unit = 0; unit < all.size(); ++unit)
+            if (!all[unit].name.empty())
+                gl_.Uniform1i(gl_.GetUniformLocation(found->id, all[unit].name.c_str()), static_cast<GLint>(unit));
         if (j.map) {
             const vec2 size(j.map->size());
             gl_.Uniform2f(gl_.GetUniformLocation(found->id, "map_size"), size.x, size.y);  // no such uniform: no effect
@@ -199,7 +225,7 @@ private:
         const std::size_t kind = bytes ? 1 : 0;
         gl_.BindFramebuffer(GL_FRAMEBUFFER, targets_[kind]);
         if (heights_[kind] == height) return;
-        gl_.ActiveTexture(GL_TEXTURE0 + max_inputs + 2);
+        gl_.ActiveTexture(GL_TEXTURE0 + max_textures);
         gl_.BindTexture(GL_TEXTURE_2D, target_textures_[kind]);
         gl_.TexImage2D(GL_TEXTURE_2D, 0, bytes ? GL_RGBA8 : GL_RGBA32F, width, height, 0, GL_RGBA,
                        bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, nullptr);
@@ -242,7 +268,7 @@ private:
     EGLDisplay display_;
     EGLContext handle_;
     functions gl_;
-    std::array<GLuint, max_inputs + 2> textures_{};
+    std::array<GLuint, max_textures> textures_{};
     std::array<GLuint, 2> target_textures_{}, targets_{};
     std::array<int, 2> heights_{};
     GLint max_size_ = 0;

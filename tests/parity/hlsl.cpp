@@ -12,9 +12,10 @@ std::string make_hlsl(const entry& e) {
     const auto names = samplers(e);
     std::string text = umbrage::hlsl::text(call.items()) + '\n', values;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (names[i].empty()) continue;
-        text += "Texture2D<float4> " + names[i] + " : register(t" + std::to_string(i) + ");\n";
-        if (i < max_inputs) values += "    float4 x" + std::to_string(i) + " = " + names[i] + ".Load(at);\n";
+        const std::string& name = names[i].name;
+        if (name.empty()) continue;
+        text += "Texture2D<float4> " + name + " : register(t" + std::to_string(i) + ");\n";
+        if (i < max_inputs) values += "    float4 x" + std::to_string(i) + " = " + name + ".Load(at);\n";
     }
     if (!e.maps.empty()) values += "    float2 map_size;\n    map.GetDimensions(map_size.x, map_size.y);\n";
     return text +

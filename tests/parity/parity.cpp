@@ -43,8 +43,8 @@ struct options {
         return d.in != dialect::glsl || d == version::v100 || d == version::v300_es || d == version::v450 ||
                d == version::vulkan;
     }
-    [[nodiscard]] std::size_t inputs(dialect d, bool only) const {
-        return only || main(d) ? count : std::min(count, other_count);
+    [[nodiscard]] std::size_t inputs(const entry& e, dialect d, bool only) const {
+        return (only || main(d) ? count : std::min(count, other_count)) / e.share;
     }
     [[nodiscard]] bool samples(const entry& e, const backend& b, dialect d) const {
         return b.dialects().size() == 1 || main(d) || sampled(e.name() + b.label(d), other_every);
@@ -80,7 +80,11 @@ struct row {
 
 std::string tier_name(const snippet& s) {
     const std::string names[] = {"A", "B", "C"};
-    return names[static_cast<int>(s.exactness)] + (s.exactness == tier::c ? " " + std::to_string(s.ulp) + " ulp" : "");
+    std::ostringstream all;
+    all << names[static_cast<int>(s.exactness)];
+    if (s.within > 0.0f) all << ' ' << std::setprecision(2) << s.within;
+    else if (s.exactness == tier::c) all << ' ' << s.ulp << " ulp";
+    return all.str();
 }
 
 std::vector<vec4> twins(const job& j) {
@@ -94,14 +98,14 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
     const bool only = b.dialects().size() == 1;
     std::vector<dialect> dialects;
     for (dialect d : b.dialects())
-        if (e.runs_in(d) && o.wants(b, d) && o.samples(e, b, d) && o.inputs(d, only) > 0) dialects.push_back(d);
+        if (e.runs_in(d) && o.wants(b, d) && o.samples(e, b, d) && o.inputs(e, d, only) > 0) dialects.push_back(d);
     std::vector<row> rows;
     for (dialect d : dialects)
         rows.push_back({e.name(), tier_name(*e.primitive), b.name(), b.label(d), b.obstacle(e), {}});
     if (rows.empty() || !rows.front().obstacle.empty()) return rows;
 
     std::size_t most = 0;
-    for (dialect d : dialects) most = std::max(most, o.inputs(d, only));
+    for (dialect d : dialects) most = std::max(most, o.inputs(e, d, only));
     static std::uint64_t serial = 0;
     bool told = false;  // one dialect's differences in full are enough
     const auto judge = [&](const job& j, const expectation& expected, std::size_t d, std::size_t count) {
@@ -120,7 +124,7 @@ std::vector<row> run(const entry& e, backend& b, const options& o) {
             const job j = make_job(e, map, first, std::min(at_most, most / maps - first), serial++);
             const expectation expected{twins(j), map ? &flat : nullptr};
             for (std::size_t d = 0; d < dialects.size(); ++d) {
-                const std::size_t wanted = o.inputs(dialects[d], only) / maps;
+                const std::size_t wanted = o.inputs(e, dialects[d], only) / maps;
                 if (wanted > first) judge(j, expected, d, std::min(j.count, wanted - first));
             }
         }
@@ -169,12 +173,14 @@ void print(const std::vector<row>& rows) {
             sum.different += rows[k].t.different;
             sum.flushed += rows[k].t.flushed;
             sum.worst_ulp = std::max(sum.worst_ulp, rows[k].t.worst_ulp);
+            sum.worst_distance = std::max(sum.worst_distance, rows[k].t.worst_distance);
             for (const auto& [name, n] : rows[k].t.inputs) sum.inputs[name] += n;
             dialects += (dialects.empty() ? "" : ", ") + rows[k].language;
         }
         std::cout << std::left << std::setw(34) << rows[i].primitive << std::setw(9) << rows[i].exactness << std::right
                   << std::setw(11) << sum.total << std::setw(10) << sum.different << std::setw(9) << sum.worst_ulp
                   << std::setw(9) << sum.flushed << "   " << dialects << '\n';
+        if (sum.worst_distance > 0.0f) std::cout << "    greatest difference " << sum.worst_distance << '\n';
         if (!rows[i].obstacle.empty()) std::cout << "    NOT RUN: " << rows[i].obstacle << '\n';
         else std::cout << "    " << per_class(sum) << '\n';
         i = k;

@@ -6,17 +6,11 @@
 #include <utility>
 
 #include "shader.hpp"
+#include "texture.hpp"
 
 namespace parity {
-namespace {
-
-constexpr int width = 1024;
-
-}  // namespace
 
 std::vector<vec4> remote::run(dialect d, const job& j, std::size_t count) {
-    const int height = static_cast<int>((j.count + width - 1) / width);
-    const int rows = static_cast<int>((count + width - 1) / width);
     const bool bytes = j.what->output == target::rgba8;
     const vec2 map_size(j.map ? j.map->size() : ivec2(0));
     const shader text = make_shader(*j.what, d);
@@ -24,22 +18,19 @@ std::vector<vec4> remote::run(dialect d, const job& j, std::size_t count) {
     std::ostringstream head;
     std::vector<std::string> parts{"", text.vertex, text.fragment};
     head << "{\"version\": " << number(d) << ", \"bytes\": " << (bytes ? "true" : "false") << ", \"size\": [" << width
-         << ", " << height << "], \"rows\": " << rows << ", \"map_size\": [" << map_size.x << ", " << map_size.y
-         << "], \"spare_unit\": " << max_inputs + 2;
+         << ", " << rows(j.count) << "], \"rows\": " << rows(count) << ", \"map_size\": [" << map_size.x << ", "
+         << map_size.y << "], \"spare_unit\": " << max_textures;
     if (serial_ != j.serial) {
         head << ", \"textures\": [";
         const auto names = samplers(*j.what);
-        const auto add = [&](std::size_t unit, const auto& values, ivec2 size) {
-            head << (parts.size() > 3 ? ", " : "") << "{\"name\": \"" << names[unit] << "\", \"unit\": " << unit
-                 << ", \"size\": [" << size.x << ", " << size.y << "]}";
-            std::string floats(static_cast<std::size_t>(size.x * size.y) * sizeof(vec4), '\0');
-            std::memcpy(floats.data(), values.data(), values.size() * sizeof(vec4));
-            parts.push_back(std::move(floats));
-        };
-        for (std::size_t k = 0; k < max_inputs; ++k)
-            if (!j.x[k].empty()) add(k, j.x[k], {width, height});
-        if (j.map) add(max_inputs, j.map->texels(), j.map->size());
-        if (!j.what->table.empty()) add(max_inputs + 1, j.what->table.texels(), j.what->table.size());
+        for (const filled_texture& t : textures(j)) {
+            head << (parts.size() > 3 ? ", " : "") << "{\"name\": \"" << names[t.unit].name
+                 << "\", \"unit\": " << t.unit << ", \"shape\": " << t.image.shape << ", \"format\": " << t.image.format
+                 << ", \"compare\": " << t.image.compare << ", \"linear\": " << (t.image.linear ? "true" : "false")
+                 << ", \"size\": [" << t.image.size.x << ", " << t.image.size.y << "], \"layers\": " << t.image.layers
+                 << '}';
+            parts.push_back(t.bytes());
+        }
         head << ']';
         serial_ = j.serial;
     }

@@ -1,15 +1,61 @@
 // SPDX-License-Identifier: MIT
 #include "shader.hpp"
 
+#include <algorithm>
+
 namespace parity {
 
-std::array<std::string, max_inputs + 2> samplers(const entry& e) {
-    std::array<std::string, max_inputs + 2> names;
+using umbrage::glsl::texture;
+
+std::string bound_map::arguments() const {
+    const std::string region = ", vec2(" + std::to_string(origin.x) + ".0, " + std::to_string(origin.y) + ".0)";
+    switch (as.texture) {
+        case texture::atlas: return name + (as.origin.empty() ? region : "");
+        case texture::array:
+        case texture::depth_array:
+        case texture::shadow_array: return name + ", 1.0";
+        case texture::cube: return name + ", 3.0";
+        default: return name;
+    }
+}
+
+std::vector<umbrage::glsl::bound> entry::items() const {
+    std::vector<umbrage::glsl::bound> all;
+    const std::vector<snippet> unbound = snippets();
+    for (const bound_map& b : bound)
+        for (const snippet& s : unbound) all.push_back(umbrage::glsl::bind(s, b.name, b.as));
+    if (bound.empty()) all.assign(unbound.begin(), unbound.end());
+    return all;
+}
+
+bool entry::runs_in(dialect d) const {
+    if (!bound.empty() && d.in != dialect::glsl) return false;
+    for (const bound_map& b : bound)  // no depth textures in WebGL 1
+        if (b.as.texture == texture::depth && d.of_glsl < version::v130) return false;
+    const auto all = items();
+    return std::all_of(all.begin(), all.end(), [d](const auto& item) { return supports(item, d.of_glsl); });
+}
+
+std::array<sampler, max_textures> samplers(const entry& e) {
+    std::array<sampler, max_textures> all;
     for (int i = 0; i < max_inputs; ++i)
-        if (e.uses(i)) names[static_cast<std::size_t>(i)] = "x" + std::to_string(i) + "_texels";
-    if (!e.maps.empty()) names[max_inputs] = "map";
-    if (!e.table.empty()) names[max_inputs + 1] = "table";
-    return names;
+        if (e.uses(i)) all[static_cast<std::size_t>(i)] = {"sampler2D", "x" + std::to_string(i) + "_texels"};
+    if (!e.maps.empty() && e.bound.empty()) all[map_unit(0)] = {"sampler2D", "map"};
+    for (std::size_t k = 0; k < e.bound.size(); ++k) {
+        const std::string parameters(umbrage::glsl::detail::glsl_texture(e.bound[k].as.texture).parameters);
+        const std::size_t type = parameters.find(' ') + 1;
+        all[map_unit(k)] = {parameters.substr(type, parameters.find(' ', type) - type), e.bound[k].name};
+    }
+    if (!e.table.empty()) all[table_unit] = {"sampler2D", "table"};
+    return all;
+}
+
+std::string map_size(const entry& e) {
+    if (e.bound.empty()) return "vec2(textureSize(map, 0))";
+    const bound_map& b = e.bound.front();
+    const ivec2 less = b.is_region() ? bound_map::margin : ivec2(0);
+    return "vec2(textureSize(" + b.name + ", 0)) - vec2(" + std::to_string(less.x) + ".0, " + std::to_string(less.y) +
+           ".0)";
 }
 
 std::string macros(const entry& e) {
@@ -69,18 +115,18 @@ shader make_shader(const entry& e, dialect d) {
     // A host shader of low precision: the snippets must ask for what they need.
     const std::string preamble = (es ? "precision mediump float;\nprecision mediump int;\n" : "") + macros(e);
     std::string& f = s.fragment;
-    f = source(v, e.snippets(), preamble) + '\n';
-    const auto names = samplers(e);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (names[i].empty()) continue;
+    f = source(v, e.items(), preamble) + '\n';
+    const auto all = samplers(e);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (all[i].name.empty()) continue;
         if (vulkan) f += "layout(set = 0, binding = " + std::to_string(i) + ") ";
-        f += "uniform UMBRAGE_HIGHP sampler2D " + names[i] + ";\n";
+        f += "uniform UMBRAGE_HIGHP " + all[i].type + " " + all[i].name + ";\n";
     }
     const bool map = !e.maps.empty();
     if (old && map) f += "uniform UMBRAGE_HIGHP vec2 map_size;\n";
     f += old ? "varying UMBRAGE_HIGHP vec2 position;\n" : located("out UMBRAGE_HIGHP vec4 result;\n");
     f += "void main() {\n";
-    if (!old && map) f += "    UMBRAGE_HIGHP vec2 map_size = vec2(textureSize(map, 0));\n";
+    if (!old && map) f += "    UMBRAGE_HIGHP vec2 map_size = " + map_size(e) + ";\n";
     for (int i = 0; i < max_inputs; ++i) {
         if (!e.uses(i)) continue;
         const std::string x = "x" + std::to_string(i);

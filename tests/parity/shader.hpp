@@ -4,7 +4,8 @@
 //
 // Inputs come as RGBA32F textures x0_texels .. x5_texels, one texel per pixel; `map` and `table` are textures too.
 // A triangle (-1,-1), (3,-1), (-1,3) in the attribute `corner` (location 0) covers the target.
-// Where there are bindings, in Vulkan: x0 .. x5 are 0 .. 5, map 6, table 7. Before 1.30, map_size is a uniform.
+// Where there are bindings, in Vulkan: x0 .. x5 are 0 .. 5, map 6, table 7, further maps 8 .. 10. Before 1.30, map_size
+// is a uniform.
 #pragma once
 
 #include "entry.hpp"
@@ -47,7 +48,18 @@ inline mistake planted;
 /// The fragment shader in WGSL.
 [[nodiscard]] std::string make_wgsl(const entry& e);
 
+inline constexpr std::size_t table_unit = max_inputs + 1, max_textures = max_inputs + max_maps + 1;
+[[nodiscard]] constexpr std::size_t map_unit(std::size_t k) { return k == 0 ? max_inputs : table_unit + k; }
+
+/// GLSL for the size in texels of an entry's map.
+[[nodiscard]] std::string map_size(const entry& e);
+
+/// A uniform of a shader.
+struct sampler {
+    std::string type{}, name{};
+};
+
 /// Samplers of an entry in order of their bindings, empty where unused.
-[[nodiscard]] std::array<std::string, max_inputs + 2> samplers(const entry& e);
+[[nodiscard]] std::array<sampler, max_textures> samplers(const entry& e);
 
 }  // namespace parity

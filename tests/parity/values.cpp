@@ -155,10 +155,11 @@ std::vector<input_class> whole_texels() {
 
 namespace {
 
-std::vector<texels> maps(float (*value)(random&)) {
+std::vector<texels> maps(float (*value)(random&),
+                         std::initializer_list<ivec2> sizes = {ivec2(64, 64), ivec2(37, 21), ivec2(3, 2)}) {
     random r(2002);
     std::vector<texels> all;
-    for (const ivec2 size : {ivec2(64, 64), ivec2(37, 21), ivec2(3, 2)}) {
+    for (const ivec2 size : sizes) {
         all.emplace_back(size);
         for (vec4& t : all.back().texels())
             for (int c = 0; c < 4; ++c) t[c] = value(r);
@@ -178,6 +179,10 @@ std::vector<texels> depth_maps() {
             default: return static_cast<float>(r.below(17)) / 16.0f;
         }
     });
+}
+
+std::vector<texels> plain_maps(std::initializer_list<ivec2> sizes) {
+    return maps([](random& r) { return static_cast<float>(r.below(17)) / 16.0f; }, sizes);
 }
 
 std::vector<texels> packed_maps() {

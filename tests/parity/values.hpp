@@ -49,7 +49,10 @@ struct range {
 /// A square map, one of odd size, a tiny one; depths on a lattice of 1/16, some of them 0, 1, NaN, denormal.
 [[nodiscard]] std::vector<texels> depth_maps();
 
-/// The same sizes with random bytes k / 255 in every channel.
+/// Depths on that lattice alone, of these sizes.
+[[nodiscard]] std::vector<texels> plain_maps(std::initializer_list<ivec2> sizes);
+
+/// The sizes of depth_maps with random bytes k / 255 in every channel.
 [[nodiscard]] std::vector<texels> packed_maps();
 
 }  // namespace parity

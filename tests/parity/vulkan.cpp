@@ -18,12 +18,11 @@
 #include "child.hpp"
 #include "shader.hpp"
 #include "spirv.hpp"
+#include "texture.hpp"
 #include "vulkan_device.hpp"
 
 namespace parity {
 namespace {
-
-constexpr int width = 1024;
 
 struct render_target {
     vk::Format format;
@@ -36,12 +35,7 @@ class vulkan final : public backend, vulkan_device {
 public:
     /// @param naga   what compiles WGSL; empty: the others
     vulkan(vk::raii::PhysicalDevice physical, std::unique_ptr<child> naga)
-        : vulkan_device(std::move(physical)),
-          naga_(std::move(naga)),
-          sampler_(device_, {.magFilter = vk::Filter::eNearest,
-                             .minFilter = vk::Filter::eNearest,
-                             .addressModeU = vk::SamplerAddressMode::eClampToEdge,
-                             .addressModeV = vk::SamplerAddressMode::eClampToEdge}) {
+        : vulkan_device(std::move(physical)), naga_(std::move(naga)) {
         std::vector<vk::DescriptorSetLayoutBinding> bindings;
         for (std::uint32_t i = 0; i < textures_.size(); ++i)
             bindings.push_back({.binding = i,
@@ -64,7 +58,7 @@ public:
                 device_, {.descriptorPool = *set_pool_, .descriptorSetCount = 1, .pSetLayouts = &*set_layout_})
                 .front());
         for (std::size_t unit = 0; unit < textures_.size(); ++unit)
-            upload(unit, {vec4(0.0f)}, {1, 1});  // all must be there
+            upload({unit, {.size = {1, 1}}, {vec4(0.0f)}});  // all must be there
         const float corners[] = {-1, -1, 3, -1, -1, 3};
         reserve(corners_, sizeof corners);
         std::memcpy(corners_.mapped, corners, sizeof corners);
@@ -103,12 +97,12 @@ public:
     }
 
     [[nodiscard]] std::vector<vec4> run(dialect d, const job& j, std::size_t count) override {
-        const int height = static_cast<int>((j.count + width - 1) / width);
+        const int height = rows(j.count);
         const bool bytes = j.what->output == target::rgba8;
         render_target& t = targets_[bytes ? 1 : 0];
-        if (t.colour.size.y != height) {
+        if (t.colour.what.size.y != height) {
             t.frame = nullptr;
-            t.colour = make_picture(t.format, {width, height},
+            t.colour = make_picture(t.format, {.size = {width, height}},
                                     vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferSrc);
             t.frame = {device_, vk::FramebufferCreateInfo{.renderPass = *t.pass,
                                                           .attachmentCount = 1,
@@ -117,7 +111,7 @@ public:
                                                           .height = static_cast<std::uint32_t>(height),
                                                           .layers = 1}};
         }
-        if (serial_ != j.serial) send(j, height);
+        if (serial_ != j.serial) send(j);
         if (entry_ != j.what || dialect_ != d) {
             pipeline_ = make_pipeline(*j.what, d, t.pass);
             entry_ = j.what;
@@ -139,7 +133,7 @@ public:
             commands_.endRenderPass();
             barrier();
             commands_.copyImageToBuffer(*t.colour.image, vk::ImageLayout::eGeneral, *staging_.handle,
-                                        whole(t.colour.size));
+                                        whole(t.colour.what));
         });
         std::vector<vec4> result(count);
         if (bytes) {
@@ -152,32 +146,41 @@ public:
     }
 
 private:
-    void upload(std::size_t unit, const std::vector<vec4>& values, ivec2 size) {
-        picture& p = textures_[unit];
-        if (p.size != size) {
-            p = make_picture(vk::Format::eR32G32B32A32Sfloat, size,
+    void upload(const filled_texture& t) {
+        picture& p = textures_[t.unit];
+        const texture_image& image = t.image;
+        if (p.what != image) {
+            constexpr std::array formats{vk::Format::eR32G32B32A32Sfloat, vk::Format::eR32G32B32A32Uint,
+                                         vk::Format::eD32Sfloat};
+            p = make_picture(formats[image.format], image,
                              vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst);
-            const vk::DescriptorImageInfo sampled{*sampler_, *p.view, vk::ImageLayout::eGeneral};
+            const vk::Filter filter = image.linear ? vk::Filter::eLinear : vk::Filter::eNearest;
+            const vk::CompareOp operations[] = {vk::CompareOp::eNever, vk::CompareOp::eLessOrEqual,
+                                                vk::CompareOp::eGreaterOrEqual};
+            p.sampler = {device_, vk::SamplerCreateInfo{.magFilter = filter,
+                                                        .minFilter = filter,
+                                                        .addressModeU = vk::SamplerAddressMode::eClampToEdge,
+                                                        .addressModeV = vk::SamplerAddressMode::eClampToEdge,
+                                                        .compareEnable = image.compare != texture_image::none,
+                                                        .compareOp = operations[image.compare]}};
+            const vk::DescriptorImageInfo sampled{*p.sampler, *p.view, vk::ImageLayout::eGeneral};
             device_.updateDescriptorSets(
                 vk::WriteDescriptorSet{.dstSet = *set_,
-                                       .dstBinding = static_cast<std::uint32_t>(unit),
+                                       .dstBinding = static_cast<std::uint32_t>(t.unit),
                                        .descriptorCount = 1,
                                        .descriptorType = vk::DescriptorType::eCombinedImageSampler,
                                        .pImageInfo = &sampled},
                 nullptr);
         }
-        reserve(staging_, static_cast<std::size_t>(size.x * size.y) * sizeof(vec4));
-        std::memcpy(staging_.mapped, values.data(), values.size() * sizeof(vec4));  // the last row need not be full
+        const std::string bytes = t.bytes();
+        reserve(staging_, bytes.size());
+        std::memcpy(staging_.mapped, bytes.data(), bytes.size());
         submit(
-            [&] { commands_.copyBufferToImage(*staging_.handle, *p.image, vk::ImageLayout::eGeneral, whole(size)); });
+            [&] { commands_.copyBufferToImage(*staging_.handle, *p.image, vk::ImageLayout::eGeneral, whole(image)); });
     }
 
-    void send(const job& j, int height) {
-        const auto texels_of = [](const texels& t) { return std::vector<vec4>(t.texels().begin(), t.texels().end()); };
-        for (std::size_t k = 0; k < max_inputs; ++k)
-            if (!j.x[k].empty()) upload(k, j.x[k], {width, height});
-        if (j.map) upload(max_inputs, texels_of(*j.map), j.map->size());
-        if (!j.what->table.empty()) upload(max_inputs + 1, texels_of(j.what->table), j.what->table.size());
+    void send(const job& j) {
+        for (const filled_texture& t : textures(j)) upload(t);
         serial_ = j.serial;
     }
 
@@ -235,13 +238,12 @@ private:
 
     spirv_compiler compiler_;
     std::unique_ptr<child> naga_;
-    vk::raii::Sampler sampler_;
     vk::raii::DescriptorSetLayout set_layout_ = nullptr;
     vk::raii::PipelineLayout layout_ = nullptr;
     vk::raii::DescriptorPool set_pool_ = nullptr;
     vk::raii::DescriptorSet set_ = nullptr;
     buffer corners_, staging_;
-    std::array<picture, max_inputs + 2> textures_;
+    std::array<picture, max_textures> textures_;
     std::array<render_target, 2> targets_{{{vk::Format::eR32G32B32A32Sfloat}, {vk::Format::eR8G8B8A8Unorm}}};
     vk::raii::ShaderModule vertex_ = nullptr;
     vk::raii::Pipeline pipeline_ = nullptr;

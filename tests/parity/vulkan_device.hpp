@@ -6,21 +6,23 @@
 #define VULKAN_HPP_NO_STRUCT_CONSTRUCTORS
 #include <vulkan/vulkan_raii.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <utility>
 
-#include "entry.hpp"
+#include "texture.hpp"
 
 namespace parity {
 
 /// Every image is in the layout `general` from its making on.
 struct picture {
-    ivec2 size{0, 0};
+    texture_image what{};
     vk::raii::DeviceMemory memory = nullptr;
     vk::raii::Image image = nullptr;
     vk::raii::ImageView view = nullptr;
+    vk::raii::Sampler sampler = nullptr;
 };
 
 struct buffer {
@@ -74,35 +76,44 @@ protected:
         queue_.waitIdle();
     }
 
-    static constexpr vk::ImageSubresourceRange colour_range{vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1};
-
-    static vk::BufferImageCopy whole(ivec2 size) {
-        return {.imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
-                .imageExtent = {static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y), 1}};
+    static vk::ImageAspectFlagBits aspect(const texture_image& what) {
+        return what.format == texture_image::depths ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
     }
 
-    [[nodiscard]] picture make_picture(vk::Format format, ivec2 size, vk::ImageUsageFlags usage) {
+    static vk::BufferImageCopy whole(const texture_image& what) {
+        return {.imageSubresource = {aspect(what), 0, 0, static_cast<std::uint32_t>(what.layers)},
+                .imageExtent = {static_cast<std::uint32_t>(what.size.x), static_cast<std::uint32_t>(what.size.y), 1}};
+    }
+
+    [[nodiscard]] picture make_picture(vk::Format format, const texture_image& what, vk::ImageUsageFlags usage) {
+        const auto layers = static_cast<std::uint32_t>(what.layers);
+        const vk::ImageSubresourceRange all{aspect(what), 0, 1, 0, layers};
+        const bool cube = what.shape == texture_image::cube;
+        using view = vk::ImageViewType;
         picture p;
-        p.size = size;
-        p.image = {device_, vk::ImageCreateInfo{.imageType = vk::ImageType::e2D,
-                                                .format = format,
-                                                .extent = whole(size).imageExtent,
-                                                .mipLevels = 1,
-                                                .arrayLayers = 1,
-                                                .usage = usage}};
+        p.what = what;
+        p.image = {device_, vk::ImageCreateInfo{
+                                .flags = cube ? vk::ImageCreateFlagBits::eCubeCompatible : vk::ImageCreateFlags(),
+                                .imageType = vk::ImageType::e2D,
+                                .format = format,
+                                .extent = whole(what).imageExtent,
+                                .mipLevels = 1,
+                                .arrayLayers = layers,
+                                .usage = usage}};
         p.memory = allocate(p.image.getMemoryRequirements(), vk::MemoryPropertyFlagBits::eDeviceLocal);
         p.image.bindMemory(*p.memory, 0);
-        p.view = {device_, vk::ImageViewCreateInfo{.image = *p.image,
-                                                   .viewType = vk::ImageViewType::e2D,
-                                                   .format = format,
-                                                   .subresourceRange = colour_range}};
+        p.view = {device_,
+                  vk::ImageViewCreateInfo{.image = *p.image,
+                                          .viewType = std::array{view::e2D, view::e2DArray, view::eCube}[what.shape],
+                                          .format = format,
+                                          .subresourceRange = all}};
         submit([&] {
             using stage = vk::PipelineStageFlagBits;
             commands_.pipelineBarrier(stage::eTopOfPipe, stage::eAllCommands, {}, nullptr, nullptr,
                                       vk::ImageMemoryBarrier{.dstAccessMask = vk::AccessFlagBits::eMemoryWrite,
                                                              .newLayout = vk::ImageLayout::eGeneral,
                                                              .image = *p.image,
-                                                             .subresourceRange = colour_range});
+                                                             .subresourceRange = all});
         });
         return p;
     }

@@ -31,14 +31,45 @@ async function draw() {
         return { gl, version, units: [], targets: {}, serial: 0, shader: '', program: null };
     }
 
-    function texture(c, old, size, type, pixels) {
-        const gl = c.gl, id = old || gl.createTexture();
-        gl.bindTexture(gl.TEXTURE_2D, id);
-        const set = (name, value) => gl.texParameteri(gl.TEXTURE_2D, gl['TEXTURE_' + name], value);
-        for (const name of ['MIN_FILTER', 'MAG_FILTER']) set(name, gl.NEAREST);
+    function parameters(gl, target, linear) {
+        const set = (name, value) => gl.texParameteri(target, gl['TEXTURE_' + name], value);
+        for (const name of ['MIN_FILTER', 'MAG_FILTER']) set(name, linear ? gl.LINEAR : gl.NEAREST);
         for (const name of ['WRAP_S', 'WRAP_T']) set(name, gl.CLAMP_TO_EDGE);
+        return set;
+    }
+
+    // shape, format and compare are numbers of texture_image in texture.hpp.
+    function texture(c, t) {
+        const gl = c.gl, id = gl.createTexture(), [width, height] = t.size;
+        const target = [gl.TEXTURE_2D, gl.TEXTURE_2D_ARRAY, gl.TEXTURE_CUBE_MAP][t.shape];
+        gl.bindTexture(target, id);
+        const set = parameters(gl, target, t.linear);
+        if (t.compare) {
+            set('COMPARE_MODE', gl.COMPARE_REF_TO_TEXTURE);
+            set('COMPARE_FUNC', [0, gl.LEQUAL, gl.GEQUAL][t.compare]);
+        }
+        const [internal, format, type] = c.version === 1 ? [gl.RGBA, gl.RGBA, gl.FLOAT] : [
+            [gl.RGBA32F, gl.RGBA, gl.FLOAT], [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT],
+            [gl.DEPTH_COMPONENT32F, gl.DEPTH_COMPONENT, gl.FLOAT]][t.format];
+        const pixels = type === gl.FLOAT ? new Float32Array(t.bytes) : new Uint32Array(t.bytes);
+        if (target === gl.TEXTURE_2D_ARRAY) {
+            gl.texImage3D(target, 0, internal, width, height, t.layers, 0, format, type, pixels);
+            return id;
+        }
+        const first = target === gl.TEXTURE_2D ? target : gl.TEXTURE_CUBE_MAP_POSITIVE_X;
+        const layer = pixels.length / t.layers;
+        for (let l = 0; l < t.layers; ++l)
+            gl.texImage2D(first + l, 0, internal, width, height, 0, format, type,
+                pixels.subarray(l * layer, (l + 1) * layer));
+        return id;
+    }
+
+    function colour(c, size, type) {
+        const gl = c.gl, id = gl.createTexture();
+        gl.bindTexture(gl.TEXTURE_2D, id);
+        parameters(gl, gl.TEXTURE_2D, false);
         const format = c.version === 1 ? gl.RGBA : type === gl.FLOAT ? gl.RGBA32F : gl.RGBA8;
-        gl.texImage2D(gl.TEXTURE_2D, 0, format, size[0], size[1], 0, gl.RGBA, type, pixels);
+        gl.texImage2D(gl.TEXTURE_2D, 0, format, size[0], size[1], 0, gl.RGBA, type, null);
         return id;
     }
 
@@ -66,13 +97,14 @@ async function draw() {
             return new TextEncoder().encode(gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
         }
         if (job.textures) {
-            textures = job.textures.map((t, i) => ({ ...t, pixels: new Float32Array(parts[3 + i].slice().buffer) }));
+            textures = job.textures.map((t, i) => ({ ...t, bytes: parts[3 + i].slice().buffer }));
             ++serial;
         }
         if (c.serial !== serial)
             for (const t of textures) {
                 gl.activeTexture(gl.TEXTURE0 + t.unit);
-                c.units[t.unit] = texture(c, c.units[t.unit], t.size, gl.FLOAT, t.pixels);
+                gl.deleteTexture(c.units[t.unit]);  // its shape may be another
+                c.units[t.unit] = texture(c, t);
             }
         c.serial = serial;
         const fragment = text(parts[2]);
@@ -90,7 +122,8 @@ async function draw() {
         gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
         if (target.height !== height) {
             gl.activeTexture(gl.TEXTURE0 + job.spare_unit);
-            target.colour = texture(c, target.colour, job.size, type, null);
+            gl.deleteTexture(target.colour);
+            target.colour = colour(c, job.size, type);
             gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target.colour, 0);
             const status = gl.checkFramebufferStatus(gl.FRAMEBUFFER);
             if (status !== gl.FRAMEBUFFER_COMPLETE) throw new Error('incomplete target');

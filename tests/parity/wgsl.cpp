@@ -12,9 +12,10 @@ std::string make_wgsl(const entry& e) {
     const auto names = samplers(e);
     std::string text = umbrage::wgsl::text(call.items()) + '\n', values;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (names[i].empty()) continue;
-        text += "@group(0) @binding(" + std::to_string(i) + ") var " + names[i] + ": texture_2d<f32>;\n";
-        if (i < max_inputs) values += "    let x" + std::to_string(i) + " = textureLoad(" + names[i] + ", at, 0);\n";
+        const std::string& name = names[i].name;
+        if (name.empty()) continue;
+        text += "@group(0) @binding(" + std::to_string(i) + ") var " + name + ": texture_2d<f32>;\n";
+        if (i < max_inputs) values += "    let x" + std::to_string(i) + " = textureLoad(" + name + ", at, 0);\n";
     }
     if (!e.maps.empty()) values += "    let map_size = vec2f(textureDimensions(map));\n";
     return text +

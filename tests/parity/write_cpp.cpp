@@ -2,13 +2,14 @@
 //
 // Writes the text of every entry, snippets and call, as C++:  write_cpp FILE
 //
-// GLSL's floats have no suffix and C++'s need one; __VERSION__ is GLSL's own. All else is for cpp_text.hpp.
+// GLSL's floats have no suffix and C++'s need one; __VERSION__ and `precise` are GLSL's own, as are the swizzles of
+// what stored_as() makes. All else is for cpp_text.hpp.
 #include <cctype>
 #include <fstream>
 #include <iostream>
 #include <set>
 
-#include "entry.hpp"
+#include "shader.hpp"
 
 namespace {
 
@@ -38,7 +39,8 @@ std::string as_cpp(const std::string& glsl) {
         while (i < glsl.size() && (word(glsl[i]) || (number && (glsl[i] == '+' || glsl[i] == '-') &&
                                                      (token.back() == 'e' || token.back() == 'E'))))
             token += glsl[i++];
-        out += token == "__VERSION__" ? "330" : is_float(token) ? token + 'f' : token;
+        if (token == "value.xy" || token == "value.xyz") token = "vec" + std::to_string(token.size() - 6) + "(value)";
+        out += token == "__VERSION__" ? "460" : token == "precise" ? "" : is_float(token) ? token + 'f' : token;
     }
     return out;
 }
@@ -63,12 +65,16 @@ int main(int argc, char** argv) {
     file << "#include \"cpp_text.hpp\"\n\nnamespace parity::glsl_as_cpp {\nnamespace {\n";
     std::size_t count = 0;
     for (const parity::entry& e : parity::entries()) {
-        const std::string text = parity::macros(e) + umbrage::glsl::text(e.snippets());
-        file << "\nnamespace entry_" << count++ << " {\n" << as_cpp(text) << "\nvec4 call(const sample& s) {\n";
+        const std::string text = parity::macros(e) + umbrage::glsl::text(e.items());
+        file << "\nnamespace entry_" << count++ << " {\n"
+             << as_cpp(text) << "\nvec4 call(const sample& s, const filled_texture* const* t) {\n";
         for (int i = 0; i < parity::max_inputs; ++i)
             if (e.uses(i)) file << "    const vec4 x" << i << " = s.x[" << i << "];\n";
-        if (!e.maps.empty()) file << "    const sampler2D map = s.map;\n    const vec2 map_size(map.size);\n";
-        if (!e.table.empty()) file << "    const sampler2D table = s.table;\n";
+        const auto samplers = parity::samplers(e);
+        for (std::size_t unit = parity::max_inputs; unit < samplers.size(); ++unit)
+            if (!samplers[unit].name.empty())
+                file << "    const " << samplers[unit].type << ' ' << samplers[unit].name << "{t[" << unit << "]};\n";
+        if (!e.maps.empty()) file << "    const vec2 map_size = " << as_cpp(parity::map_size(e)) << ";\n";
         file << "    return " << as_cpp(e.call) << ";\n}\n";
         for (const std::string& name : macros(text)) file << "#undef " << name << '\n';
         file << "}\n";

@@ -25,7 +25,8 @@ using namespace parity;
 
 std::vector<std::string> shaders() {
     std::vector<std::string> all;
-    for (const entry& e : entries()) all.push_back(make_hlsl(e));
+    for (const entry& e : entries())
+        if (e.runs_in(dialect::hlsl)) all.push_back(make_hlsl(e));
     using enum umbrage::glsl::texture;
     for (const auto kind : {texture_2d, atlas, array, cube, integer, depth, depth_array, shadow, shadow_array})
         for (const bool gather : {false, true})

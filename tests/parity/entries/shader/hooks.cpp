@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+//
+// Filters bound to maps of every kind: what they give is what they give for a plain map.
+#include <umbrage/shader/hooks.hpp>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include <umbrage/depth/rg.hpp>
+#include <umbrage/depth/rg_level.hpp>
+#include <umbrage/filter/pcf/box.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
+
+#include "../entries.hpp"
+
+namespace parity {
+namespace {
+
+using namespace umbrage;
+using glsl::binding;
+using glsl::texture;
+
+bool is_gathered(texture kind) { return kind != texture::cube && kind != texture::integer; }
+
+/// receivers(), and a whole texel in x1.xy: inside, around the border, far off.
+std::vector<input_class> receivers_and_texels() {
+    auto classes = receivers();
+    const auto texels = whole_texels();
+    for (input_class& c : classes)
+        c.fill = [receiver = c.fill, texels](std::uint64_t i, random& r, sample& s) {
+            texels[i % texels.size()].fill(r.bits(), r, s);
+            s.x[1] = s.x[0];
+            receiver(i, r, s);
+        };
+    return classes;
+}
+
+/// Compiling the loops of box takes long.
+bool has_box(const binding& as) { return !as.gather && as.direction == depth_direction::reversed; }
+
+/// What a shader of the map calls, and the same in C++: pcf_2x2, box or hard, the bits of lit_2x2, fetch_depth or lit.
+std::string calls(const bound_map& m, const std::string& depth = "x0.z") {
+    const std::string map = "_" + m.name + "(" + m.arguments() + ", map_size, ",
+                      receiver = "vec2(x0.x, x0.y), " + depth;
+    const std::string lit = "umbrage_lit_2x2" + map + "vec2(x1.x, x1.y), " + depth + ")";
+    return "vec4(umbrage_pcf_2x2" + map + receiver + "), " +
+           (has_box(m.as) ? "umbrage_box" + map + receiver + ", 2)" : "umbrage_hard" + map + receiver + ")") +
+           ", dot(" + lit + ", vec4(1.0, 2.0, 4.0, 8.0)), " +
+           (glsl::detail::compares(m.as.texture) ? "umbrage_lit" + map + "vec2(x1.x, x1.y), " + depth + ")"
+                                                 : "umbrage_fetch_depth" + map + "vec2(x1.x, x1.y))") +
+           ")";
+}
+template <class Fetch, class Compare>
+vec4 twins(const binding& as, const Fetch& fetch, const sample& s, float receiver, Compare is_lit) {
+    const ivec2 texel(vec2(s.x[1]));
+    const vec4 lit = lit_2x2(fetch, texel, receiver, is_lit);
+    return {
+        pcf_2x2(fetch, at(s), receiver, is_lit),
+        has_box(as) ? box(fetch, at(s), receiver, 2, is_lit) : hard(fetch, at(s), receiver, is_lit),
+        lit.x + lit.y * 2.0f + lit.z * 4.0f + lit.w * 8.0f,
+        glsl::detail::compares(as.texture) ? umbrage::lit(fetch, texel, receiver, is_lit) : fetch_depth(fetch, texel)};
+}
+
+/// Fetches as the map's binding has them, of decode(texel).
+template <class Decode>
+auto fetch_as(const binding& as, const sample& s, Decode decode) {
+    return [&as, map = s.map, decode](ivec2 texel) {
+        return as.outside_lit && !inside_map(map.size, texel) ? cleared_depth(as.direction)
+                                                              : decode(fetch_clamped(map, texel));
+    };
+}
+
+std::string described(const std::string& kind, const binding& as) {
+    return kind + (as.direction == depth_direction::forward ? "" : ", reversed") +
+           (as.outside_lit ? ", lit outside" : "") + (as.gather ? ", gathered" : "");
+}
+
+template <class Decode>
+entry bound(const std::string& kind, const binding& as, std::vector<texels> maps, Decode decode) {
+    const bound_map m{.name = "map", .as = as};
+    return {.primitive = &glsl::pcf_2x2,
+            .variant = described(kind, as),
+            .classes = receivers_and_texels(),
+            .twin =
+                [as, decode](const sample& s) {
+                    return twins(as, fetch_as(as, s, decode), s, s.x[0].z, comparison{as.direction});
+                },
+            .call = calls(m),
+            .maps = std::move(maps),
+            .bound = {m},
+            .also = {has_box(as) ? &glsl::box : &glsl::hard, &glsl::lit_2x2,
+                     glsl::detail::compares(as.texture) ? &glsl::lit : &glsl::fetch_depth},
+            .share = 16};
+}
+
+/// Each kind with two of the four ways to compare, gathered with the other two.
+void add_kinds(std::vector<entry>& all) {
+    const std::pair<const char*, binding> kinds[]{
+        {"2D", {}},
+        {"region",
+         {.origin = "vec2(5.0, 3.0)", .texture_size = "(size + vec2(9.0, 7.0))"}},  // bound_map's origin and margin
+        {"atlas", {.texture = texture::atlas}},
+        {"array", {.texture = texture::array}},
+        {"cube", {.texture = texture::cube}},
+        {"integer", {.texture = texture::integer, .depth = "value.x * (1.0 / 65536.0)"}},
+        {"depth", {.texture = texture::depth}},
+        {"depth array", {.texture = texture::depth_array}},
+        {"shadow", {.texture = texture::shadow}},
+        {"shadow array", {.texture = texture::shadow_array}},
+        {"shadow region", {.texture = texture::shadow, .origin = "vec2(5.0, 3.0)"}}};
+    int number = 0;
+    for (const auto& [name, kind] : kinds)
+        for (const auto direction : {depth_direction::forward, depth_direction::reversed})
+            for (const bool gather : {false, true}) {
+                if (gather && !is_gathered(kind.texture)) continue;
+                binding as = kind;
+                as.direction = direction;
+                as.gather = gather;
+                as.outside_lit = (number + (direction == depth_direction::forward ? 0 : 1) + (gather ? 1 : 0)) % 2 == 1;
+                const auto maps = kind.texture == texture::cube
+                                      ? plain_maps({{64, 64}, {21, 21}, {1, 1}})
+                                      : plain_maps({{64, 64}, {37, 21}, {3, 2}, {1, 1}, {1, 5}});
+                all.push_back(bound(name, as, maps, [](vec4 value) { return value.x; }));
+                ++number;
+            }
+}
+
+void add_packed(std::vector<entry>& all) {
+    for (const bool gather : {false, true})
+        for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
+            const rg<11> encoding{.direction = direction};
+            const binding as = glsl::stored_as(encoding, {.outside_lit = !gather, .gather = gather});
+            all.push_back(bound("rg11", as, packed_maps(),
+                                [encoding](vec4 value) { return decode_rg<11>(vec2(value), encoding.edge); }));
+        }
+}
+
+/// Packed maps that are compared without decoding.
+void add_levels(std::vector<entry>& all) {
+    for (const bool gather : {false, true}) {
+        const binding as{
+            .gather = gather, .depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}};
+        const auto level = [](vec4 value) { return level_rg<11>(vec2(value)); };
+        entry e = bound("levels", as, packed_maps(), level);
+        e.twin = [as, level](const sample& s) {
+            return twins(as, fetch_as(as, s, level), s, receiver_rg<11>(s.x[0].z, centre<float>), less_equal_scaled{});
+        };
+        e.call = calls(e.bound.front(), "umbrage_receiver_rg11(x0.z, 0.5)");
+        e.also.push_back(&glsl::receiver_rg<11>);
+        all.push_back(std::move(e));
+    }
+}
+
+/// An 11-bit packed spot map, a cascade with reversed depth, a tile of an atlas, a cube: one shader.
+void add_four_maps(std::vector<entry>& all) {
+    const rg<11> packed{};
+    entry e{.primitive = &glsl::pcf_2x2,
+            .variant = "four maps",
+            .classes = receivers(),
+            .maps = packed_maps(),
+            .bound = {{"spot", glsl::stored_as(packed)},
+                      {"cascade", {.texture = texture::array, .direction = depth_direction::reversed}},
+                      {"tile", {.texture = texture::atlas, .outside_lit = true}},
+                      {"lamp", {.texture = texture::cube, .outside_lit = true}}},
+            .share = 16};
+    e.maps = {e.maps.front()};  // faces of cubes are square
+    for (const bound_map& m : e.bound)
+        e.call += (e.call.empty() ? "vec4(" : ", ") + ("umbrage_pcf_2x2_" + m.name) + "(" + m.arguments() +
+                  ", map_size, vec2(x0.x, x0.y), x0.z)";
+    e.call += ')';
+    e.twin = [packed](const sample& s) {
+        const auto channel = [map = s.map](int c) {
+            return [map, c](ivec2 texel) { return fetch_clamped(map, texel)[c]; };
+        };
+        const auto lit_outside = [map = s.map](int c) {
+            return [map, c](ivec2 texel) { return fetch_bordered(map, texel, vec4(1.0f))[c]; };
+        };
+        const auto spot = [map = s.map, packed](ivec2 texel) {
+            return decode_rg<11>(vec2(fetch_clamped(map, texel)), packed.edge);
+        };
+        return vec4(pcf_2x2(spot, at(s), s.x[0].z), pcf_2x2(channel(1), at(s), s.x[0].z, greater_equal{}),
+                    pcf_2x2(lit_outside(2), at(s), s.x[0].z), pcf_2x2(lit_outside(3), at(s), s.x[0].z));
+    };
+    all.push_back(std::move(e));
+}
+
+/// Every snippet of hooks::all is in some text.
+void expect_all(const std::vector<entry>& all) {
+    std::set<const snippet*> found;
+    const auto look = [&](const auto& self, const snippet& asked, const binding& as) -> void {
+        const snippet& s = glsl::detail::chosen(asked, as);
+        found.insert(&s);
+        for (const snippet* need : s.needs) self(self, *need, as);
+    };
+    for (const entry& e : all)
+        for (const glsl::bound& item : e.items())
+            if (!item.by_macros) look(look, item.what, item.map);
+    for (const snippet* s : glsl::hooks::all)
+        if (!found.contains(s)) throw std::logic_error("no parity entry has " + std::string(s->source));
+}
+
+}  // namespace
+
+void add_shader_hooks(std::vector<entry>& all) {
+    add_kinds(all);
+    add_packed(all);
+    add_levels(all);
+    add_four_maps(all);
+    expect_all(all);
+}
+
+}  // namespace parity

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// What a shader reads, as every back end is told: inputs, maps as they are bound, the table.
+#pragma once
+
+#include "backend.hpp"
+
+namespace parity {
+
+/// Pixels in a row of what is drawn, and so of the inputs' textures.
+inline constexpr int width = 1024;
+
+[[nodiscard]] inline int rows(std::size_t count) { return static_cast<int>((count + width - 1) / width); }
+
+/// One texture without mipmaps, clamped to its edges.
+struct texture_image {
+    enum shapes { flat, array, cube };
+    enum formats { floats, whole_numbers, depths };  ///< RGBA32F, RGBA32UI, DEPTH_COMPONENT32F
+    enum comparisons { none, less_equal, greater_equal };
+
+    shapes shape = flat;
+    formats format = floats;
+    comparisons compare = none;  ///< of its sampler
+    bool linear = false;         ///< its sampler's filter; else the nearest texel
+    ivec2 size{0, 0};
+    int layers = 1;
+    bool operator==(const texture_image&) const = default;
+};
+
+/// It, the sampler that reads it, and its texels, layer by layer.
+struct filled_texture {
+    std::size_t unit = 0;
+    texture_image image{};
+    std::vector<vec4> texels{};
+
+    /// As the format has them: four floats, four whole numbers, one float a texel.
+    [[nodiscard]] std::string bytes() const;
+};
+
+/// All that a job's shader reads.
+[[nodiscard]] std::vector<filled_texture> textures(const job& j);
+
+}  // namespace parity
