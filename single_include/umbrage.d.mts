@@ -4,9 +4,11 @@
 export interface Snippet {
     readonly name: string;
     readonly summary: string;
-    /** How exactly it agrees with the C++ function of its name: a everywhere, b in written order, c within ulp. */
+    /** How exactly it agrees with the C++ function of its name: a everywhere, b in written order, c within ulp, or a
+     *  distance. */
     readonly exactness: 'a' | 'b' | 'c';
     readonly ulp: number;
+    readonly within: number;
     readonly lowest: '100' | '300 es';
     readonly needs: readonly Snippet[];
 }
@@ -269,6 +271,8 @@ export const box_count: Snippet;
 export const box_scale: Snippet;
 /** lit share of a box of radius 0..8 */
 export const box: Snippet;
+/** 2x2 by a comparison sampler with a linear filter */
+export const pcf_2x2_hardware: Snippet;
 /** 1 inside a spot light's cone */
 export const spot_cone: Snippet;
 /** diffuse plus ambient light of a surface */

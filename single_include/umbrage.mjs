@@ -65,6 +65,8 @@ function chosen(s, map) {
             if (compares(map)) return hooks['gather_lit, compared'];
             if (map.channels > 2) throw new Error('umbrage: bind: a gather of more than two channels');
             return hooks[map.channels === 2 ? 'gather_lit, two channels' : 'gather_lit, one channel'];
+        case 'pcf_2x2_hardware':
+            return compares(map) ? hooks[`${s.role}, ${map.outside_lit ? 'bordered' : 'clamped'}`] : s;
         default: return s;
     }
 }
@@ -118,6 +120,7 @@ function for_map(text, s, item, words) {
             case 'UMBRAGE_GATHER_RED': return of_texture(words.gather_red);
             case 'UMBRAGE_GATHER_GREEN': return of_texture(words.gather_green);
             case 'UMBRAGE_GATHER_LIT': return of_texture(words.gather_lit);
+            case 'UMBRAGE_LIT_FILTERED': return of_texture(words.lit_filtered);
             default: return word;
         }
     });
@@ -219,6 +222,7 @@ export function supports(item, version) {
     if (by_macros) return true;
     if (!map.needs.every(old_enough)) return false;
     if (map.gather) return has_gathers.includes(version);
+    if (has_region(map) && map.texture_size === '' && ['100', '110', '120'].includes(version)) return false;
     return ['texture_2d', 'depth', 'atlas', 'cube'].includes(map.texture) || es3.includes(version);
 }
 
@@ -248,15 +252,15 @@ const languages = {
         macros: true,
         scaled_macro: "\n// depths here are on a scale of their own, on which 1.0 is not the far plane\n#ifndef UMBRAGE_BEYOND_FAR\n#define UMBRAGE_BEYOND_FAR(receiver) false\n#endif\n",
         textures: {
-            texture_2d: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
-            atlas: { parameters: "UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 origin", arguments: "map, origin", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
-            array: { parameters: "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)", lit: "", gather_red: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)", gather_green: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)", gather_lit: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
-            cube: { parameters: "UMBRAGE_HIGHP samplerCube map, UMBRAGE_HIGHP float face", arguments: "map, face", texel: "#if __VERSION__ >= 130\n    return textureLod(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0);\n#else\n    return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));\n#endif\n", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
-            integer: { parameters: "UMBRAGE_HIGHP usampler2D map", arguments: "map", texel: "vec4(texelFetch(map, ivec2(at), 0))", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
-            depth: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
-            depth_array: { parameters: "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)", lit: "", gather_red: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)", gather_green: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)", gather_lit: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
-            shadow: { parameters: "UMBRAGE_HIGHP sampler2DShadow map", arguments: "map", texel: "", lit: "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)", gather_red: "", gather_green: "", gather_lit: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
-            shadow_array: { parameters: "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "", lit: "textureGrad(map, vec4((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), vec2(0.0, 0.0))", gather_red: "", gather_green: "", gather_lit: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            texture_2d: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            atlas: { parameters: "UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 origin", arguments: "map, origin", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            array: { parameters: "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)", lit: "", gather_red: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)", gather_green: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            cube: { parameters: "UMBRAGE_HIGHP samplerCube map, UMBRAGE_HIGHP float face", arguments: "map, face", texel: "#if __VERSION__ >= 130\n    return textureLod(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0);\n#else\n    return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));\n#endif\n", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            integer: { parameters: "UMBRAGE_HIGHP usampler2D map", arguments: "map", texel: "vec4(texelFetch(map, ivec2(at), 0))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            depth: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            depth_array: { parameters: "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)", lit: "", gather_red: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)", gather_green: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            shadow: { parameters: "UMBRAGE_HIGHP sampler2DShadow map", arguments: "map", texel: "", lit: "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)", gather_red: "", gather_green: "", gather_lit: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "textureLod(map, vec3(at / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
+            shadow_array: { parameters: "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "", lit: "textureGrad(map, vec4((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), vec2(0.0, 0.0))", gather_red: "", gather_green: "", gather_lit: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", lit_filtered: "textureGrad(map, vec4(at / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), vec2(0.0, 0.0))", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "" },
         },
         texts: {
             "shadow_coordinate": `
@@ -1203,6 +1207,15 @@ UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
     return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
 }
 `,
+            "pcf_2x2_hardware": `
+// umbrage_pcf_2x2_hardware: 2x2 comparisons; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                             UMBRAGE_HIGHP float receiver) {
+    return umbrage_pcf_2x2(map, size, coord, receiver);
+}
+`,
             "spot_cone": `
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
@@ -1405,6 +1418,34 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     return vec4(a, b, c, d);
 }
 `,
+            "hooks/pcf_2x2_hardware, clamped": `
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
+UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                             UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 texel = compared ? clamp(coord, vec2(0.5, 0.5), size - 0.5) : vec2(0.5, 0.5);
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
+    UMBRAGE_HIGHP float visibility = receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+    return compared ? visibility : 1.0;
+}
+`,
+            "hooks/pcf_2x2_hardware, bordered": `
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler, outside the map with the far plane; visibility,
+//   1.0 is lit
+UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                             UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 texel = compared ? clamp(coord, vec2(0.5, 0.5), size - 0.5) : vec2(0.5, 0.5);
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
+    UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    UMBRAGE_HIGHP float sum = outside + inside.x * inside.y * (lit - outside);
+    UMBRAGE_HIGHP float visibility = receiver > 0.0 || receiver <= 0.0 ? sum : 0.0;
+    return compared ? visibility : 1.0;
+}
+`,
         },
     },
     hlsl: {
@@ -1413,15 +1454,15 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
         macros: false,
         scaled_macro: "",
         textures: {
-            texture_2d: { parameters: "Texture2D<float4> map", arguments: "map", texel: "map.Load(int3(int2(at), 0))", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
-            atlas: { parameters: "Texture2D<float4> map, float2 origin", arguments: "map, origin", texel: "map.Load(int3(int2(at), 0))", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
-            array: { parameters: "Texture2DArray<float4> map, float layer", arguments: "map, layer", texel: "map.Load(int4(int2(at), int(layer), 0))", lit: "", gather_red: "map.GatherRed(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_green: "map.GatherGreen(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_lit: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
-            cube: { parameters: "TextureCube<float4> map, SamplerState map_sampler, float face", arguments: "map, map_sampler, face", texel: "map.SampleLevel(map_sampler, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0)", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "", sampler: "", sampler_argument: "" },
-            integer: { parameters: "Texture2D<uint4> map", arguments: "map", texel: "float4(map.Load(int3(int2(at), 0)))", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "", sampler: "", sampler_argument: "" },
-            depth: { parameters: "Texture2D<float> map", arguments: "map", texel: "(float4)map.Load(int3(int2(at), 0))", lit: "", gather_red: "map.Gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
-            depth_array: { parameters: "Texture2DArray<float> map, float layer", arguments: "map, layer", texel: "(float4)map.Load(int4(int2(at), int(layer), 0))", lit: "", gather_red: "map.Gather(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_green: "", gather_lit: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
-            shadow: { parameters: "Texture2D<float> map, SamplerComparisonState map_sampler", arguments: "map, map_sampler", texel: "", lit: "map.SampleCmpLevelZero(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)", gather_red: "", gather_green: "", gather_lit: "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", size: "", sampler: "", sampler_argument: "" },
-            shadow_array: { parameters: "Texture2DArray<float> map, SamplerComparisonState map_sampler, float layer", arguments: "map, map_sampler, layer", texel: "", lit: "map.SampleCmpLevelZero(map_sampler, float3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", gather_red: "", gather_green: "", gather_lit: "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", size: "", sampler: "", sampler_argument: "" },
+            texture_2d: { parameters: "Texture2D<float4> map", arguments: "map", texel: "map.Load(int3(int2(at), 0))", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
+            atlas: { parameters: "Texture2D<float4> map, float2 origin", arguments: "map, origin", texel: "map.Load(int3(int2(at), 0))", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
+            array: { parameters: "Texture2DArray<float4> map, float layer", arguments: "map, layer", texel: "map.Load(int4(int2(at), int(layer), 0))", lit: "", gather_red: "map.GatherRed(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_green: "map.GatherGreen(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
+            cube: { parameters: "TextureCube<float4> map, SamplerState map_sampler, float face", arguments: "map, map_sampler, face", texel: "map.SampleLevel(map_sampler, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0)", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: "", sampler_argument: "" },
+            integer: { parameters: "Texture2D<uint4> map", arguments: "map", texel: "float4(map.Load(int3(int2(at), 0)))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: "", sampler_argument: "" },
+            depth: { parameters: "Texture2D<float> map", arguments: "map", texel: "(float4)map.Load(int3(int2(at), 0))", lit: "", gather_red: "map.Gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
+            depth_array: { parameters: "Texture2DArray<float> map, float layer", arguments: "map, layer", texel: "(float4)map.Load(int4(int2(at), int(layer), 0))", lit: "", gather_red: "map.Gather(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler" },
+            shadow: { parameters: "Texture2D<float> map, SamplerComparisonState map_sampler", arguments: "map, map_sampler", texel: "", lit: "map.SampleCmpLevelZero(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)", gather_red: "", gather_green: "", gather_lit: "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "map.SampleCmpLevelZero(map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver)", size: "", sampler: "", sampler_argument: "" },
+            shadow_array: { parameters: "Texture2DArray<float> map, SamplerComparisonState map_sampler, float layer", arguments: "map, map_sampler, layer", texel: "", lit: "map.SampleCmpLevelZero(map_sampler, float3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", gather_red: "", gather_green: "", gather_lit: "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", lit_filtered: "map.SampleCmpLevelZero(map_sampler, float3(at / UMBRAGE_TEXTURE_SIZE, layer), receiver)", size: "", sampler: "", sampler_argument: "" },
         },
         texts: {
             "shadow_coordinate": `
@@ -2280,6 +2321,14 @@ float umbrage_box(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, in
     return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
 }
 `,
+            "pcf_2x2_hardware": `
+// umbrage_pcf_2x2_hardware: 2x2 comparisons; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    return umbrage_pcf_2x2(map, size, coord, receiver);
+}
+`,
             "spot_cone": `
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
@@ -2469,6 +2518,32 @@ float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receive
     return float4(a, b, c, d);
 }
 `,
+            "hooks/pcf_2x2_hardware, clamped": `
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
+float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 texel = compared ? clamp(coord, float2(0.5, 0.5), size - 0.5) : float2(0.5, 0.5);
+    float2 at = texel + UMBRAGE_ORIGIN;
+    float lit = UMBRAGE_LIT_FILTERED;
+    float visibility = receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+    return compared ? visibility : 1.0;
+}
+`,
+            "hooks/pcf_2x2_hardware, bordered": `
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler, outside the map with the far plane; visibility,
+//   1.0 is lit
+float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 texel = compared ? clamp(coord, float2(0.5, 0.5), size - 0.5) : float2(0.5, 0.5);
+    float2 at = texel + UMBRAGE_ORIGIN;
+    float lit = UMBRAGE_LIT_FILTERED;
+    float2 inside = clamp(min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
+    float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    float sum = outside + inside.x * inside.y * (lit - outside);
+    float visibility = receiver > 0.0 || receiver <= 0.0 ? sum : 0.0;
+    return compared ? visibility : 1.0;
+}
+`,
         },
     },
     msl: {
@@ -2477,15 +2552,15 @@ float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receive
         macros: false,
         scaled_macro: "",
         textures: {
-            texture_2d: { parameters: "metal::texture2d<float> map", arguments: "map", texel: "map.read(uint2(at))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
-            atlas: { parameters: "metal::texture2d<float> map, float2 origin", arguments: "map, origin", texel: "map.read(uint2(at))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
-            array: { parameters: "metal::texture2d_array<float> map, float layer", arguments: "map, layer", texel: "map.read(uint2(at), uint(layer))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), int2(0), metal::component::y)", gather_lit: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
-            cube: { parameters: "metal::texturecube<float> map, float face", arguments: "map, face", texel: "map.read(uint2(at), uint(face))", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "" },
-            integer: { parameters: "metal::texture2d<uint> map", arguments: "map", texel: "float4(map.read(uint2(at)))", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "" },
-            depth: { parameters: "metal::depth2d<float> map", arguments: "map", texel: "float4(map.read(uint2(at)))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
-            depth_array: { parameters: "metal::depth2d_array<float> map, float layer", arguments: "map, layer", texel: "float4(map.read(uint2(at), uint(layer)))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))", gather_green: "", gather_lit: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
-            shadow: { parameters: "metal::depth2d<float> map, metal::sampler map_sampler", arguments: "map, map_sampler", texel: "", lit: "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))", gather_red: "", gather_green: "", gather_lit: "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "" },
-            shadow_array: { parameters: "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer", arguments: "map, map_sampler, layer", texel: "", lit: "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, metal::level(0.0))", gather_red: "", gather_green: "", gather_lit: "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "" },
+            texture_2d: { parameters: "metal::texture2d<float> map", arguments: "map", texel: "map.read(uint2(at))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
+            atlas: { parameters: "metal::texture2d<float> map, float2 origin", arguments: "map, origin", texel: "map.read(uint2(at))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
+            array: { parameters: "metal::texture2d_array<float> map, float layer", arguments: "map, layer", texel: "map.read(uint2(at), uint(layer))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
+            cube: { parameters: "metal::texturecube<float> map, float face", arguments: "map, face", texel: "map.read(uint2(at), uint(face))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "" },
+            integer: { parameters: "metal::texture2d<uint> map", arguments: "map", texel: "float4(map.read(uint2(at)))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "" },
+            depth: { parameters: "metal::depth2d<float> map", arguments: "map", texel: "float4(map.read(uint2(at)))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
+            depth_array: { parameters: "metal::depth2d_array<float> map, float layer", arguments: "map, layer", texel: "float4(map.read(uint2(at), uint(layer)))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler" },
+            shadow: { parameters: "metal::depth2d<float> map, metal::sampler map_sampler", arguments: "map, map_sampler", texel: "", lit: "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))", gather_red: "", gather_green: "", gather_lit: "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "map.sample_compare(map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "" },
+            shadow_array: { parameters: "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer", arguments: "map, map_sampler, layer", texel: "", lit: "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, metal::level(0.0))", gather_red: "", gather_green: "", gather_lit: "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)", lit_filtered: "map.sample_compare(map_sampler, at / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, metal::level(0.0))", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "" },
         },
         texts: {
             "shadow_coordinate": `
@@ -3343,6 +3418,14 @@ inline float umbrage_box(UMBRAGE_MAP map, float2 size, float2 coord, float recei
     return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
 }
 `,
+            "pcf_2x2_hardware": `
+// umbrage_pcf_2x2_hardware: 2x2 comparisons; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+inline float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    return umbrage_pcf_2x2(map, size, coord, receiver);
+}
+`,
             "spot_cone": `
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
@@ -3532,6 +3615,32 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
     return float4(a, b, c, d);
 }
 `,
+            "hooks/pcf_2x2_hardware, clamped": `
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
+inline float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 texel = compared ? metal::clamp(coord, float2(0.5, 0.5), size - 0.5) : float2(0.5, 0.5);
+    float2 at = texel + UMBRAGE_ORIGIN;
+    float lit = UMBRAGE_LIT_FILTERED;
+    float visibility = receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+    return compared ? visibility : 1.0;
+}
+`,
+            "hooks/pcf_2x2_hardware, bordered": `
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler, outside the map with the far plane; visibility,
+//   1.0 is lit
+inline float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 texel = compared ? metal::clamp(coord, float2(0.5, 0.5), size - 0.5) : float2(0.5, 0.5);
+    float2 at = texel + UMBRAGE_ORIGIN;
+    float lit = UMBRAGE_LIT_FILTERED;
+    float2 inside = metal::clamp(metal::min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
+    float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    float sum = outside + inside.x * inside.y * (lit - outside);
+    float visibility = receiver > 0.0 || receiver <= 0.0 ? sum : 0.0;
+    return compared ? visibility : 1.0;
+}
+`,
         },
     },
     wgsl: {
@@ -3540,15 +3649,15 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
         macros: false,
         scaled_macro: "",
         textures: {
-            texture_2d: { parameters: "map: texture_2d<f32>", arguments: "map", texel: "textureLoad(map, vec2i(at), 0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
-            atlas: { parameters: "map: texture_2d<f32>, origin: vec2f", arguments: "map, origin", texel: "textureLoad(map, vec2i(at), 0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
-            array: { parameters: "map: texture_2d_array<f32>, layer: f32", arguments: "map, layer", texel: "textureLoad(map, vec2i(at), i32(layer), 0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_lit: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
-            cube: { parameters: "map: texture_cube<f32>, map_sampler: sampler, face: f32", arguments: "map, map_sampler, face", texel: "textureSampleLevel(map, map_sampler, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0)", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "" },
-            integer: { parameters: "map: texture_2d<u32>", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", lit: "", gather_red: "", gather_green: "", gather_lit: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "" },
-            depth: { parameters: "map: texture_depth_2d", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", lit: "", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
-            depth_array: { parameters: "map: texture_depth_2d_array, layer: f32", arguments: "map, layer", texel: "vec4f(textureLoad(map, vec2i(at), i32(layer), 0))", lit: "", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_green: "", gather_lit: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
-            shadow: { parameters: "map: texture_depth_2d, map_sampler: sampler_comparison", arguments: "map, map_sampler", texel: "", lit: "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)", gather_red: "", gather_green: "", gather_lit: "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "" },
-            shadow_array: { parameters: "map: texture_depth_2d_array, map_sampler: sampler_comparison, layer: f32", arguments: "map, map_sampler, layer", texel: "", lit: "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", gather_red: "", gather_green: "", gather_lit: "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "" },
+            texture_2d: { parameters: "map: texture_2d<f32>", arguments: "map", texel: "textureLoad(map, vec2i(at), 0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
+            atlas: { parameters: "map: texture_2d<f32>, origin: vec2f", arguments: "map, origin", texel: "textureLoad(map, vec2i(at), 0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
+            array: { parameters: "map: texture_2d_array<f32>, layer: f32", arguments: "map, layer", texel: "textureLoad(map, vec2i(at), i32(layer), 0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
+            cube: { parameters: "map: texture_cube<f32>, map_sampler: sampler, face: f32", arguments: "map, map_sampler, face", texel: "textureSampleLevel(map, map_sampler, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0)", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "" },
+            integer: { parameters: "map: texture_2d<u32>", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "" },
+            depth: { parameters: "map: texture_depth_2d", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", lit: "", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
+            depth_array: { parameters: "map: texture_depth_2d_array, layer: f32", arguments: "map, layer", texel: "vec4f(textureLoad(map, vec2i(at), i32(layer), 0))", lit: "", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler" },
+            shadow: { parameters: "map: texture_depth_2d, map_sampler: sampler_comparison", arguments: "map, map_sampler", texel: "", lit: "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)", gather_red: "", gather_green: "", gather_lit: "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "textureSampleCompareLevel(map, map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver)", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "" },
+            shadow_array: { parameters: "map: texture_depth_2d_array, map_sampler: sampler_comparison, layer: f32", arguments: "map, map_sampler, layer", texel: "", lit: "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", gather_red: "", gather_green: "", gather_lit: "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", lit_filtered: "textureSampleCompareLevel(map, map_sampler, at / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "" },
         },
         texts: {
             "shadow_coordinate": `
@@ -4406,6 +4515,14 @@ fn umbrage_box(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius
     return select(1.0, visibility, visibility < 0.999);  // 121 times the rounded 1/121 is not 1
 }
 `,
+            "pcf_2x2_hardware": `
+// umbrage_pcf_2x2_hardware: 2x2 comparisons; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    return umbrage_pcf_2x2(map, size, coord, receiver);
+}
+`,
             "spot_cone": `
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
@@ -4595,139 +4712,168 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
     return vec4f(a, b, c, d);
 }
 `,
+            "hooks/pcf_2x2_hardware, clamped": `
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
+fn umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let texel: vec2f = select(vec2f(0.5, 0.5), clamp(coord, vec2f(0.5, 0.5), size - 0.5), compared);
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let lit: f32 = UMBRAGE_LIT_FILTERED;
+    let visibility: f32 = select(0.0, lit, receiver > 0.0 || receiver <= 0.0);
+    return select(1.0, visibility, compared);
+}
+`,
+            "hooks/pcf_2x2_hardware, bordered": `
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler, outside the map with the far plane; visibility,
+//   1.0 is lit
+fn umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let texel: vec2f = select(vec2f(0.5, 0.5), clamp(coord, vec2f(0.5, 0.5), size - 0.5), compared);
+    let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let lit: f32 = UMBRAGE_LIT_FILTERED;
+    let inside: vec2f = clamp(min(coord, size - coord) + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
+    let outside: f32 = umbrage_compare(receiver, umbrage_cleared_depth());
+    let sum: f32 = outside + inside.x * inside.y * (lit - outside);
+    let visibility: f32 = select(0.0, sum, receiver > 0.0 || receiver <= 0.0);
+    return select(1.0, visibility, compared);
+}
+`,
         },
     },
 };
 
-// id, name, summary, exactness, ulp, lowest, role, scaled, needs
+// id, name, summary, exactness, ulp, within, lowest, role, scaled, needs
 const rows = [
-    ["shadow_coordinate", "shadow_coordinate", "world to texels and depth, before the division", "b", 0, "100", "none", false, []],
-    ["tap_coordinate", "tap_coordinate", "a tap's coordinate from the middle's, before the division", "b", 0, "100", "none", false, []],
-    ["project_coordinate", "project_coordinate", "the division by w, lit behind the light", "c", 1, "100", "none", false, []],
-    ["cube_face", "cube_face", "face of a cube that a direction meets", "a", 0, "100", "none", false, []],
-    ["cube_coordinate", "cube_coordinate", "face, and where on it, that a direction meets", "c", 1, "100", "none", false, ["cube_face"]],
-    ["cube_direction", "cube_direction", "direction to a point of a cube's face", "b", 0, "100", "none", false, []],
-    ["cube_tile", "cube_tile", "first texel of a face in an atlas", "a", 0, "100", "none", false, []],
-    ["linear_depth", "linear_depth", "view-space z over z_far", "b", 0, "100", "none", false, []],
-    ["project_depth", "project_depth", "z / w, far behind the light", "c", 1, "100", "none", false, []],
-    ["distance_depth", "distance_depth", "distance to the light over its range", "c", 1, "100", "none", false, []],
-    ["reverse_depth", "reverse_depth", "1 - depth", "b", 0, "100", "none", false, []],
-    ["depth_from_ndc", "depth_from_ndc", "z/w in [-1, 1] to depth in [0, 1]", "b", 0, "100", "none", false, []],
-    ["view_z_from_depth", "view_z_from_depth", "perspective depth to view-space z", "c", 1, "100", "none", false, []],
-    ["depth_from_view_z", "depth_from_view_z", "view-space z to perspective depth", "c", 1, "100", "none", false, []],
-    ["view_z_from_reversed_depth", "view_z_from_reversed_depth", "reversed perspective depth to view-space z", "c", 1, "100", "none", false, []],
-    ["reversed_depth_from_view_z", "reversed_depth_from_view_z", "view-space z to reversed perspective depth", "c", 1, "100", "none", false, []],
-    ["view_z_from_orthographic_depth", "view_z_from_orthographic_depth", "orthographic depth to view-space z", "b", 0, "100", "none", false, []],
-    ["orthographic_depth_from_view_z", "orthographic_depth_from_view_z", "view-space z to orthographic depth", "c", 1, "100", "none", false, []],
-    ["cleared_depth", "cleared_depth", "depth of the far plane", "a", 0, "100", "cleared_depth", false, []],
-    ["saturate", "saturate", "clamp to [0, 1], NaN to far", "a", 0, "100", "none", false, ["cleared_depth"]],
-    ["to_unorm", "to_unorm", "channel 0..255 to the value an 8-bit target stores as it", "a", 0, "100", "none", false, []],
-    ["from_unorm", "from_unorm", "value read from an 8-bit texture to channel 0..255", "a", 0, "100", "none", false, []],
-    ["encode_rg9", "encode_rg9", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
-    ["encode_rg10", "encode_rg10", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
-    ["encode_rg11", "encode_rg11", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
-    ["encode_rg12", "encode_rg12", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
-    ["encode_rg13", "encode_rg13", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
-    ["encode_rg14", "encode_rg14", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
-    ["encode_rg15", "encode_rg15", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
-    ["encode_rg16", "encode_rg16", "depth to two channels, R the low byte", "a", 0, "100", "none", false, ["saturate"]],
-    ["encode_rgb24", "encode_rgb24", "depth to three channels, R most significant", "a", 0, "100", "none", false, ["saturate"]],
-    ["encode_float_bits", "encode_float_bits", "any float's bit pattern to four channels, R least significant", "a", 0, "300 es", "none", false, []],
-    ["write_threejs_rgba", "write_threejs_rgba", "depth to three.js RGBA, r167 and later", "b", 0, "100", "none", false, ["saturate"]],
-    ["write_threejs_rgb", "write_threejs_rgb", "depth to three.js RGB, r167 and later", "b", 0, "100", "none", false, ["saturate"]],
-    ["write_threejs_rg", "write_threejs_rg", "depth to three.js RG, r167 and later", "b", 0, "100", "none", false, ["saturate"]],
-    ["write_threejs_legacy", "write_threejs_legacy", "depth to three.js RGBA, r73 to r166", "b", 0, "100", "none", false, ["saturate"]],
-    ["encode_threejs_legacy_repaired", "encode_threejs_legacy_repaired", "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired", "a", 0, "100", "none", false, ["saturate"]],
-    ["write_base255", "write_base255", "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx", "b", 0, "100", "none", false, ["saturate"]],
-    ["encode_base255_repaired", "encode_base255_repaired", "depth for readers of base-255 RGBA, 1.0 and truncation repaired", "b", 0, "100", "none", false, ["saturate"]],
-    ["texel", "texel", "texel inside a map", "a", 0, "100", "texel", false, []],
-    ["fetch_clamped", "fetch_clamped", "texel of a map, outside the nearest one inside", "a", 0, "100", "none", false, ["texel"]],
-    ["encode_rg9_table", "encode_rg9_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
-    ["encode_rg10_table", "encode_rg10_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
-    ["encode_rg11_table", "encode_rg11_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
-    ["encode_rg12_table", "encode_rg12_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
-    ["encode_rg13_table", "encode_rg13_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
-    ["encode_rg14_table", "encode_rg14_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
-    ["encode_rg15_table", "encode_rg15_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
-    ["encode_rg16_table", "encode_rg16_table", "depth to two channels through a look-up texture", "a", 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
-    ["decode_rg9", "decode_rg9", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
-    ["decode_rg10", "decode_rg10", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
-    ["decode_rg11", "decode_rg11", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
-    ["decode_rg12", "decode_rg12", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
-    ["decode_rg13", "decode_rg13", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
-    ["decode_rg14", "decode_rg14", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
-    ["decode_rg15", "decode_rg15", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
-    ["decode_rg16", "decode_rg16", "two channels, R the low byte, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
-    ["decode_rgb24", "decode_rgb24", "three channels, R most significant, to depth", "a", 0, "100", "none", false, ["from_unorm"]],
-    ["decode_float_bits", "decode_float_bits", "four channels, R least significant, to the float they are", "a", 0, "300 es", "none", false, ["saturate"]],
-    ["decode_threejs_rgba", "decode_threejs_rgba", "three.js RGBA, r167 and later, to depth", "b", 0, "100", "none", false, []],
-    ["decode_threejs_rgb", "decode_threejs_rgb", "three.js RGB, r167 and later, to depth", "b", 0, "100", "none", false, []],
-    ["decode_threejs_rg", "decode_threejs_rg", "three.js RG, r167 and later, to depth", "b", 0, "100", "none", false, []],
-    ["decode_threejs_legacy", "decode_threejs_legacy", "three.js RGBA, r73 to r166, to depth", "b", 0, "100", "none", false, []],
-    ["decode_base255", "decode_base255", "base-255 RGBA to depth", "b", 0, "100", "none", false, []],
-    ["level_rg9", "level_rg9", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
-    ["level_rg10", "level_rg10", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
-    ["level_rg11", "level_rg11", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
-    ["level_rg12", "level_rg12", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
-    ["level_rg13", "level_rg13", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
-    ["level_rg14", "level_rg14", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
-    ["level_rg15", "level_rg15", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
-    ["level_rg16", "level_rg16", "two channels to a level to compare with", "b", 0, "100", "none", true, []],
-    ["receiver_rg9", "receiver_rg9", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
-    ["receiver_rg10", "receiver_rg10", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
-    ["receiver_rg11", "receiver_rg11", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
-    ["receiver_rg12", "receiver_rg12", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
-    ["receiver_rg13", "receiver_rg13", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
-    ["receiver_rg14", "receiver_rg14", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
-    ["receiver_rg15", "receiver_rg15", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
-    ["receiver_rg16", "receiver_rg16", "receiver to a level, for maps that are not decoded", "b", 0, "100", "none", false, []],
-    ["decode_ps14", "decode_ps14", "r / 8 + g as the Radeon 8500 computed it", "b", 0, "100", "none", true, []],
-    ["receiver_ps14", "receiver_ps14", "receiver on the scale of decode_ps14", "b", 0, "100", "none", false, []],
-    ["inside_map", "inside_map", "whether a texel is one of the map's", "a", 0, "100", "none", false, []],
-    ["fetch_bordered", "fetch_bordered", "texel of a map, outside a border value", "a", 0, "100", "none", false, ["fetch_clamped", "inside_map"]],
-    ["fetch_depth", "fetch_depth", "stored depth of a texel", "a", 0, "100", "fetch_depth", false, ["fetch_clamped", "fetch_bordered", "cleared_depth"]],
-    ["inside_texel_space", "inside_texel_space", "coordinates a filter can take", "a", 0, "100", "none", false, []],
-    ["beyond_far", "beyond_far", "receivers behind the far plane", "a", 0, "100", "beyond_far", false, []],
-    ["is_compared", "is_compared", "receivers that a filter compares; it takes the others as lit", "a", 0, "100", "none", false, ["inside_texel_space", "beyond_far"]],
-    ["compare", "compare", "one comparison", "a", 0, "100", "compare", false, []],
-    ["lit", "lit", "one comparison with a texel", "a", 0, "100", "lit", false, ["compare", "fetch_depth"]],
-    ["lit_2x2", "lit_2x2", "comparisons with the 2x2 texels from one on", "a", 0, "100", "lit_2x2", false, ["lit"]],
-    ["compare_dx_sdk", "compare_dx_sdk", "stored + epsilon < receiver is shadow", "b", 0, "100", "none", false, []],
-    ["compare_exercise", "compare_exercise", "current < stored + epsilon is lit", "b", 0, "100", "none", false, []],
-    ["hard", "hard", "nearest texel, one test", "a", 0, "100", "none", false, ["is_compared", "lit"]],
-    ["four_tap", "four_tap", "mean of four taps with coordinates of their own", "a", 0, "100", "none", false, ["lit", "beyond_far"]],
-    ["pcf_2x2", "pcf_2x2", "bilinear 2x2, weights in steps of 1/256", "a", 0, "100", "none", false, ["is_compared", "lit_2x2"]],
-    ["pcf_2x2_dx_sdk", "pcf_2x2_dx_sdk", "bilinear 2x2 as the DirectX SDK sample, plain floats", "b", 0, "100", "none", false, ["compare_dx_sdk", "is_compared", "fetch_depth"]],
-    ["box_count", "box_count", "lit texels in a box of radius 0..8", "a", 0, "100", "none", false, ["is_compared", "lit"]],
-    ["box_scale", "box_scale", "1 / (2r+1)^2", "a", 0, "100", "none", false, []],
-    ["box", "box", "lit share of a box of radius 0..8", "b", 0, "100", "none", false, ["box_count", "box_scale"]],
-    ["spot_cone", "spot_cone", "1 inside a spot light's cone", "b", 0, "100", "none", false, []],
-    ["diffuse_ambient", "diffuse_ambient", "diffuse plus ambient light of a surface", "b", 0, "100", "none", false, []],
-    ["false_colour", "false_colour", "0..1 to blue, green, red", "b", 0, "100", "none", false, ["saturate"]],
-    ["hooks/cleared_depth, forward", "cleared_depth", "cleared_depth, forward", "a", 0, "100", "chosen", false, []],
-    ["hooks/cleared_depth, reversed", "cleared_depth", "cleared_depth, reversed", "a", 0, "100", "chosen", false, []],
-    ["hooks/beyond_far, forward", "beyond_far", "beyond_far, forward", "a", 0, "100", "chosen", false, []],
-    ["hooks/beyond_far, reversed", "beyond_far", "beyond_far, reversed", "a", 0, "100", "chosen", false, []],
-    ["hooks/beyond_far, scaled", "beyond_far", "beyond_far, scaled", "a", 0, "100", "chosen", false, []],
-    ["hooks/compare, forward", "compare", "compare, forward", "a", 0, "100", "chosen", false, []],
-    ["hooks/compare, reversed", "compare", "compare, reversed", "a", 0, "100", "chosen", false, []],
-    ["hooks/texel", "texel", "texel", "a", 0, "100", "chosen", false, []],
-    ["hooks/decode", "decode", "decode", "a", 0, "100", "chosen", false, []],
-    ["hooks/fetch_depth, clamped", "fetch_depth", "fetch_depth, clamped", "a", 0, "100", "chosen", false, ["fetch_clamped", "hooks/decode"]],
-    ["hooks/fetch_depth, bordered", "fetch_depth", "fetch_depth, bordered", "a", 0, "100", "chosen", false, ["fetch_clamped", "hooks/decode", "inside_map", "cleared_depth"]],
-    ["hooks/lit_texel", "lit_texel", "lit_texel", "a", 0, "100", "chosen", false, []],
-    ["hooks/lit, clamped", "lit", "lit, clamped", "a", 0, "100", "chosen", false, ["hooks/lit_texel"]],
-    ["hooks/lit, bordered", "lit", "lit, bordered", "a", 0, "100", "chosen", false, ["hooks/lit_texel", "inside_map", "compare", "cleared_depth"]],
-    ["hooks/gather_lit, compared", "gather_lit", "gather_lit, compared", "a", 0, "100", "gather_lit", false, []],
-    ["hooks/gather_lit, one channel", "gather_lit", "gather_lit, one channel", "a", 0, "100", "chosen", false, ["hooks/decode", "compare"]],
-    ["hooks/gather_lit, two channels", "gather_lit", "gather_lit, two channels", "a", 0, "100", "chosen", false, ["hooks/decode", "compare"]],
-    ["hooks/lit_2x2, gathered", "lit_2x2", "lit_2x2, gathered", "a", 0, "100", "chosen", false, ["hooks/gather_lit, compared"]],
-    ["hooks/lit_2x2, gathered in a region", "lit_2x2", "lit_2x2, gathered in a region", "a", 0, "100", "chosen", false, ["hooks/gather_lit, compared"]],
-    ["hooks/lit_2x2, gathered and bordered", "lit_2x2", "lit_2x2, gathered and bordered", "a", 0, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare", "cleared_depth"]],
+    ["shadow_coordinate", "shadow_coordinate", "world to texels and depth, before the division", "b", 0, 0, "100", "none", false, []],
+    ["tap_coordinate", "tap_coordinate", "a tap's coordinate from the middle's, before the division", "b", 0, 0, "100", "none", false, []],
+    ["project_coordinate", "project_coordinate", "the division by w, lit behind the light", "c", 1, 0, "100", "none", false, []],
+    ["cube_face", "cube_face", "face of a cube that a direction meets", "a", 0, 0, "100", "none", false, []],
+    ["cube_coordinate", "cube_coordinate", "face, and where on it, that a direction meets", "c", 1, 0, "100", "none", false, ["cube_face"]],
+    ["cube_direction", "cube_direction", "direction to a point of a cube's face", "b", 0, 0, "100", "none", false, []],
+    ["cube_tile", "cube_tile", "first texel of a face in an atlas", "a", 0, 0, "100", "none", false, []],
+    ["linear_depth", "linear_depth", "view-space z over z_far", "b", 0, 0, "100", "none", false, []],
+    ["project_depth", "project_depth", "z / w, far behind the light", "c", 1, 0, "100", "none", false, []],
+    ["distance_depth", "distance_depth", "distance to the light over its range", "c", 1, 0, "100", "none", false, []],
+    ["reverse_depth", "reverse_depth", "1 - depth", "b", 0, 0, "100", "none", false, []],
+    ["depth_from_ndc", "depth_from_ndc", "z/w in [-1, 1] to depth in [0, 1]", "b", 0, 0, "100", "none", false, []],
+    ["view_z_from_depth", "view_z_from_depth", "perspective depth to view-space z", "c", 1, 0, "100", "none", false, []],
+    ["depth_from_view_z", "depth_from_view_z", "view-space z to perspective depth", "c", 1, 0, "100", "none", false, []],
+    ["view_z_from_reversed_depth", "view_z_from_reversed_depth", "reversed perspective depth to view-space z", "c", 1, 0, "100", "none", false, []],
+    ["reversed_depth_from_view_z", "reversed_depth_from_view_z", "view-space z to reversed perspective depth", "c", 1, 0, "100", "none", false, []],
+    ["view_z_from_orthographic_depth", "view_z_from_orthographic_depth", "orthographic depth to view-space z", "b", 0, 0, "100", "none", false, []],
+    ["orthographic_depth_from_view_z", "orthographic_depth_from_view_z", "view-space z to orthographic depth", "c", 1, 0, "100", "none", false, []],
+    ["cleared_depth", "cleared_depth", "depth of the far plane", "a", 0, 0, "100", "cleared_depth", false, []],
+    ["saturate", "saturate", "clamp to [0, 1], NaN to far", "a", 0, 0, "100", "none", false, ["cleared_depth"]],
+    ["to_unorm", "to_unorm", "channel 0..255 to the value an 8-bit target stores as it", "a", 0, 0, "100", "none", false, []],
+    ["from_unorm", "from_unorm", "value read from an 8-bit texture to channel 0..255", "a", 0, 0, "100", "none", false, []],
+    ["encode_rg9", "encode_rg9", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
+    ["encode_rg10", "encode_rg10", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
+    ["encode_rg11", "encode_rg11", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
+    ["encode_rg12", "encode_rg12", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
+    ["encode_rg13", "encode_rg13", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
+    ["encode_rg14", "encode_rg14", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
+    ["encode_rg15", "encode_rg15", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
+    ["encode_rg16", "encode_rg16", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
+    ["encode_rgb24", "encode_rgb24", "depth to three channels, R most significant", "a", 0, 0, "100", "none", false, ["saturate"]],
+    ["encode_float_bits", "encode_float_bits", "any float's bit pattern to four channels, R least significant", "a", 0, 0, "300 es", "none", false, []],
+    ["write_threejs_rgba", "write_threejs_rgba", "depth to three.js RGBA, r167 and later", "b", 0, 0, "100", "none", false, ["saturate"]],
+    ["write_threejs_rgb", "write_threejs_rgb", "depth to three.js RGB, r167 and later", "b", 0, 0, "100", "none", false, ["saturate"]],
+    ["write_threejs_rg", "write_threejs_rg", "depth to three.js RG, r167 and later", "b", 0, 0, "100", "none", false, ["saturate"]],
+    ["write_threejs_legacy", "write_threejs_legacy", "depth to three.js RGBA, r73 to r166", "b", 0, 0, "100", "none", false, ["saturate"]],
+    ["encode_threejs_legacy_repaired", "encode_threejs_legacy_repaired", "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired", "a", 0, 0, "100", "none", false, ["saturate"]],
+    ["write_base255", "write_base255", "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx", "b", 0, 0, "100", "none", false, ["saturate"]],
+    ["encode_base255_repaired", "encode_base255_repaired", "depth for readers of base-255 RGBA, 1.0 and truncation repaired", "b", 0, 0, "100", "none", false, ["saturate"]],
+    ["texel", "texel", "texel inside a map", "a", 0, 0, "100", "texel", false, []],
+    ["fetch_clamped", "fetch_clamped", "texel of a map, outside the nearest one inside", "a", 0, 0, "100", "none", false, ["texel"]],
+    ["encode_rg9_table", "encode_rg9_table", "depth to two channels through a look-up texture", "a", 0, 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["encode_rg10_table", "encode_rg10_table", "depth to two channels through a look-up texture", "a", 0, 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["encode_rg11_table", "encode_rg11_table", "depth to two channels through a look-up texture", "a", 0, 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["encode_rg12_table", "encode_rg12_table", "depth to two channels through a look-up texture", "a", 0, 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["encode_rg13_table", "encode_rg13_table", "depth to two channels through a look-up texture", "a", 0, 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["encode_rg14_table", "encode_rg14_table", "depth to two channels through a look-up texture", "a", 0, 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["encode_rg15_table", "encode_rg15_table", "depth to two channels through a look-up texture", "a", 0, 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["encode_rg16_table", "encode_rg16_table", "depth to two channels through a look-up texture", "a", 0, 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
+    ["decode_rg9", "decode_rg9", "two channels, R the low byte, to depth", "a", 0, 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rg10", "decode_rg10", "two channels, R the low byte, to depth", "a", 0, 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rg11", "decode_rg11", "two channels, R the low byte, to depth", "a", 0, 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rg12", "decode_rg12", "two channels, R the low byte, to depth", "a", 0, 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rg13", "decode_rg13", "two channels, R the low byte, to depth", "a", 0, 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rg14", "decode_rg14", "two channels, R the low byte, to depth", "a", 0, 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rg15", "decode_rg15", "two channels, R the low byte, to depth", "a", 0, 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rg16", "decode_rg16", "two channels, R the low byte, to depth", "a", 0, 0, "100", "none", false, ["from_unorm"]],
+    ["decode_rgb24", "decode_rgb24", "three channels, R most significant, to depth", "a", 0, 0, "100", "none", false, ["from_unorm"]],
+    ["decode_float_bits", "decode_float_bits", "four channels, R least significant, to the float they are", "a", 0, 0, "300 es", "none", false, ["saturate"]],
+    ["decode_threejs_rgba", "decode_threejs_rgba", "three.js RGBA, r167 and later, to depth", "b", 0, 0, "100", "none", false, []],
+    ["decode_threejs_rgb", "decode_threejs_rgb", "three.js RGB, r167 and later, to depth", "b", 0, 0, "100", "none", false, []],
+    ["decode_threejs_rg", "decode_threejs_rg", "three.js RG, r167 and later, to depth", "b", 0, 0, "100", "none", false, []],
+    ["decode_threejs_legacy", "decode_threejs_legacy", "three.js RGBA, r73 to r166, to depth", "b", 0, 0, "100", "none", false, []],
+    ["decode_base255", "decode_base255", "base-255 RGBA to depth", "b", 0, 0, "100", "none", false, []],
+    ["level_rg9", "level_rg9", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
+    ["level_rg10", "level_rg10", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
+    ["level_rg11", "level_rg11", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
+    ["level_rg12", "level_rg12", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
+    ["level_rg13", "level_rg13", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
+    ["level_rg14", "level_rg14", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
+    ["level_rg15", "level_rg15", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
+    ["level_rg16", "level_rg16", "two channels to a level to compare with", "b", 0, 0, "100", "none", true, []],
+    ["receiver_rg9", "receiver_rg9", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
+    ["receiver_rg10", "receiver_rg10", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
+    ["receiver_rg11", "receiver_rg11", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
+    ["receiver_rg12", "receiver_rg12", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
+    ["receiver_rg13", "receiver_rg13", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
+    ["receiver_rg14", "receiver_rg14", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
+    ["receiver_rg15", "receiver_rg15", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
+    ["receiver_rg16", "receiver_rg16", "receiver to a level, for maps that are not decoded", "b", 0, 0, "100", "none", false, []],
+    ["decode_ps14", "decode_ps14", "r / 8 + g as the Radeon 8500 computed it", "b", 0, 0, "100", "none", true, []],
+    ["receiver_ps14", "receiver_ps14", "receiver on the scale of decode_ps14", "b", 0, 0, "100", "none", false, []],
+    ["inside_map", "inside_map", "whether a texel is one of the map's", "a", 0, 0, "100", "none", false, []],
+    ["fetch_bordered", "fetch_bordered", "texel of a map, outside a border value", "a", 0, 0, "100", "none", false, ["fetch_clamped", "inside_map"]],
+    ["fetch_depth", "fetch_depth", "stored depth of a texel", "a", 0, 0, "100", "fetch_depth", false, ["fetch_clamped", "fetch_bordered", "cleared_depth"]],
+    ["inside_texel_space", "inside_texel_space", "coordinates a filter can take", "a", 0, 0, "100", "none", false, []],
+    ["beyond_far", "beyond_far", "receivers behind the far plane", "a", 0, 0, "100", "beyond_far", false, []],
+    ["is_compared", "is_compared", "receivers that a filter compares; it takes the others as lit", "a", 0, 0, "100", "none", false, ["inside_texel_space", "beyond_far"]],
+    ["compare", "compare", "one comparison", "a", 0, 0, "100", "compare", false, []],
+    ["lit", "lit", "one comparison with a texel", "a", 0, 0, "100", "lit", false, ["compare", "fetch_depth"]],
+    ["lit_2x2", "lit_2x2", "comparisons with the 2x2 texels from one on", "a", 0, 0, "100", "lit_2x2", false, ["lit"]],
+    ["compare_dx_sdk", "compare_dx_sdk", "stored + epsilon < receiver is shadow", "b", 0, 0, "100", "none", false, []],
+    ["compare_exercise", "compare_exercise", "current < stored + epsilon is lit", "b", 0, 0, "100", "none", false, []],
+    ["hard", "hard", "nearest texel, one test", "a", 0, 0, "100", "none", false, ["is_compared", "lit"]],
+    ["four_tap", "four_tap", "mean of four taps with coordinates of their own", "a", 0, 0, "100", "none", false, ["lit", "beyond_far"]],
+    ["pcf_2x2", "pcf_2x2", "bilinear 2x2, weights in steps of 1/256", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
+    ["pcf_2x2_dx_sdk", "pcf_2x2_dx_sdk", "bilinear 2x2 as the DirectX SDK sample, plain floats", "b", 0, 0, "100", "none", false, ["compare_dx_sdk", "is_compared", "fetch_depth"]],
+    ["box_count", "box_count", "lit texels in a box of radius 0..8", "a", 0, 0, "100", "none", false, ["is_compared", "lit"]],
+    ["box_scale", "box_scale", "1 / (2r+1)^2", "a", 0, 0, "100", "none", false, []],
+    ["box", "box", "lit share of a box of radius 0..8", "b", 0, 0, "100", "none", false, ["box_count", "box_scale"]],
+    ["pcf_2x2_hardware", "pcf_2x2_hardware", "2x2 by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "pcf_2x2_hardware", false, ["pcf_2x2"]],
+    ["spot_cone", "spot_cone", "1 inside a spot light's cone", "b", 0, 0, "100", "none", false, []],
+    ["diffuse_ambient", "diffuse_ambient", "diffuse plus ambient light of a surface", "b", 0, 0, "100", "none", false, []],
+    ["false_colour", "false_colour", "0..1 to blue, green, red", "b", 0, 0, "100", "none", false, ["saturate"]],
+    ["hooks/cleared_depth, forward", "cleared_depth", "cleared_depth, forward", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/cleared_depth, reversed", "cleared_depth", "cleared_depth, reversed", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/beyond_far, forward", "beyond_far", "beyond_far, forward", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/beyond_far, reversed", "beyond_far", "beyond_far, reversed", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/beyond_far, scaled", "beyond_far", "beyond_far, scaled", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/compare, forward", "compare", "compare, forward", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/compare, reversed", "compare", "compare, reversed", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/texel", "texel", "texel", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/decode", "decode", "decode", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/fetch_depth, clamped", "fetch_depth", "fetch_depth, clamped", "a", 0, 0, "100", "chosen", false, ["fetch_clamped", "hooks/decode"]],
+    ["hooks/fetch_depth, bordered", "fetch_depth", "fetch_depth, bordered", "a", 0, 0, "100", "chosen", false, ["fetch_clamped", "hooks/decode", "inside_map", "cleared_depth"]],
+    ["hooks/lit_texel", "lit_texel", "lit_texel", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/lit, clamped", "lit", "lit, clamped", "a", 0, 0, "100", "chosen", false, ["hooks/lit_texel"]],
+    ["hooks/lit, bordered", "lit", "lit, bordered", "a", 0, 0, "100", "chosen", false, ["hooks/lit_texel", "inside_map", "compare", "cleared_depth"]],
+    ["hooks/gather_lit, compared", "gather_lit", "gather_lit, compared", "a", 0, 0, "100", "gather_lit", false, []],
+    ["hooks/gather_lit, one channel", "gather_lit", "gather_lit, one channel", "a", 0, 0, "100", "chosen", false, ["hooks/decode", "compare"]],
+    ["hooks/gather_lit, two channels", "gather_lit", "gather_lit, two channels", "a", 0, 0, "100", "chosen", false, ["hooks/decode", "compare"]],
+    ["hooks/lit_2x2, gathered", "lit_2x2", "lit_2x2, gathered", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared"]],
+    ["hooks/lit_2x2, gathered in a region", "lit_2x2", "lit_2x2, gathered in a region", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared"]],
+    ["hooks/lit_2x2, gathered and bordered", "lit_2x2", "lit_2x2, gathered and bordered", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare", "cleared_depth"]],
+    ["hooks/pcf_2x2_hardware, clamped", "pcf_2x2_hardware", "pcf_2x2_hardware, clamped", "a", 0, 0, "100", "chosen", false, ["is_compared"]],
+    ["hooks/pcf_2x2_hardware, bordered", "pcf_2x2_hardware", "pcf_2x2_hardware, bordered", "a", 0, 0, "100", "chosen", false, ["is_compared", "compare", "cleared_depth"]],
 ];
-const all = new Map(rows.map(([id, name, summary, exactness, ulp, lowest, role, scaled]) =>
-    [id, { id, name, summary, exactness, ulp, lowest, role, scaled, needs: [] }]));
-for (const [id, , , , , , , , needs] of rows) all.get(id).needs.push(...needs.map(need => all.get(need)));
+const all = new Map(rows.map(([id, name, summary, exactness, ulp, within, lowest, role, scaled]) =>
+    [id, { id, name, summary, exactness, ulp, within, lowest, role, scaled, needs: [] }]));
+for (const [id, , , , , , , , , needs] of rows) all.get(id).needs.push(...needs.map(need => all.get(need)));
 const part = variants => Object.fromEntries([...all]
     .filter(([id]) => id.startsWith('hooks/') === variants).map(([id, s]) => [id.replace('hooks/', ''), s]));
 const hooks = part(true);
@@ -4755,4 +4901,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, inside_texel_space, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, spot_cone, diffuse_ambient, false_colour } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, inside_texel_space, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, pcf_2x2_hardware, spot_cone, diffuse_ambient, false_colour } = snippets;

@@ -65,6 +65,7 @@ std::string_view role(glsl::hook h) {
         case glsl::hook::lit: return "lit";
         case glsl::hook::lit_2x2: return "lit_2x2";
         case glsl::hook::gather_lit: return "gather_lit";
+        case glsl::hook::pcf_2x2_hardware: return "pcf_2x2_hardware";
         case glsl::hook::chosen: return "chosen";
     }
     return "";
@@ -72,8 +73,10 @@ std::string_view role(glsl::hook h) {
 
 std::string row(const snippet& s) {
     return "    [" + literal(id(s)) + ", " + literal(s.name) + ", " + literal(s.summary) + ", \"" +
-           "abc"[static_cast<int>(s.exactness)] + "\", " + std::to_string(s.ulp) + ", " + literal(directive(s.lowest)) +
-           ", " + literal(role(s.role)) + ", " + (s.scaled ? "true" : "false") + ", " + list(s.needs) + "],\n";
+           "abc"[static_cast<int>(s.exactness)] + "\", " + std::to_string(s.ulp) + ", " +
+           (s.within > 0.0f ? "1 / " + std::to_string(static_cast<int>(1.0f / s.within)) : "0") + ", " +
+           literal(directive(s.lowest)) + ", " + literal(role(s.role)) + ", " + (s.scaled ? "true" : "false") + ", " +
+           list(s.needs) + "],\n";
 }
 
 std::string words(const glsl::detail::texture_words& w) {
@@ -88,6 +91,7 @@ std::string words(const glsl::detail::texture_words& w) {
     add("gather_red", w.gather_red);
     add("gather_green", w.gather_green);
     add("gather_lit", w.gather_lit);
+    add("lit_filtered", w.lit_filtered);
     add("size", w.size);
     add("sampler", w.sampler);
     add("sampler_argument", w.sampler_argument);
@@ -142,10 +146,10 @@ std::string module_data() {
     for (const shader_language& l : languages)
         exported += "export const " + std::string(l.name) + " = in_language('" + std::string(l.name) + "');\n";
     return "export const versions = [" + versions + "];\n\n" + languages_of_module() +
-           "\n// id, name, summary, exactness, ulp, lowest, role, scaled, needs\nconst rows = [\n" + rows +
-           "];\nconst all = new Map(rows.map(([id, name, summary, exactness, ulp, lowest, role, scaled]) =>\n"
-           "    [id, { id, name, summary, exactness, ulp, lowest, role, scaled, needs: [] }]));\n"
-           "for (const [id, , , , , , , , needs] of rows) all.get(id).needs.push(...needs.map(need => "
+           "\n// id, name, summary, exactness, ulp, within, lowest, role, scaled, needs\nconst rows = [\n" + rows +
+           "];\nconst all = new Map(rows.map(([id, name, summary, exactness, ulp, within, lowest, role, scaled]) =>\n"
+           "    [id, { id, name, summary, exactness, ulp, within, lowest, role, scaled, needs: [] }]));\n"
+           "for (const [id, , , , , , , , , needs] of rows) all.get(id).needs.push(...needs.map(need => "
            "all.get(need)));\n"
            "const part = variants => Object.fromEntries([...all]\n"
            "    .filter(([id]) => id.startsWith('hooks/') === variants).map(([id, s]) => [id.replace('hooks/', ''), "
