@@ -1231,12 +1231,11 @@ UMBRAGE_HIGHP float umbrage_spot_cone(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGH
 }
 `,
             "diffuse_ambient": `
-// umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
+// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient); for n_dot_l <= 0, NaN: ambient
 UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP float ambient,
                                            UMBRAGE_HIGHP float n_dot_l, UMBRAGE_HIGHP float visibility) {
-    UMBRAGE_HIGHP float facing = n_dot_l > 0.0 ? n_dot_l : 0.0;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float light = visibility * facing * (1.0 - ambient) + ambient;
-    return albedo * light;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float light = visibility * n_dot_l * (1.0 - ambient) + ambient;
+    return albedo * (n_dot_l > 0.0 ? light : ambient);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
 }
 `,
             "false_colour": `
@@ -2341,11 +2340,10 @@ float umbrage_spot_cone(float3 direction, float3 to_point, float cos_outer) {
 }
 `,
             "diffuse_ambient": `
-// umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
+// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient); for n_dot_l <= 0, NaN: ambient
 float3 umbrage_diffuse_ambient(float3 albedo, float ambient, float n_dot_l, float visibility) {
-    float facing = n_dot_l > 0.0 ? n_dot_l : 0.0;
-    precise float light = visibility * facing * (1.0 - ambient) + ambient;
-    return albedo * light;
+    precise float light = visibility * n_dot_l * (1.0 - ambient) + ambient;
+    return albedo * (n_dot_l > 0.0 ? light : ambient);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
 }
 `,
             "false_colour": `
@@ -3438,11 +3436,10 @@ inline float umbrage_spot_cone(float3 direction, float3 to_point, float cos_oute
 }
 `,
             "diffuse_ambient": `
-// umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
+// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient); for n_dot_l <= 0, NaN: ambient
 inline float3 umbrage_diffuse_ambient(float3 albedo, float ambient, float n_dot_l, float visibility) {
-    float facing = n_dot_l > 0.0 ? n_dot_l : 0.0;
-    float light = visibility * facing * (1.0 - ambient) + ambient;
-    return albedo * light;
+    float light = visibility * n_dot_l * (1.0 - ambient) + ambient;
+    return albedo * (n_dot_l > 0.0 ? light : ambient);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
 }
 `,
             "false_colour": `
@@ -4535,11 +4532,10 @@ fn umbrage_spot_cone(direction: vec3f, to_point: vec3f, cos_outer: f32) -> f32 {
 }
 `,
             "diffuse_ambient": `
-// umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
+// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient); for n_dot_l <= 0, NaN: ambient
 fn umbrage_diffuse_ambient(albedo: vec3f, ambient: f32, n_dot_l: f32, visibility: f32) -> vec3f {
-    let facing: f32 = select(0.0, n_dot_l, n_dot_l > 0.0);
-    let light: f32 = visibility * facing * (1.0 - ambient) + ambient;
-    return albedo * light;
+    let light: f32 = visibility * n_dot_l * (1.0 - ambient) + ambient;
+    return albedo * select(ambient, light, n_dot_l > 0.0);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
 }
 `,
             "false_colour": `

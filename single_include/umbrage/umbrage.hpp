@@ -3916,16 +3916,15 @@ template <real T>
 ///
 /// @param albedo       of the surface
 /// @param ambient      share of light that reaches shadows, in [0, 1]
-/// @param n_dot_l      cosine between normal and direction to the light; from 0 down, and NaN: unlit
+/// @param n_dot_l      cosine between normal and direction to the light; from 0 down, and NaN: ambient light alone
 /// @param visibility   of the light, 1 lit
-/// @formula            albedo (visibility max(n_dot_l, 0) (1 - ambient) + ambient)
+/// @formula            albedo (visibility n_dot_l (1 - ambient) + ambient) for n_dot_l > 0, else albedo ambient
 /// @exactness          B
 /// @cite               Microsoft DirectX SDK, ShadowMap sample
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> diffuse_ambient(glm::vec<3, T> albedo, T ambient, T n_dot_l, T visibility) {
-    const T facing = !is_nan(n_dot_l) && n_dot_l > T(0) ? n_dot_l : T(0);
-    const T light = visibility * facing * (T(1) - ambient) + ambient;
-    return albedo * light;
+    const bool faces = !is_nan(n_dot_l) && n_dot_l > T(0);
+    return albedo * (faces ? visibility * n_dot_l * (T(1) - ambient) + ambient : ambient);
 }
 
 namespace glsl {
@@ -3955,12 +3954,11 @@ inline constexpr snippet diffuse_ambient{
     .summary = "diffuse plus ambient light of a surface",
     .exactness = tier::b,
     .source = R"GLSL(
-// umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
+// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient); for n_dot_l <= 0, NaN: ambient
 UMBRAGE_HIGHP vec3 umbrage_diffuse_ambient(UMBRAGE_HIGHP vec3 albedo, UMBRAGE_HIGHP float ambient,
                                            UMBRAGE_HIGHP float n_dot_l, UMBRAGE_HIGHP float visibility) {
-    UMBRAGE_HIGHP float facing = n_dot_l > 0.0 ? n_dot_l : 0.0;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float light = visibility * facing * (1.0 - ambient) + ambient;
-    return albedo * light;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float light = visibility * n_dot_l * (1.0 - ambient) + ambient;
+    return albedo * (n_dot_l > 0.0 ? light : ambient);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
 }
 )GLSL",
 };

@@ -13,8 +13,9 @@ namespace {
 float any_bits(random& r) { return std::bit_cast<float>(r.bits()); }
 float signed_by(std::uint64_t i, float v) { return i % 2 ? -v : v; }
 float denormal(std::uint64_t i, random& r) { return signed_by(i, std::bit_cast<float>(1 + (r.bits() & 0x7FFFFE))); }
+/// Quiet or signalling.
 float not_a_number(std::uint64_t i, random& r) {
-    return std::bit_cast<float>((i % 2 ? 0xFFC00000u : 0x7FC00000u) | (r.bits() & 0x3FFFFF));
+    return std::bit_cast<float>((i % 2 ? 0xFF800000u : 0x7F800000u) | 1u | (r.bits() & 0x7FFFFF));
 }
 float infinity(std::uint64_t i) { return signed_by(i, std::numeric_limits<float>::infinity()); }
 

@@ -2,10 +2,9 @@
 
 #ifndef UMBRAGE_HAS_DIFFUSE_AMBIENT
 #define UMBRAGE_HAS_DIFFUSE_AMBIENT
-// umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
+// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient); for n_dot_l <= 0, NaN: ambient
 float3 umbrage_diffuse_ambient(float3 albedo, float ambient, float n_dot_l, float visibility) {
-    float facing = n_dot_l > 0.0 ? n_dot_l : 0.0;
-    precise float light = visibility * facing * (1.0 - ambient) + ambient;
-    return albedo * light;
+    precise float light = visibility * n_dot_l * (1.0 - ambient) + ambient;
+    return albedo * (n_dot_l > 0.0 ? light : ambient);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
 }
 #endif

@@ -1,8 +1,7 @@
 // umbrage 0.1.0, MIT License: diffuse_ambient
 
-// umbrage_diffuse_ambient: albedo * (visibility * max(n_dot_l, 0) * (1 - ambient) + ambient)
+// umbrage_diffuse_ambient: albedo * (visibility * n_dot_l * (1 - ambient) + ambient); for n_dot_l <= 0, NaN: ambient
 fn umbrage_diffuse_ambient(albedo: vec3f, ambient: f32, n_dot_l: f32, visibility: f32) -> vec3f {
-    let facing: f32 = select(0.0, n_dot_l, n_dot_l > 0.0);
-    let light: f32 = visibility * facing * (1.0 - ambient) + ambient;
-    return albedo * light;
+    let light: f32 = visibility * n_dot_l * (1.0 - ambient) + ambient;
+    return albedo * select(ambient, light, n_dot_l > 0.0);  // a max of n_dot_l and 0.0 is NaN for a signalling one on Mesa
 }

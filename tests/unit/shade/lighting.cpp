@@ -82,8 +82,10 @@ TEST_CASE_TEMPLATE("diffuse_ambient: by hand", T, float, double) {
     CHECK(diffuse_ambient(albedo, T(0.25), T(0.5), T(0.5)) == albedo * T(0.4375));
     CHECK(diffuse_ambient(albedo, T(0), T(-0.0), T(1)) == vec(0));
     CHECK(diffuse_ambient(albedo, T(1), T(0.3), T(0.7)) == albedo);
-    for (T nan : {std::numeric_limits<T>::quiet_NaN(), -std::numeric_limits<T>::quiet_NaN()})
-        CHECK(diffuse_ambient(albedo, T(0.25), nan, T(1)) == albedo * T(0.25));
+    const T nan = std::numeric_limits<T>::quiet_NaN();
+    for (T away : {nan, -nan, std::numeric_limits<T>::signaling_NaN(), T(0)})  // whatever the light's visibility
+        for (T visibility : {T(1), nan, std::numeric_limits<T>::infinity()})
+            CHECK(diffuse_ambient(albedo, T(0.25), away, visibility) == albedo * T(0.25));
 }
 
 TEST_CASE("diffuse_ambient: float near double, between ambient and full light, brighter with visibility") {

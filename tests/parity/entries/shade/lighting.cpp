@@ -39,6 +39,10 @@ void add_shade_lighting(std::vector<entry>& all) {
                             s.x[0] = vec4(r.unit(), r.unit(), 1.0f, 0.0f);
                             s.x[1] = vec4(std::array{0.0f, least, -least, 2.0f * least}[i % 4], 1.0f, 0.0f, 0.0f);
                         }});
+    surfaces.push_back({"grazing, visibility infinite", [](std::uint64_t i, random& r, sample& s) {
+                            s.x[0] = vec4(r.unit(), r.unit(), 1.0f, r.unit());
+                            s.x[1] = vec4(0.0f, std::numeric_limits<float>::infinity() * (i % 2 ? 1.0f : -1.0f), 0, 0);
+                        }});
     all.push_back(
         {.primitive = &glsl::diffuse_ambient,
          .classes = surfaces,
