@@ -279,4 +279,6 @@ export const spot_cone: Snippet;
 export const diffuse_ambient: Snippet;
 /** 0..1 to blue, green, red */
 export const false_colour: Snippet;
+/** which texel of a map stretched over the picture's corner a pixel shows, along one side */
+export const overlay_texel: Snippet;
 

@@ -1246,6 +1246,17 @@ UMBRAGE_HIGHP vec3 umbrage_false_colour(UMBRAGE_HIGHP float v) {
     return vec3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
 }
 `,
+            "overlay_texel": `
+// umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
+//   coord     centre of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
+UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIGHP float size,
+                                          UMBRAGE_HIGHP float map_size, UMBRAGE_HIGHP float texels_per_pixel) {
+    UMBRAGE_HIGHP float texel = floor(coord * texels_per_pixel - 0.5);
+    texel += (texel + 1.0) * size <= coord * map_size ? 1.0 : 0.0;
+    return coord >= 0.0 && coord < size ? texel : -1.0;
+}
+`,
             "hooks/cleared_depth, forward": `
 // umbrage_cleared_depth: depth of the far plane
 UMBRAGE_HIGHP float umbrage_cleared_depth() {
@@ -2354,6 +2365,16 @@ float3 umbrage_false_colour(float v) {
     return float3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
 }
 `,
+            "overlay_texel": `
+// umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
+//   coord     centre of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
+float umbrage_overlay_texel(float coord, float size, float map_size, float texels_per_pixel) {
+    float texel = floor(coord * texels_per_pixel - 0.5);
+    texel += (texel + 1.0) * size <= coord * map_size ? 1.0 : 0.0;
+    return coord >= 0.0 && coord < size ? texel : -1.0;
+}
+`,
             "hooks/cleared_depth, forward": `
 // umbrage_cleared_depth: depth of the far plane
 float umbrage_cleared_depth() {
@@ -3448,6 +3469,16 @@ inline float3 umbrage_false_colour(float v) {
     float x = umbrage_saturate(v) * 4.0;
     float3 ramp = 1.5 - metal::abs(float3(x - 3.0, x - 2.0, x - 1.0));
     return float3(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
+}
+`,
+            "overlay_texel": `
+// umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
+//   coord     centre of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
+inline float umbrage_overlay_texel(float coord, float size, float map_size, float texels_per_pixel) {
+    float texel = metal::floor(coord * texels_per_pixel - 0.5);
+    texel += (texel + 1.0) * size <= coord * map_size ? 1.0 : 0.0;
+    return coord >= 0.0 && coord < size ? texel : -1.0;
 }
 `,
             "hooks/cleared_depth, forward": `
@@ -4546,6 +4577,16 @@ fn umbrage_false_colour(v: f32) -> vec3f {
     return vec3f(umbrage_saturate(ramp.x), umbrage_saturate(ramp.y), umbrage_saturate(ramp.z));
 }
 `,
+            "overlay_texel": `
+// umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
+//   coord     centre of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
+fn umbrage_overlay_texel(coord: f32, size: f32, map_size: f32, texels_per_pixel: f32) -> f32 {
+    var texel: f32 = floor(coord * texels_per_pixel - 0.5);
+    texel += select(0.0, 1.0, (texel + 1.0) * size <= coord * map_size);
+    return select(-1.0, texel, coord >= 0.0 && coord < size);
+}
+`,
             "hooks/cleared_depth, forward": `
 // umbrage_cleared_depth: depth of the far plane
 fn umbrage_cleared_depth() -> f32 {
@@ -4844,6 +4885,7 @@ const rows = [
     ["spot_cone", "spot_cone", "1 inside a spot light's cone", "b", 0, 0, "100", "none", false, []],
     ["diffuse_ambient", "diffuse_ambient", "diffuse plus ambient light of a surface", "b", 0, 0, "100", "none", false, []],
     ["false_colour", "false_colour", "0..1 to blue, green, red", "b", 0, 0, "100", "none", false, ["saturate"]],
+    ["overlay_texel", "overlay_texel", "which texel of a map stretched over the picture's corner a pixel shows, along one side", "a", 0, 0, "100", "none", false, []],
     ["hooks/cleared_depth, forward", "cleared_depth", "cleared_depth, forward", "a", 0, 0, "100", "chosen", false, []],
     ["hooks/cleared_depth, reversed", "cleared_depth", "cleared_depth, reversed", "a", 0, 0, "100", "chosen", false, []],
     ["hooks/beyond_far, forward", "beyond_far", "beyond_far, forward", "a", 0, 0, "100", "chosen", false, []],
@@ -4897,4 +4939,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, inside_texel_space, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, pcf_2x2_hardware, spot_cone, diffuse_ambient, false_colour } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, inside_texel_space, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, pcf_2x2_hardware, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

@@ -40,3 +40,4 @@
 #include <umbrage/unorm.hpp>
 #include <umbrage/version.hpp>
 #include <umbrage/view/false_colour.hpp>
+#include <umbrage/view/overlay_texel.hpp>

@@ -4019,6 +4019,56 @@ inline constexpr auto false_colour_snippets = list<&false_colour>;
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/view/overlay_texel.hpp
+// A map stretched over the picture's corner: which of its texels a pixel shows, along x and along y.
+//
+//     float column = umbrage::overlay_texel(x + 0.5f, 256.0f, 1024.0f, 1024.0f / 256.0f);  // -1: beside the overlay
+//
+
+namespace umbrage {
+
+/// The texel that lies under a pixel's centre.
+///
+/// @param coord             centre of the pixel, counted from the corner: 0.5, 1.5, ...
+/// @param size              of the overlay in pixels, whole
+/// @param map_size          of the map in texels, whole, at most 65536 in float; size map_size at most 2^23 in float,
+///                          2^52 in double
+/// @param texels_per_pixel  map_size / size, up to 16 ulp off
+/// @return                  whole, from 0 to map_size - 1; -1 outside the overlay, and for NaN
+/// @formula                 floor(coord map_size / size)
+/// @exactness               A: the quotient is rounded, so its floor less 0 or 1 is taken, and products of whole
+///                          numbers tell which
+template <real T>
+[[nodiscard]] T overlay_texel(T coord, T size, T map_size, T texels_per_pixel) {
+    if (is_nan(coord) || !(coord >= T(0) && coord < size)) return T(-1);
+    const T texel = std::floor(coord * texels_per_pixel - T(0.5));
+    return (texel + T(1)) * size <= coord * map_size ? texel + T(1) : texel;
+}
+
+namespace glsl {
+
+inline constexpr snippet overlay_texel{
+    .name = "overlay_texel",
+    .summary = "which texel of a map stretched over the picture's corner a pixel shows, along one side",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
+//   coord     centre of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
+UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIGHP float size,
+                                          UMBRAGE_HIGHP float map_size, UMBRAGE_HIGHP float texels_per_pixel) {
+    UMBRAGE_HIGHP float texel = floor(coord * texels_per_pixel - 0.5);
+    texel += (texel + 1.0) * size <= coord * map_size ? 1.0 : 0.0;
+    return coord >= 0.0 && coord < size ? texel : -1.0;
+}
+)GLSL",
+};
+
+inline constexpr auto overlay_texel_snippets = list<&overlay_texel>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/primitives.hpp
 // The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them, and
 // the texts of snippets come with <umbrage/umbrage.hpp>. Made by single_include/amalgamate.cmake.
@@ -6193,7 +6243,8 @@ struct overlay_placement {
     texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
 };
 
-/// Draws a map into the top left corner of a picture, scaled to the nearest texel. What does not fit is cut off.
+/// Draws a map into the top left corner of a picture, scaled to the nearest texel, the one that `overlay_texel` says.
+/// What does not fit is cut off.
 ///
 /// @param colour  float -> colour, given the map's texels as they are: a float is a grey, a vec3 red, green and blue,
 ///                all in [0, 1]
@@ -6204,8 +6255,8 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
     if (place.size.x < 0 || place.size.y < 0) detail::fail("umbrage::overlay: negative size");
     if (map.empty()) return;
     const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
-    const auto nearest = [](int i, int count, int from) {
-        return static_cast<int>((2 * std::int64_t{i} + 1) * from / (2 * std::int64_t{count}));
+    const auto nearest = [](int i, double count, double from) {
+        return static_cast<int>(overlay_texel(i + 0.5, count, from, from / count));
     };
     const auto row_from_top = [](int y, int count, texture_origin origin) {
         return origin == texture_origin::top ? y : count - 1 - y;
@@ -9202,7 +9253,7 @@ inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 
 inline constexpr auto maps = collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets,
                                      filters, pcf_2x2_hardware_snippets);
 inline constexpr auto shade = collect(lighting_snippets);
-inline constexpr auto view = collect(false_colour_snippets);
+inline constexpr auto view = collect(false_colour_snippets, overlay_texel_snippets);
 inline constexpr auto everything = collect(light, kinds, codes, levels, maps, shade, view);
 
 }  // namespace detail

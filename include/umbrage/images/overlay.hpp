@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <vector>
 
@@ -23,6 +22,7 @@
 #include <umbrage/image.hpp>
 #include <umbrage/scalar.hpp>
 #include <umbrage/unorm.hpp>
+#include <umbrage/view/overlay_texel.hpp>
 
 namespace umbrage {
 
@@ -65,7 +65,8 @@ struct overlay_placement {
     texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
 };
 
-/// Draws a map into the top left corner of a picture, scaled to the nearest texel. What does not fit is cut off.
+/// Draws a map into the top left corner of a picture, scaled to the nearest texel, the one that `overlay_texel` says.
+/// What does not fit is cut off.
 ///
 /// @param colour  float -> colour, given the map's texels as they are: a float is a grey, a vec3 red, green and blue,
 ///                all in [0, 1]
@@ -76,8 +77,8 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
     if (place.size.x < 0 || place.size.y < 0) detail::fail("umbrage::overlay: negative size");
     if (map.empty()) return;
     const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
-    const auto nearest = [](int i, int count, int from) {
-        return static_cast<int>((2 * std::int64_t{i} + 1) * from / (2 * std::int64_t{count}));
+    const auto nearest = [](int i, double count, double from) {
+        return static_cast<int>(overlay_texel(i + 0.5, count, from, from / count));
     };
     const auto row_from_top = [](int y, int count, texture_origin origin) {
         return origin == texture_origin::top ? y : count - 1 - y;

@@ -25,6 +25,7 @@
 #include <umbrage/shade/lighting.hpp>
 #include <umbrage/unorm.hpp>
 #include <umbrage/view/false_colour.hpp>
+#include <umbrage/view/overlay_texel.hpp>
 
 namespace umbrage::glsl {
 
@@ -83,7 +84,7 @@ inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 
 inline constexpr auto maps = collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets,
                                      filters, pcf_2x2_hardware_snippets);
 inline constexpr auto shade = collect(lighting_snippets);
-inline constexpr auto view = collect(false_colour_snippets);
+inline constexpr auto view = collect(false_colour_snippets, overlay_texel_snippets);
 inline constexpr auto everything = collect(light, kinds, codes, levels, maps, shade, view);
 
 }  // namespace detail

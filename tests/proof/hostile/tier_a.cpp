@@ -17,6 +17,7 @@
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/view/overlay_texel.hpp>
 
 #include "hostile.hpp"
 
@@ -149,6 +150,13 @@ void suite::all() const {
         [&](const look_up& l) { return four_tap(fetch, l.a, l.b, l.c, l.d, l.receiver); });
     run("box_count", few_inputs, draw, [&](const look_up& l) { return box_count(fetch, l.a, l.receiver, l.radius); });
     run("box_scale", few_inputs, draw, [](const look_up& l) { return box_scale<float>(l.radius); });
+    run(
+        "overlay_texel", inputs,
+        [](source& s) {
+            const auto size = 1 + s.below(2048), map_size = 1 + s.below(4096);
+            return glm::vec3(float(s.below(size)) + 0.5f, float(size), float(map_size));
+        },
+        [](glm::vec3 v) { return overlay_texel(v.x, v.y, v.z, v.z / v.y); });
 
     // Written, stored, read back: the byte must come through a store that rounds or truncates.
     for (const auto store : {unorm_store::rounds, unorm_store::truncates})

@@ -1,0 +1,29 @@
+// umbrage 0.1.0, MIT License: overlay_texel
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_OVERLAY_TEXEL
+#define UMBRAGE_HAS_OVERLAY_TEXEL
+// umbrage_overlay_texel: texel under a pixel of a map stretched over the picture's corner; -1.0 outside the overlay
+//   coord     centre of the pixel, counted from the corner: 0.5, 1.5, ...;   size  of the overlay in pixels, whole
+//   map_size  in texels, whole, at most 65536.0; times size at most 2^23;   texels_per_pixel  map_size / size
+UMBRAGE_HIGHP float umbrage_overlay_texel(UMBRAGE_HIGHP float coord, UMBRAGE_HIGHP float size,
+                                          UMBRAGE_HIGHP float map_size, UMBRAGE_HIGHP float texels_per_pixel) {
+    UMBRAGE_HIGHP float texel = floor(coord * texels_per_pixel - 0.5);
+    texel += (texel + 1.0) * size <= coord * map_size ? 1.0 : 0.0;
+    return coord >= 0.0 && coord < size ? texel : -1.0;
+}
+#endif
