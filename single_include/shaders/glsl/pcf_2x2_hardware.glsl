@@ -52,7 +52,8 @@ bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
 #define UMBRAGE_HAS_IS_COMPARED
 // umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
 bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
-    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 

@@ -21,7 +21,8 @@ precise bool umbrage_beyond_far(float receiver) {
 #define UMBRAGE_HAS_IS_COMPARED
 // umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
 precise bool umbrage_is_compared(float2 coord, float receiver) {
-    return umbrage_inside_texel_space(coord) && !umbrage_beyond_far(receiver);
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
 }
 #endif
 
