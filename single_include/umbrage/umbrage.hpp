@@ -9050,8 +9050,8 @@ inline constexpr glsl::detail::language language{
 /// The snippets, or what bind() gives for a map, and all they need, each once and guarded: text to paste into any
 /// shader.
 ///
-/// Nothing in HLSL says how large a texture is within an expression: a map that is a region of one, and is gathered from
-/// or compared by its sampler, needs the binding's texture_size.
+/// Nothing in HLSL says how large a texture is within an expression: a map that is a region of one, and is gathered
+/// from or compared by its sampler, needs the binding's texture_size.
 ///
 /// @throws std::invalid_argument   for what HLSL has no word for
 [[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
