@@ -80,6 +80,12 @@ void write(std::ostream& out) {
         for (const glsl::binding& map : maps())
             for (const snippet& s : {glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_dx_sdk})
                 add(out, l, {bind(s, "sun", map)});
+        const auto reversed = umbrage::depth_direction::reversed;  // four maps of four kinds in one shader
+        add(out, l,
+            {bind(glsl::pcf_2x2, "spot", glsl::stored_as(umbrage::rg<11>{})),
+             bind(glsl::pcf_2x2, "cascades", {.texture = glsl::texture::array, .direction = reversed}),
+             bind(glsl::box, "tile", {.texture = glsl::texture::atlas, .outside_lit = true}),
+             bind(glsl::hard, "lamp", {.texture = glsl::texture::cube}), glsl::cube_coordinate});
         add(out, l, {bind(glsl::hard, "", {})});
         add(out, l, {glsl::hard, glsl::hard});
         add(out, l, {});
