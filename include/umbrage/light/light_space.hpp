@@ -32,7 +32,10 @@ namespace detail {
 
 /// Reports an argument of a set-up function, or several, unless what they need is met.
 inline void require(bool met, const char* function, const char* arguments, const char* problem) {
-    if (!met) fail(std::string("umbrage::") + function + ": " + arguments + " " + problem);
+    if (met) return;
+    std::string message = "umbrage::";  // appended to: of sums GCC 12 believes at times that they overrun
+    for (const char* part : {function, ": ", arguments, " ", problem}) message += part;
+    fail(message);
 }
 
 /// True for what neither overflowed nor is lost where denormals count as zero.
