@@ -36,8 +36,11 @@ std::vector<input_class> receivers_and_texels() {
     return classes;
 }
 
-/// Compiling the loops of box takes long.
-bool has_box(const binding& as) { return !as.gather && as.direction == depth_direction::reversed; }
+/// Not with every kind: compiling its loops takes long.
+bool has_box(const binding& as) {
+    const bool kind = as.texture == texture::array || as.texture == texture::cube || as.texture == texture::shadow;
+    return kind && !as.gather && as.direction == depth_direction::reversed;
+}
 
 /// What a shader of the map calls, and the same in C++: pcf_2x2, box or hard, the bits of lit_2x2, fetch_depth or lit.
 std::string calls(const bound_map& m, const std::string& depth = "x0.z") {
@@ -109,21 +112,22 @@ void add_kinds(std::vector<entry>& all) {
         {"shadow", {.texture = texture::shadow}},
         {"shadow array", {.texture = texture::shadow_array}},
         {"shadow region", {.texture = texture::shadow, .origin = "vec2(5.0, 3.0)"}}};
-    int number = 0;
-    for (const auto& [name, kind] : kinds)
+    bool outside_lit = false;
+    for (const auto& [name, kind] : kinds) {
         for (const auto direction : {depth_direction::forward, depth_direction::reversed})
             for (const bool gather : {false, true}) {
                 if (gather && !is_gathered(kind.texture)) continue;
                 binding as = kind;
                 as.direction = direction;
                 as.gather = gather;
-                as.outside_lit = (number + (direction == depth_direction::forward ? 0 : 1) + (gather ? 1 : 0)) % 2 == 1;
+                as.outside_lit = (outside_lit != gather) != (direction == depth_direction::reversed);
                 const auto maps = kind.texture == texture::cube
                                       ? plain_maps({{64, 64}, {21, 21}, {1, 1}})
                                       : plain_maps({{64, 64}, {37, 21}, {3, 2}, {1, 1}, {1, 5}});
                 all.push_back(bound(name, as, maps, [](vec4 value) { return value.x; }));
-                ++number;
             }
+        outside_lit = !outside_lit;
+    }
 }
 
 void add_packed(std::vector<entry>& all) {
