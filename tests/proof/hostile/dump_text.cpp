@@ -5,6 +5,7 @@
 #include <string>
 
 #include <umbrage/depth/rg.hpp>
+#include <umbrage/shader/glsl.hpp>
 
 int main() {
     using namespace umbrage::glsl;
