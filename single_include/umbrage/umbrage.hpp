@@ -3621,12 +3621,12 @@ struct cube_axes {
 /// Faces in the order of their numbers: +x, -x, +y, -y, +z, -z. A right-handed view along them with 90 degrees each way
 /// has its NDC x and y where cube_coordinate has 2 s - 1 and 2 t - 1.
 /// @cite   OpenGL 4.6 specification, table 8.19: selection of cube map images
-inline constexpr std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
-                                                      {{-1, 0, 0}, {0, -1, 0}},
-                                                      {{0, 1, 0}, {0, 0, 1}},
-                                                      {{0, -1, 0}, {0, 0, -1}},
-                                                      {{0, 0, 1}, {0, -1, 0}},
-                                                      {{0, 0, -1}, {0, -1, 0}}}};
+inline const std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
+                                                  {{-1, 0, 0}, {0, -1, 0}},
+                                                  {{0, 1, 0}, {0, 0, 1}},
+                                                  {{0, -1, 0}, {0, 0, -1}},
+                                                  {{0, 0, 1}, {0, -1, 0}},
+                                                  {{0, 0, -1}, {0, -1, 0}}}};
 
 /// The face that a direction from the cube's middle meets.
 /// @param direction   of any length; where two faces meet, x goes before y and y before z
@@ -3675,7 +3675,7 @@ template <real T>
 /// First texel of a face in an atlas of 3 x 2 tiles: +x, -x, +y in the first row.
 /// @param face   0 .. 5;   size  of a tile, in texels
 /// @exactness    A
-[[nodiscard]] constexpr glm::ivec2 cube_tile(int face, int size) { return {face % 3 * size, face / 3 * size}; }
+[[nodiscard]] inline glm::ivec2 cube_tile(int face, int size) { return {face % 3 * size, face / 3 * size}; }
 
 namespace glsl {
 
@@ -9520,7 +9520,8 @@ private:
         if (first == last) return built_in(function, arguments, close);
         for (auto f = first; f != last; ++f) {
             const auto same = [](const std::string& type, const value& v) { return type == v.type; };
-            if (std::ranges::equal(f->second.parameters, arguments, same))
+            const auto& wanted = f->second.parameters;
+            if (std::equal(wanted.begin(), wanted.end(), arguments.begin(), arguments.end(), same))
                 return {f->second.name + listed(arguments) + close, f->second.gives, primary_level};
         }
         reject("no overload of " + function + " takes what it is given");
@@ -9611,7 +9612,8 @@ public:
             at = glsl::detail::closing(all_, at) + 1;
         }
         for (const head& h : all) {
-            const bool alone = std::ranges::count(all, h.name, &head::name) == 1;
+            const bool alone =
+                std::count_if(all.begin(), all.end(), [&](const head& other) { return other.name == h.name; }) == 1;
             const bool plain = alone || h.parameters.empty() || h.parameters[0].type == "float";
             signature s{h.name + (plain ? "" : "_" + name_of(h.parameters[0].type)), {}, h.gives};
             for (const parameter& p : h.parameters) s.parameters.push_back(p.type);
@@ -9714,7 +9716,7 @@ private:
             while (all_[behind] == "." || all_[behind] == "[")
                 behind = all_[behind] == "." ? behind + 2 : glsl::detail::closing(all_, behind) + 1;
             const bool before = all_[i - 1] == "++" || all_[i - 1] == "--";
-            if (before || std::ranges::find(signs, all_[behind].text) != std::end(signs))
+            if (before || std::find(std::begin(signs), std::end(signs), all_[behind].text) != std::end(signs))
                 assigned_.emplace(all_[i].text);
         }
     }

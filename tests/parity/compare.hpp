@@ -2,9 +2,9 @@
 //
 // The one comparison of all back ends.
 //
-// A and B: bit for bit; C: within the snippet's ulp, or its distance. NaN equals NaN. Unless the entry is about bits, -0
-// equals +0 and a denormal may act as zero (IEEE 754 hardware modes and llvmpipe flush): results of flushed inputs, and
-// flushed results, count as equal.
+// A and B: bit for bit; C: within the snippet's ulp, or its distance. NaN equals NaN. Unless the entry is about bits,
+// -0 equals +0 and a denormal may act as zero (IEEE 754 hardware modes and llvmpipe flush): results of flushed inputs,
+// and flushed results, count as equal.
 #pragma once
 
 #include <map>

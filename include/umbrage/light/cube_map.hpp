@@ -28,12 +28,12 @@ struct cube_axes {
 /// Faces in the order of their numbers: +x, -x, +y, -y, +z, -z. A right-handed view along them with 90 degrees each way
 /// has its NDC x and y where cube_coordinate has 2 s - 1 and 2 t - 1.
 /// @cite   OpenGL 4.6 specification, table 8.19: selection of cube map images
-inline constexpr std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
-                                                      {{-1, 0, 0}, {0, -1, 0}},
-                                                      {{0, 1, 0}, {0, 0, 1}},
-                                                      {{0, -1, 0}, {0, 0, -1}},
-                                                      {{0, 0, 1}, {0, -1, 0}},
-                                                      {{0, 0, -1}, {0, -1, 0}}}};
+inline const std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
+                                                  {{-1, 0, 0}, {0, -1, 0}},
+                                                  {{0, 1, 0}, {0, 0, 1}},
+                                                  {{0, -1, 0}, {0, 0, -1}},
+                                                  {{0, 0, 1}, {0, -1, 0}},
+                                                  {{0, 0, -1}, {0, -1, 0}}}};
 
 /// The face that a direction from the cube's middle meets.
 /// @param direction   of any length; where two faces meet, x goes before y and y before z
@@ -82,7 +82,7 @@ template <real T>
 /// First texel of a face in an atlas of 3 x 2 tiles: +x, -x, +y in the first row.
 /// @param face   0 .. 5;   size  of a tile, in texels
 /// @exactness    A
-[[nodiscard]] constexpr glm::ivec2 cube_tile(int face, int size) { return {face % 3 * size, face / 3 * size}; }
+[[nodiscard]] inline glm::ivec2 cube_tile(int face, int size) { return {face % 3 * size, face / 3 * size}; }
 
 namespace glsl {
 

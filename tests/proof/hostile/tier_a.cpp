@@ -16,6 +16,7 @@
 #include <umbrage/depth/foreign/threejs_legacy.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
+#include <umbrage/light/cube_map.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/view/overlay_texel.hpp>
 
@@ -122,6 +123,34 @@ void suite::all() const {
     run("fetch_bordered", inputs, texel,
         [&](glm::ivec2 t) { return fetch_bordered(std::as_const(map).view(), t, 1.0f); });
     run("fetch_depth", inputs, texel, [&](glm::ivec2 t) { return fetch_depth(fetch, t); });
+    run("texel", inputs, texel, [&](glm::ivec2 t) { return umbrage::texel(std::as_const(map).view(), t & 7); });
+    run("inside_map", inputs, texel, [](glm::ivec2 t) { return inside_map({8, 8}, t); });
+    const auto compared_texel = [](source& s) {
+        const glm::ivec2 t = s.texel();
+        return std::pair{t, s.level()};
+    };
+    run("lit", inputs, compared_texel, [&](const auto& in) { return lit(fetch, in.first, in.second); });
+    run("lit_2x2", inputs, compared_texel, [&](const auto& in) { return lit_2x2(fetch, in.first, in.second); });
+    run(
+        "beyond_far", inputs, [](source& s) { return s.level(); },
+        [](float v) { return glm::vec2(beyond_far(v), beyond_far(v, greater_equal{})); });
+    run(
+        "cleared_depth", inputs, [](source& s) { return s.one_in(2); },
+        [](bool back) { return cleared_depth(back ? depth_direction::reversed : depth_direction::forward); });
+    run(
+        "cube_face", inputs,
+        [](source& s) {
+            const glm::vec2 xy = s.coords();
+            return glm::vec3(xy, s.level());
+        },
+        [](glm::vec3 direction) { return float(cube_face(direction)); });
+    run(
+        "cube_tile", inputs,
+        [](source& s) {
+            const auto face = static_cast<int>(s.below(6));
+            return glm::ivec2(face, s.below(4096));
+        },
+        [](glm::ivec2 v) { return glm::vec2(cube_tile(v.x, v.y)); });
 
     run(
         "inside_texel_space", inputs, [](source& s) { return s.coords(); },

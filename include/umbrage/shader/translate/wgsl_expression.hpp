@@ -211,7 +211,8 @@ private:
         if (first == last) return built_in(function, arguments, close);
         for (auto f = first; f != last; ++f) {
             const auto same = [](const std::string& type, const value& v) { return type == v.type; };
-            if (std::ranges::equal(f->second.parameters, arguments, same))
+            const auto& wanted = f->second.parameters;
+            if (std::equal(wanted.begin(), wanted.end(), arguments.begin(), arguments.end(), same))
                 return {f->second.name + listed(arguments) + close, f->second.gives, primary_level};
         }
         reject("no overload of " + function + " takes what it is given");

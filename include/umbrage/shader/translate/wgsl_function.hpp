@@ -45,7 +45,8 @@ public:
             at = glsl::detail::closing(all_, at) + 1;
         }
         for (const head& h : all) {
-            const bool alone = std::ranges::count(all, h.name, &head::name) == 1;
+            const bool alone =
+                std::count_if(all.begin(), all.end(), [&](const head& other) { return other.name == h.name; }) == 1;
             const bool plain = alone || h.parameters.empty() || h.parameters[0].type == "float";
             signature s{h.name + (plain ? "" : "_" + name_of(h.parameters[0].type)), {}, h.gives};
             for (const parameter& p : h.parameters) s.parameters.push_back(p.type);
@@ -148,7 +149,7 @@ private:
             while (all_[behind] == "." || all_[behind] == "[")
                 behind = all_[behind] == "." ? behind + 2 : glsl::detail::closing(all_, behind) + 1;
             const bool before = all_[i - 1] == "++" || all_[i - 1] == "--";
-            if (before || std::ranges::find(signs, all_[behind].text) != std::end(signs))
+            if (before || std::find(std::begin(signs), std::end(signs), all_[behind].text) != std::end(signs))
                 assigned_.emplace(all_[i].text);
         }
     }
