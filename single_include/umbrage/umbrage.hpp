@@ -2918,69 +2918,6 @@ struct hierarchical_box {
 }  // namespace filters
 }  // namespace umbrage
 
-// ---- umbrage/filter/pcf/hard.hpp
-// The unfiltered shadow test: one texel, one comparison.
-//
-//     float visibility = umbrage::hard(umbrage::clamped(map), coord, depth - bias);
-//
-
-namespace umbrage {
-
-/// @param fetch      ivec2 texel -> stored depth; called once
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @return           1 lit, 0 in shadow
-/// @formula          [receiver <= fetch(floor(coord))]
-/// @exactness        A
-/// @cite             Williams: Casting curved shadows on curved surfaces, SIGGRAPH 1978
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T hard(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
-    return lit(fetch, glm::ivec2(glm::floor(coord)), receiver, is_lit);
-}
-
-namespace glsl {
-
-inline constexpr snippet hard{
-    .name = "hard",
-    .summary = "nearest texel, one test",
-    .exactness = tier::a,
-    .needs = list<&is_compared, &lit>,
-    .source = R"GLSL(
-// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased
-UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                 UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 texel = compared ? floor(coord) : vec2(0.0, 0.0);  // no branch: fetches of several taps overlap
-    UMBRAGE_HIGHP float lit = umbrage_lit(map, size, texel, receiver);
-    return compared ? lit : 1.0;
-}
-)GLSL",
-};
-
-}  // namespace glsl
-
-namespace filters {
-
-/// The filter as a value.
-struct hard {
-    static constexpr std::string_view name = "hard";
-    static constexpr const glsl::snippet* snippet = &glsl::hard;
-
-    comparison is_lit{};
-
-    [[nodiscard]] constexpr float reach() const { return 0.5f; }
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::hard(fetch, coord, receiver, is_lit);
-    }
-};
-
-}  // namespace filters
-}  // namespace umbrage
-
 // ---- umbrage/light/light_space.hpp
 // A light's view of the world: two matrices and the convention they follow. Every set-up function either returns
 // matrices of finite numbers, whose product is finite too, or reports which argument is to blame.
@@ -3402,6 +3339,69 @@ struct four_tap {
     [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
         return umbrage::four_tap(fetch, coord + offsets[0], coord + offsets[1], coord + offsets[2], coord + offsets[3],
                                  receiver, is_lit);
+    }
+};
+
+}  // namespace filters
+}  // namespace umbrage
+
+// ---- umbrage/filter/pcf/hard.hpp
+// The unfiltered shadow test: one texel, one comparison.
+//
+//     float visibility = umbrage::hard(umbrage::clamped(map), coord, depth - bias);
+//
+
+namespace umbrage {
+
+/// @param fetch      ivec2 texel -> stored depth; called once
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @return           1 lit, 0 in shadow
+/// @formula          [receiver <= fetch(floor(coord))]
+/// @exactness        A
+/// @cite             Williams: Casting curved shadows on curved surfaces, SIGGRAPH 1978
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T hard(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    return lit(fetch, glm::ivec2(glm::floor(coord)), receiver, is_lit);
+}
+
+namespace glsl {
+
+inline constexpr snippet hard{
+    .name = "hard",
+    .summary = "nearest texel, one test",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &lit>,
+    .source = R"GLSL(
+// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_hard(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 texel = compared ? floor(coord) : vec2(0.0, 0.0);  // no branch: fetches of several taps overlap
+    UMBRAGE_HIGHP float lit = umbrage_lit(map, size, texel, receiver);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+}  // namespace glsl
+
+namespace filters {
+
+/// The filter as a value.
+struct hard {
+    static constexpr std::string_view name = "hard";
+    static constexpr const glsl::snippet* snippet = &glsl::hard;
+
+    comparison is_lit{};
+
+    [[nodiscard]] constexpr float reach() const { return 0.5f; }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::hard(fetch, coord, receiver, is_lit);
     }
 };
 
@@ -4988,11 +4988,8 @@ template <class T>
     return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
 }
 
-/// The last texel of a map that a receiver in texel space can ask for, `beyond` texels farther than its own.
-[[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size, int beyond = 0) {
-    const int space = (1 << 15) + beyond;
-    return (size < space ? size : space) - 1;
-}
+/// The last texel of a map that a receiver can ask for whose texels number less than `space`.
+[[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size, int space) { return (size < space ? size : space) - 1; }
 
 /// Starts to fetch the texels of a block, of which neighbours mostly share a cache line. Where a block starts on
 /// another row of the map than the one before, the machine cannot guess them; and the rows above and below are where
@@ -5255,8 +5252,8 @@ struct placed_tap {
     template <class T>
     UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset, int space) {
         const texel_bytes memory(map);
-        const auto last_x = static_cast<float>((map.size.x < space ? map.size.x : space) - 1),
-                   last_y = static_cast<float>((map.size.y < space ? map.size.y : space) - 1);
+        const auto last_x = static_cast<float>(last_in_space(map.size.x, space)),
+                   last_y = static_cast<float>(last_in_space(map.size.y, space));
         for (int i = 0; i < block; ++i)
             offsets[i] = memory.offset(floor_within(receivers.x(i) + offset.x, last_x),
                                        floor_within(receivers.y(i) + offset.y, last_y));
@@ -5601,7 +5598,8 @@ struct pcf_2x2_blocks {
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const texel_bytes memory(map.map);
-        const int last_x = last_in_space(map.map.size.x, 1), last_y = last_in_space(map.map.size.y, 1);
+        constexpr int space = (1 << 15) + 1;  // a receiver in it may ask for the texel beyond
+        const int last_x = last_in_space(map.map.size.x, space), last_y = last_in_space(map.map.size.y, space);
         const auto axis = [](float coord, int last, float& hi) UMBRAGE_INLINE {
             const std::int32_t position = floor_within(coord * 256.0f - 128.0f, static_cast<float>(last * 256));
             const std::int32_t here = position >> 8, last_pair = last - 1;
@@ -8474,7 +8472,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
 #endif
 )GLSL";
 
-[[nodiscard]] constexpr texture_words glsl_texture(texture kind) {
+[[nodiscard]] constexpr texture_words glsl_reads(texture kind) {
     switch (kind) {
         case texture::texture_2d:
         case texture::depth:
@@ -8489,16 +8487,14 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
 #endif
 )GLSL",
                     .gather_red = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)",
-                    .gather_green = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)",
-                    .size = "vec2(textureSize(map, 0))"};
+                    .gather_green = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)"};
         case texture::array:
         case texture::depth_array:
             return {.parameters = "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer",
                     .arguments = "map, layer",
                     .texel = "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)",
                     .gather_red = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)",
-                    .gather_green = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)",
-                    .size = "vec2(textureSize(map, 0))"};
+                    .gather_green = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)"};
         case texture::cube:
             return {.parameters = "UMBRAGE_HIGHP samplerCube map, UMBRAGE_HIGHP float face",
                     .arguments = "map, face",
@@ -8507,20 +8503,17 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
 #else
     return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));
 #endif
-)GLSL",
-                    .size = "vec2(textureSize(map, 0))"};
+)GLSL"};
         case texture::integer:
             return {.parameters = "UMBRAGE_HIGHP usampler2D map",
                     .arguments = "map",
-                    .texel = "vec4(texelFetch(map, ivec2(at), 0))",
-                    .size = "vec2(textureSize(map, 0))"};
+                    .texel = "vec4(texelFetch(map, ivec2(at), 0))"};
         case texture::shadow:
             return {.parameters = "UMBRAGE_HIGHP sampler2DShadow map",
                     .arguments = "map",
                     .lit = "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)",
                     .gather_lit = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                    .lit_filtered = "textureLod(map, vec3(at / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)",
-                    .size = "vec2(textureSize(map, 0))"};
+                    .lit_filtered = "textureLod(map, vec3(at / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)"};
         case texture::shadow_array:
             return {.parameters = "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer",
                     .arguments = "map, layer",
@@ -8530,10 +8523,15 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
                     .gather_lit = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
                     .lit_filtered =
                         "textureGrad(map, vec4(at / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), "
-                        "vec2(0.0, 0.0))",
-                    .size = "vec2(textureSize(map, 0))"};
+                        "vec2(0.0, 0.0))"};
     }
     return {};
+}
+
+[[nodiscard]] constexpr texture_words glsl_texture(texture kind) {
+    texture_words words = glsl_reads(kind);
+    words.size = "vec2(textureSize(map, 0))";
+    return words;
 }
 
 inline constexpr language glsl_language{.prelude = prelude,

@@ -44,7 +44,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
 #endif
 )GLSL";
 
-[[nodiscard]] constexpr texture_words glsl_texture(texture kind) {
+[[nodiscard]] constexpr texture_words glsl_reads(texture kind) {
     switch (kind) {
         case texture::texture_2d:
         case texture::depth:
@@ -59,16 +59,14 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
 #endif
 )GLSL",
                     .gather_red = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)",
-                    .gather_green = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)",
-                    .size = "vec2(textureSize(map, 0))"};
+                    .gather_green = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)"};
         case texture::array:
         case texture::depth_array:
             return {.parameters = "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer",
                     .arguments = "map, layer",
                     .texel = "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)",
                     .gather_red = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)",
-                    .gather_green = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)",
-                    .size = "vec2(textureSize(map, 0))"};
+                    .gather_green = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)"};
         case texture::cube:
             return {.parameters = "UMBRAGE_HIGHP samplerCube map, UMBRAGE_HIGHP float face",
                     .arguments = "map, face",
@@ -77,20 +75,17 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
 #else
     return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));
 #endif
-)GLSL",
-                    .size = "vec2(textureSize(map, 0))"};
+)GLSL"};
         case texture::integer:
             return {.parameters = "UMBRAGE_HIGHP usampler2D map",
                     .arguments = "map",
-                    .texel = "vec4(texelFetch(map, ivec2(at), 0))",
-                    .size = "vec2(textureSize(map, 0))"};
+                    .texel = "vec4(texelFetch(map, ivec2(at), 0))"};
         case texture::shadow:
             return {.parameters = "UMBRAGE_HIGHP sampler2DShadow map",
                     .arguments = "map",
                     .lit = "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)",
                     .gather_lit = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                    .lit_filtered = "textureLod(map, vec3(at / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)",
-                    .size = "vec2(textureSize(map, 0))"};
+                    .lit_filtered = "textureLod(map, vec3(at / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)"};
         case texture::shadow_array:
             return {.parameters = "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer",
                     .arguments = "map, layer",
@@ -100,10 +95,15 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
                     .gather_lit = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
                     .lit_filtered =
                         "textureGrad(map, vec4(at / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), "
-                        "vec2(0.0, 0.0))",
-                    .size = "vec2(textureSize(map, 0))"};
+                        "vec2(0.0, 0.0))"};
     }
     return {};
+}
+
+[[nodiscard]] constexpr texture_words glsl_texture(texture kind) {
+    texture_words words = glsl_reads(kind);
+    words.size = "vec2(textureSize(map, 0))";
+    return words;
 }
 
 inline constexpr language glsl_language{.prelude = prelude,

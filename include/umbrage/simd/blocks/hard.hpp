@@ -20,8 +20,8 @@ struct placed_tap {
     template <class T>
     UMBRAGE_INLINE void place(const image_view<T>& map, const receiver_block& receivers, glm::vec2 offset, int space) {
         const texel_bytes memory(map);
-        const auto last_x = static_cast<float>((map.size.x < space ? map.size.x : space) - 1),
-                   last_y = static_cast<float>((map.size.y < space ? map.size.y : space) - 1);
+        const auto last_x = static_cast<float>(last_in_space(map.size.x, space)),
+                   last_y = static_cast<float>(last_in_space(map.size.y, space));
         for (int i = 0; i < block; ++i)
             offsets[i] = memory.offset(floor_within(receivers.x(i) + offset.x, last_x),
                                        floor_within(receivers.y(i) + offset.y, last_y));

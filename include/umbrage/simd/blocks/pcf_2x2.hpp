@@ -26,7 +26,8 @@ struct pcf_2x2_blocks {
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const texel_bytes memory(map.map);
-        const int last_x = last_in_space(map.map.size.x, 1), last_y = last_in_space(map.map.size.y, 1);
+        constexpr int space = (1 << 15) + 1;  // a receiver in it may ask for the texel beyond
+        const int last_x = last_in_space(map.map.size.x, space), last_y = last_in_space(map.map.size.y, space);
         const auto axis = [](float coord, int last, float& hi) UMBRAGE_INLINE {
             const std::int32_t position = floor_within(coord * 256.0f - 128.0f, static_cast<float>(last * 256));
             const std::int32_t here = position >> 8, last_pair = last - 1;

@@ -179,11 +179,8 @@ template <class T>
     return reinterpret_cast<T*>(reinterpret_cast<const std::byte*>(map.data) + y * map.stride) + x;
 }
 
-/// The last texel of a map that a receiver in texel space can ask for, `beyond` texels farther than its own.
-[[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size, int beyond = 0) {
-    const int space = (1 << 15) + beyond;
-    return (size < space ? size : space) - 1;
-}
+/// The last texel of a map that a receiver can ask for whose texels number less than `space`.
+[[nodiscard]] UMBRAGE_INLINE inline int last_in_space(int size, int space) { return (size < space ? size : space) - 1; }
 
 /// Starts to fetch the texels of a block, of which neighbours mostly share a cache line. Where a block starts on
 /// another row of the map than the one before, the machine cannot guess them; and the rows above and below are where
