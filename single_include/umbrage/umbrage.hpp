@@ -7761,6 +7761,14 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
 
 namespace umbrage::glsl {
 
+namespace detail {
+
+[[nodiscard]] constexpr bool is_word(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+}  // namespace detail
+
 /// What a map's texels lie in, and so what functions that take a map are called with first; here in GLSL's words:
 ///   texture_2d             sampler2D map: depths, or values that `depth` makes depths of
 ///   atlas                  sampler2D map, vec2 origin: a region, whose first texel the caller gives
@@ -7830,8 +7838,7 @@ struct bound {
 [[nodiscard]] inline bound bind(const snippet& what, std::string_view name, binding map = {}) {
     char before = '_';
     for (const char c : name) {
-        const bool word = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-        if (!word && (c != '_' || before == '_'))
+        if (!detail::is_word(c) || (c == '_' && before == '_'))
             umbrage::detail::fail("umbrage::glsl::bind: name is not a part of an identifier: " + std::string(name));
         before = c;
     }
@@ -8232,10 +8239,6 @@ struct language {
     bool macros = false;                         ///< the hooks of a shader's one map are the snippets' own
     std::string_view scaled_macro{};             ///< for those of depths on a scale of their own
 };
-
-[[nodiscard]] constexpr bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
 
 /// The text with each word replaced by replacement(word, in_comment).
 template <class Replacement>

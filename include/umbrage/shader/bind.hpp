@@ -23,6 +23,14 @@
 
 namespace umbrage::glsl {
 
+namespace detail {
+
+[[nodiscard]] constexpr bool is_word(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+}  // namespace detail
+
 /// What a map's texels lie in, and so what functions that take a map are called with first; here in GLSL's words:
 ///   texture_2d             sampler2D map: depths, or values that `depth` makes depths of
 ///   atlas                  sampler2D map, vec2 origin: a region, whose first texel the caller gives
@@ -92,8 +100,7 @@ struct bound {
 [[nodiscard]] inline bound bind(const snippet& what, std::string_view name, binding map = {}) {
     char before = '_';
     for (const char c : name) {
-        const bool word = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-        if (!word && (c != '_' || before == '_'))
+        if (!detail::is_word(c) || (c == '_' && before == '_'))
             umbrage::detail::fail("umbrage::glsl::bind: name is not a part of an identifier: " + std::string(name));
         before = c;
     }

@@ -41,10 +41,6 @@ struct language {
     std::string_view scaled_macro{};             ///< for those of depths on a scale of their own
 };
 
-[[nodiscard]] constexpr bool is_word(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
 /// The text with each word replaced by replacement(word, in_comment).
 template <class Replacement>
 [[nodiscard]] std::string replace_words(std::string_view text, const Replacement& replacement) {
