@@ -12,12 +12,12 @@ using namespace umbrage::glsl::detail;
 
 TEST_CASE("words: one row a word, with a word in every language") {
     std::set<std::string_view> names;
-    for (const word& w : words) {
+    for (const word& w : vocabulary) {
         CAPTURE(w.glsl);
         CHECK((!w.hlsl.empty() && !w.msl.empty() && !w.wgsl.empty()));
         names.insert(w.glsl);
     }
-    CHECK(names.size() == std::size(words));
+    CHECK(names.size() == std::size(vocabulary));
 }
 
 TEST_CASE("words: types, functions, and what is neither") {
