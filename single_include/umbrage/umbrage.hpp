@@ -8699,7 +8699,7 @@ struct word {
 };
 
 // clang-format off
-inline constexpr word words[]{
+inline constexpr word vocabulary[]{
     {word_kind::type, "float", "float", "float", "f32"},
     {word_kind::type, "int", "int", "int", "i32"},
     {word_kind::type, "uint", "uint", "uint", "u32"},
@@ -8758,7 +8758,7 @@ inline constexpr word words[]{
 
 /// The row of a word of GLSL; nullptr: it is not one, or none that snippets may use.
 [[nodiscard]] inline const word* find_word(std::string_view glsl) {
-    for (const word& w : words)
+    for (const word& w : vocabulary)
         if (w.glsl == glsl) return &w;
     return nullptr;
 }
