@@ -81,18 +81,23 @@ struct enumeration {
 /// Where GLSL writes: floats, or a real 8-bit render target whose bytes come back as 0..255.
 enum class target { rgba32f, rgba8 };
 
-/// A map as bind() has it under a name: functions umbrage_..._<name>, a sampler <name>.
+/// A map as bind() has it under a name: functions umbrage_..._<name>, a texture <name>, a sampler <name>_sampler.
 struct bound_map {
     static constexpr ivec2 origin{5, 3}, margin{9, 7};  ///< of a region; what its texture has besides, either side
     static constexpr float whole = 65536.0f;            ///< which whole numbers are 1.0
 
     std::string name{};
-    umbrage::glsl::binding as{};
-    bool linear = false;  ///< the sampler's filter; else the nearest texel
+    umbrage::glsl::binding as{};  ///< its texts are GLSL's
+    bool linear = false;          ///< the sampler's filter; else the nearest texel
 
     [[nodiscard]] bool is_region() const { return umbrage::glsl::detail::has_region(as); }
+    [[nodiscard]] bool compares() const { return umbrage::glsl::detail::compares(as.texture); }
+    /// Whether the sampler is an argument of its own.
+    [[nodiscard]] bool has_sampler(dialect::language in) const;
+    /// `as` with its texts in another language.
+    [[nodiscard]] umbrage::glsl::binding binding(dialect::language in) const;
     /// What functions of the map are called with first.
-    [[nodiscard]] std::string arguments() const;
+    [[nodiscard]] std::string arguments(dialect::language in) const;
 };
 
 struct entry {
@@ -102,6 +107,7 @@ struct entry {
     enumeration whole{};
     std::function<vec4(const sample&)> twin{};
     std::string call{};                  ///< vec4 expression of x0 .. x5, map, map_size, table; GLSL and C++ alike
+                                         ///< where several maps are bound, float: each is `map` to one component
     std::vector<texels> maps{};          ///< each gets its share of the inputs; none: no map
     std::vector<bound_map> bound{};      ///< as what shaders have it; to the k-th its k-th channel is the first
     texels table{};                      ///< values k / 255

@@ -211,7 +211,7 @@ private:
             found = programs_.end() - 1;
         }
         gl_.UseProgram(found->id);
-        const auto all = samplers(*j.what);
+        const auto all = uniforms(*j.what);
         for (std::size_t unit = 0; unit < all.size(); ++unit)
             if (!all[unit].name.empty())
                 gl_.Uniform1i(gl_.GetUniformLocation(found->id, all[unit].name.c_str()), static_cast<GLint>(unit));

@@ -8,20 +8,26 @@
 namespace parity {
 
 std::string make_hlsl(const entry& e) {
-    const call_snippet call(e);
-    const auto names = samplers(e);
+    const call_snippet call(e, dialect::hlsl);
+    const auto given = uniforms(e, dialect::hlsl);
     std::string text = umbrage::hlsl::text(call.items()) + '\n', values;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string& name = names[i].name;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const auto& [type, name] = given[i];
         if (name.empty()) continue;
-        text += "Texture2D<float4> " + name + " : register(t" + std::to_string(i) + ");\n";
+        const std::string kind = i < max_textures ? "t" : "s";
+        text += type + " " + name + " : register(" + kind + std::to_string(i) + ");\n";
         if (i < max_inputs) values += "    float4 x" + std::to_string(i) + " = " + name + ".Load(at);\n";
     }
-    if (!e.maps.empty()) values += "    float2 map_size;\n    map.GetDimensions(map_size.x, map_size.y);\n";
+    if (!e.maps.empty()) {
+        const uniform& map = given[map_unit(0)];
+        const bool layers = map.type.find("Array") != map.type.npos;
+        values += "    float3 size;\n    " + map.name + ".GetDimensions(size.x, size.y" + (layers ? ", size.z" : "") +
+                  ");\n    float2 map_size = size.xy" + less_margin(e, dialect::hlsl) + ";\n";
+    }
     return text +
            "\nfloat4 main(float4 pixel : SV_Position) : SV_Target0 {\n"
            "    int3 at = int3(int2(pixel.xy), 0);\n" +
-           values + "    return umbrage_call(" + call.arguments() + ");\n}\n";
+           values + "    return " + call.result() + ";\n}\n";
 }
 
 }  // namespace parity

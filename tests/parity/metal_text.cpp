@@ -3,12 +3,14 @@
 // The back end that runs the snippets' Metal as C++.
 #include "metal_text.hpp"
 
+#include <array>
 #include <stdexcept>
 
 #include <umbrage/unorm.hpp>
 
 #include "backend.hpp"
 #include "shader.hpp"
+#include "texture.hpp"
 
 namespace parity {
 namespace {
@@ -20,16 +22,22 @@ public:
     [[nodiscard]] std::vector<vec4> run(dialect, const job& j, std::size_t count) override {
         using namespace umbrage;
         const auto call = function_of(static_cast<std::size_t>(j.what - entries().data()));
-        const auto texture_of = [](const texels& t) {
-            return metal_text::texture{t.texels().data(), static_cast<unsigned>(t.size().x),
-                                       static_cast<unsigned>(t.size().y)};
-        };
-        const auto map = j.map ? texture_of(*j.map) : metal_text::texture(), table = texture_of(j.what->table);
+        std::array<metal_text::memory, max_bindings> units;
+        std::vector<std::string> bytes_of;  // each lies where it is put
+        const std::vector<filled_texture> all = textures(j);
+        bytes_of.reserve(all.size());
+        for (const filled_texture& t : all) {
+            if (t.unit < max_inputs) continue;
+            const glm::uvec2 size(t.image.size);
+            bytes_of.push_back(t.bytes());
+            units[t.unit] = units[sampler_binding(t.unit)] = {bytes_of.back().data(), size.x, size.y, t.image.compare,
+                                                              t.image.linear};
+        }
         const bool bytes = j.what->output == target::rgba8;
         std::vector<vec4> results;
         results.reserve(count);
         for (std::size_t i = 0; i < count; ++i) {
-            const vec4 c = call(j.at(i).x.data(), map, table);
+            const vec4 c = call(j.at(i).x.data(), units.data());
             results.push_back(bytes ? vec4(store_unorm8(c, i % 2 ? unorm_store::truncates : unorm_store::rounds)) : c);
         }
         return results;

@@ -10,13 +10,16 @@
 
 namespace parity::metal_text {
 
-struct texture {
-    const glm::vec4* texels = nullptr;
+/// What a texture or a sampler is made of; texels as filled_texture::bytes() has them.
+struct memory {
+    const void* texels = nullptr;
     unsigned width = 0, height = 0;
+    int compare = 0;  ///< one of texture_image::comparisons
+    bool linear = false;
 };
 
-/// An entry's call, in the order of entries(); x[i] is xi.
-using function = glm::vec4 (*)(const glm::vec4* x, texture map, texture table);
+/// An entry's call, in the order of entries(); x[i] is xi, units[i] what is bound there.
+using function = glm::vec4 (*)(const glm::vec4* x, const memory* units);
 extern const function functions[];
 
 /// Calls of a few entries as a printer would give them that wrote something else for `from`; a null call ends them.

@@ -22,10 +22,12 @@ std::vector<vec4> remote::run(dialect d, const job& j, std::size_t count) {
          << map_size.y << "], \"spare_unit\": " << max_textures;
     if (serial_ != j.serial) {
         head << ", \"textures\": [";
-        const auto names = samplers(*j.what);
+        const auto names = uniforms(*j.what);
         for (const filled_texture& t : textures(j)) {
             head << (parts.size() > 3 ? ", " : "") << "{\"name\": \"" << names[t.unit].name
-                 << "\", \"unit\": " << t.unit << ", \"shape\": " << t.image.shape << ", \"format\": " << t.image.format
+                 << "\", \"unit\": " << t.unit
+                 << ", \"sampler\": " << (t.unit < max_inputs ? 0 : sampler_binding(t.unit))
+                 << ", \"shape\": " << t.image.shape << ", \"format\": " << t.image.format
                  << ", \"compare\": " << t.image.compare << ", \"linear\": " << (t.image.linear ? "true" : "false")
                  << ", \"size\": [" << t.image.size.x << ", " << t.image.size.y << "], \"layers\": " << t.image.layers
                  << '}';

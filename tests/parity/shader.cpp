@@ -3,19 +3,59 @@
 
 #include <algorithm>
 
+#include <umbrage/shader/hlsl.hpp>
+#include <umbrage/shader/msl.hpp>
+#include <umbrage/shader/wgsl.hpp>
+
 namespace parity {
 
 using umbrage::glsl::texture;
 
-std::string bound_map::arguments() const {
-    const std::string region = ", vec2(" + std::to_string(origin.x) + ".0, " + std::to_string(origin.y) + ".0)";
+namespace {
+
+constexpr std::string_view vec2_in[]{"vec2", "float2", "float2", "vec2f"};
+constexpr std::string_view vec4_in[]{"vec4", "float4", "float4", "vec4f"};
+
+std::string pair(ivec2 v, dialect::language in) {
+    return std::string(vec2_in[in]) + "(" + std::to_string(v.x) + ".0, " + std::to_string(v.y) + ".0)";
+}
+
+/// What the library declares a kind of map as.
+std::string type_of(texture kind, dialect::language in) {
+    const auto words = in == dialect::hlsl   ? umbrage::hlsl::detail::texture
+                       : in == dialect::msl  ? umbrage::msl::detail::texture
+                       : in == dialect::wgsl ? umbrage::wgsl::detail::textures
+                                             : umbrage::glsl::detail::glsl_texture;
+    const std::string_view parameters = words(kind).parameters, first = parameters.substr(0, parameters.find(','));
+    if (in == dialect::wgsl) return std::string(first.substr(first.find(' ') + 1));
+    const std::string_view type = first.substr(0, first.rfind(' '));
+    return std::string(type.substr(type.find(' ') + 1));
+}
+
+}  // namespace
+
+bool bound_map::has_sampler(dialect::language in) const {
+    return in != dialect::glsl && (as.gather || compares() || (as.texture == texture::cube && in != dialect::msl));
+}
+
+umbrage::glsl::binding bound_map::binding(dialect::language in) const {
+    umbrage::glsl::binding b = as;
+    if (is_region() && b.texture_size.empty() && in == dialect::hlsl)  // which cannot ask in an expression
+        b.texture_size = "(size + " + pair(margin, dialect::glsl) + ")";
+    for (std::string* text : {&b.origin, &b.texture_size})
+        if (const auto at = text->find("vec2"); at != text->npos) text->replace(at, 4, vec2_in[in]);
+    return b;
+}
+
+std::string bound_map::arguments(dialect::language in) const {
+    const std::string map = name + (has_sampler(in) ? ", " + name + "_sampler" : "");
     switch (as.texture) {
-        case texture::atlas: return name + (as.origin.empty() ? region : "");
+        case texture::atlas: return map + (as.origin.empty() ? ", " + pair(origin, in) : "");
         case texture::array:
         case texture::depth_array:
-        case texture::shadow_array: return name + ", 1.0";
-        case texture::cube: return name + ", 3.0";
-        default: return name;
+        case texture::shadow_array: return map + ", 1.0";
+        case texture::cube: return map + ", 3.0";
+        default: return map;
     }
 }
 
@@ -29,33 +69,38 @@ std::vector<umbrage::glsl::bound> entry::items() const {
 }
 
 bool entry::runs_in(dialect d) const {
-    if (!bound.empty() && d.in != dialect::glsl) return false;
+    if (d.in != dialect::glsl) return true;
     for (const bound_map& b : bound)  // no depth textures in WebGL 1
         if (b.as.texture == texture::depth && d.of_glsl < version::v130) return false;
     const auto all = items();
     return std::all_of(all.begin(), all.end(), [d](const auto& item) { return supports(item, d.of_glsl); });
 }
 
-std::array<sampler, max_textures> samplers(const entry& e) {
-    std::array<sampler, max_textures> all;
+std::array<uniform, max_bindings> uniforms(const entry& e, dialect::language in) {
+    std::array<uniform, max_bindings> all;
+    const std::string plain = type_of(texture::texture_2d, in);
     for (int i = 0; i < max_inputs; ++i)
-        if (e.uses(i)) all[static_cast<std::size_t>(i)] = {"sampler2D", "x" + std::to_string(i) + "_texels"};
-    if (!e.maps.empty() && e.bound.empty()) all[map_unit(0)] = {"sampler2D", "map"};
+        if (e.uses(i)) all[static_cast<std::size_t>(i)] = {plain, "x" + std::to_string(i) + "_texels"};
+    if (!e.maps.empty() && e.bound.empty()) all[map_unit(0)] = {plain, "map"};
     for (std::size_t k = 0; k < e.bound.size(); ++k) {
-        const std::string parameters(umbrage::glsl::detail::glsl_texture(e.bound[k].as.texture).parameters);
-        const std::size_t type = parameters.find(' ') + 1;
-        all[map_unit(k)] = {parameters.substr(type, parameters.find(' ', type) - type), e.bound[k].name};
+        const bound_map& b = e.bound[k];
+        all[map_unit(k)] = {type_of(b.as.texture, in), b.name};
+        constexpr std::array samplers{"", "SamplerState", "metal::sampler", "sampler"};
+        constexpr std::array comparing{"", "SamplerComparisonState", "metal::sampler", "sampler_comparison"};
+        if (b.has_sampler(in))
+            all[sampler_binding(map_unit(k))] = {(b.compares() ? comparing : samplers)[in], b.name + "_sampler"};
     }
-    if (!e.table.empty()) all[table_unit] = {"sampler2D", "table"};
+    if (!e.table.empty()) all[table_unit] = {plain, "table"};
     return all;
 }
 
+std::string less_margin(const entry& e, dialect::language in) {
+    return e.bound.empty() || !e.bound.front().is_region() ? "" : " - " + pair(bound_map::margin, in);
+}
+
 std::string map_size(const entry& e) {
-    if (e.bound.empty()) return "vec2(textureSize(map, 0))";
-    const bound_map& b = e.bound.front();
-    const ivec2 less = b.is_region() ? bound_map::margin : ivec2(0);
-    return "vec2(textureSize(" + b.name + ", 0)) - vec2(" + std::to_string(less.x) + ".0, " + std::to_string(less.y) +
-           ".0)";
+    const std::string map = e.bound.empty() ? "map" : e.bound.front().name;
+    return "vec2(textureSize(" + map + ", 0))" + less_margin(e, dialect::glsl);
 }
 
 std::string macros(const entry& e) {
@@ -70,23 +115,44 @@ std::string macros(const entry& e) {
     return all;
 }
 
-call_snippet::call_snippet(const entry& e) : needs_{e.primitive} {
+call_snippet::call_snippet(const entry& e, dialect::language in) : needs_{e.primitive} {
+    if (in == dialect::glsl && e.bound.empty()) {
+        items_ = e.items();
+        result_ = e.call;
+        return;
+    }
     needs_.insert(needs_.end(), e.also.begin(), e.also.end());
+    std::vector<std::string> arguments;
     std::string parameters;
     const auto add = [&](const std::string& type, const std::string& name) {
-        parameters += (parameters.empty() ? "" : ", ") + type + " " + name;
-        arguments_ += (arguments_.empty() ? "" : ", ") + name;
+        parameters += (arguments.empty() ? "" : ", ") + type + " " + name;
+        arguments.push_back(name);
     };
     for (int i = 0; i < max_inputs; ++i)
-        if (e.uses(i)) add("vec4", "x" + std::to_string(i));
+        if (e.uses(i)) add("UMBRAGE_HIGHP vec4", "x" + std::to_string(i));
     if (e.call.find("(map,") != e.call.npos) add("UMBRAGE_MAP", "map");
-    if (e.call.find("map_size") != e.call.npos) add("vec2", "map_size");
+    if (e.call.find("map_size") != e.call.npos) add("UMBRAGE_HIGHP vec2", "map_size");
     if (!e.table.empty()) add("UMBRAGE_MAP", "table");
-    source_ = "\nvec4 umbrage_call(" + parameters + ") {\n    return " + e.call + ";\n}\n";
+    const bool several = e.bound.size() > 1;
+    source_ = std::string("\nUMBRAGE_HIGHP ") + (several ? "float" : "vec4") + " umbrage_call(" + parameters +
+              ") {\n    return " + e.call + ";\n}\n";
     snippet call{.name = "call", .source = source_};
     call.needs.first = needs_.data();
     call.needs.size = needs_.size();
-    items_.push_back(bind(call, "", e.map_kind));
+    const auto call_of = [&](const std::string& name, const std::string& map) {
+        std::string text = name + "(";
+        for (const std::string& a : arguments) text += (&a == &arguments.front() ? "" : ", ") + (a == "map" ? map : a);
+        return text + ")";
+    };
+    if (e.bound.empty()) {
+        items_.push_back(bind(call, "", e.map_kind));
+        result_ = call_of("umbrage_call", "map");
+    }
+    for (const bound_map& b : e.bound) {
+        items_.push_back(umbrage::glsl::bind(call, b.name, b.binding(in)));
+        result_ += (result_.empty() ? "" : ", ") + call_of("umbrage_call_" + b.name, b.arguments(in));
+    }
+    if (several) result_ = std::string(vec4_in[in]) + "(" + result_ + ")";
 }
 
 std::string with_mistake(std::string text) {
@@ -115,8 +181,9 @@ shader make_shader(const entry& e, dialect d) {
     // A host shader of low precision: the snippets must ask for what they need.
     const std::string preamble = (es ? "precision mediump float;\nprecision mediump int;\n" : "") + macros(e);
     std::string& f = s.fragment;
-    f = source(v, e.items(), preamble) + '\n';
-    const auto all = samplers(e);
+    const call_snippet call(e, dialect::glsl);
+    f = source(v, call.items(), preamble) + '\n';
+    const auto all = uniforms(e);
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (all[i].name.empty()) continue;
         if (vulkan) f += "layout(set = 0, binding = " + std::to_string(i) + ") ";
@@ -137,7 +204,7 @@ shader make_shader(const entry& e, dialect d) {
     // gl_FragColor is mediump in GLSL ES 1.00. Mesa drops the rounding of a product that is stored as it is, but not of
     // a value that comes out of a branch: that it rounds in the branch.
     const std::string one = v == version::v100 ? " * (position.x < 2.0 ? 1.0 : 0.0)" : "";
-    f += std::string("    ") + (old ? "gl_FragColor" : "result") + " = " + e.call + one + ";\n}\n";
+    f += std::string("    ") + (old ? "gl_FragColor" : "result") + " = " + call.result() + one + ";\n}\n";
     return s;
 }
 

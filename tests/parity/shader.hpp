@@ -4,8 +4,8 @@
 //
 // Inputs come as RGBA32F textures x0_texels .. x5_texels, one texel per pixel; `map` and `table` are textures too.
 // A triangle (-1,-1), (3,-1), (-1,3) in the attribute `corner` (location 0) covers the target.
-// Where there are bindings, in Vulkan: x0 .. x5 are 0 .. 5, map 6, table 7, further maps 8 .. 10. Before 1.30, map_size
-// is a uniform.
+// Where there are bindings: x0 .. x5 are 0 .. 5, map 6, table 7, further maps 8 .. 10; from the map's on, samplers on
+// their own are 11 .. 15. Before GLSL 1.30, map_size is a uniform.
 #pragma once
 
 #include "entry.hpp"
@@ -16,19 +16,21 @@ struct shader {
     std::string vertex, fragment;
 };
 
-/// An entry's call as a snippet, so that the library prints it too: vec4 umbrage_call(x0 .. x5, map, map_size, table).
+/// An entry's call, as a snippet that the library prints too: umbrage_call(x0 .. x5, map, map_size, table), or for each
+/// of the bound maps umbrage_call_<name>. In GLSL an entry without any calls its primitive itself.
 class call_snippet {
 public:
-    explicit call_snippet(const entry& e);
+    call_snippet(const entry& e, dialect::language in);
     call_snippet(const call_snippet&) = delete;
     call_snippet& operator=(const call_snippet&) = delete;
 
-    /// Bound to the kind of map that the entry has.
+    /// All that the shader needs, bound to the kinds of maps that the entry has.
     [[nodiscard]] const std::vector<umbrage::glsl::bound>& items() const { return items_; }
-    [[nodiscard]] const std::string& arguments() const { return arguments_; }
+    /// What gives the shader's result, a vec4.
+    [[nodiscard]] const std::string& result() const { return result_; }
 
 private:
-    std::string source_, arguments_;
+    std::string source_, result_;
     std::vector<const snippet*> needs_;
     std::vector<umbrage::glsl::bound> items_;
 };
@@ -50,16 +52,21 @@ inline mistake planted;
 
 inline constexpr std::size_t table_unit = max_inputs + 1, max_textures = max_inputs + max_maps + 1;
 [[nodiscard]] constexpr std::size_t map_unit(std::size_t k) { return k == 0 ? max_inputs : table_unit + k; }
+/// Where a texture's sampler is bound on its own; those of inputs never are.
+[[nodiscard]] constexpr std::size_t sampler_binding(std::size_t unit) { return max_textures + unit - max_inputs; }
+inline constexpr std::size_t max_bindings = sampler_binding(max_textures);
 
+/// What stands behind the size of a map's texture: less what a region has around it.
+[[nodiscard]] std::string less_margin(const entry& e, dialect::language in);
 /// GLSL for the size in texels of an entry's map.
 [[nodiscard]] std::string map_size(const entry& e);
 
-/// A uniform of a shader.
-struct sampler {
+/// What a shader is given.
+struct uniform {
     std::string type{}, name{};
 };
 
-/// Samplers of an entry in order of their bindings, empty where unused.
-[[nodiscard]] std::array<sampler, max_textures> samplers(const entry& e);
+/// Textures of an entry and samplers on their own, by their bindings; empty where unused.
+[[nodiscard]] std::array<uniform, max_bindings> uniforms(const entry& e, dialect::language in = dialect::glsl);
 
 }  // namespace parity

@@ -36,23 +36,24 @@ public:
     /// @param naga   what compiles WGSL; empty: the others
     vulkan(vk::raii::PhysicalDevice physical, std::unique_ptr<child> naga)
         : vulkan_device(std::move(physical)), naga_(std::move(naga)) {
+        using type = vk::DescriptorType;
         std::vector<vk::DescriptorSetLayoutBinding> bindings;
-        for (std::uint32_t i = 0; i < textures_.size(); ++i)
+        for (std::uint32_t i = 0; i < max_bindings; ++i)
             bindings.push_back({.binding = i,
-                                .descriptorType = vk::DescriptorType::eCombinedImageSampler,
+                                .descriptorType = i < max_textures ? type::eCombinedImageSampler : type::eSampler,
                                 .descriptorCount = 1,
                                 .stageFlags = vk::ShaderStageFlagBits::eFragment});
         set_layout_ = {device_,
                        vk::DescriptorSetLayoutCreateInfo{.bindingCount = static_cast<std::uint32_t>(bindings.size()),
                                                          .pBindings = bindings.data()}};
         layout_ = {device_, vk::PipelineLayoutCreateInfo{.setLayoutCount = 1, .pSetLayouts = &*set_layout_}};
-        const vk::DescriptorPoolSize sizes{vk::DescriptorType::eCombinedImageSampler,
-                                           static_cast<std::uint32_t>(textures_.size())};
+        const std::array sizes{vk::DescriptorPoolSize{type::eCombinedImageSampler, max_textures},
+                               vk::DescriptorPoolSize{type::eSampler, max_bindings - max_textures}};
         set_pool_ = {device_,
                      vk::DescriptorPoolCreateInfo{.flags = vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet,
                                                   .maxSets = 1,
-                                                  .poolSizeCount = 1,
-                                                  .pPoolSizes = &sizes}};
+                                                  .poolSizeCount = sizes.size(),
+                                                  .pPoolSizes = sizes.data()}};
         set_ = std::move(
             vk::raii::DescriptorSets(
                 device_, {.descriptorPool = *set_pool_, .descriptorSetCount = 1, .pSetLayouts = &*set_layout_})
@@ -164,13 +165,16 @@ private:
                                                         .compareEnable = image.compare != texture_image::none,
                                                         .compareOp = operations[image.compare]}};
             const vk::DescriptorImageInfo sampled{*p.sampler, *p.view, vk::ImageLayout::eGeneral};
-            device_.updateDescriptorSets(
-                vk::WriteDescriptorSet{.dstSet = *set_,
-                                       .dstBinding = static_cast<std::uint32_t>(t.unit),
-                                       .descriptorCount = 1,
-                                       .descriptorType = vk::DescriptorType::eCombinedImageSampler,
-                                       .pImageInfo = &sampled},
-                nullptr);
+            const auto write = [&](std::size_t binding, vk::DescriptorType type) {
+                device_.updateDescriptorSets(vk::WriteDescriptorSet{.dstSet = *set_,
+                                                                    .dstBinding = static_cast<std::uint32_t>(binding),
+                                                                    .descriptorCount = 1,
+                                                                    .descriptorType = type,
+                                                                    .pImageInfo = &sampled},
+                                             nullptr);
+            };
+            write(t.unit, vk::DescriptorType::eCombinedImageSampler);
+            if (t.unit >= max_inputs) write(sampler_binding(t.unit), vk::DescriptorType::eSampler);
         }
         const std::string bytes = t.bytes();
         reserve(staging_, bytes.size());

@@ -12,9 +12,22 @@ const triangle = `@vertex fn main(@builtin(vertex_index) i: u32) -> @builtin(pos
     return vec4f(f32(i & 1u) * 4.0 - 1.0, f32(i >> 1) * 4.0 - 1.0, 0.0, 1.0);
 }`;
 
+const copy_depth = `@group(0) @binding(0) var depths: texture_2d<f32>;
+@fragment fn main(@builtin(position) pixel: vec4f) -> @builtin(frag_depth) f32 {
+    return textureLoad(depths, vec2i(pixel.xy), 0).x;
+}`;
+
+// shape, format and compare are numbers of texture_image in texture.hpp.
+const formats = [
+    { format: 'rgba32float', bytes: 16, sampleType: 'unfilterable-float' },
+    { format: 'rgba32uint', bytes: 16, sampleType: 'uint' },
+    { format: 'depth32float', bytes: 4, sampleType: 'depth' },
+];
+const shapes = ['2d', '2d-array', 'cube'], comparisons = [undefined, 'less-equal', 'greater-equal'];
+
 async function draw({ adapter, device }) {
-    const textures = [], targets = {};
-    let bound = [], compiled, pipeline, pixels;
+    const textures = [], targets = {}, module = code => device.createShaderModule({ code });
+    let bound = [], compiled, pipeline, pixels, depth_pipeline;
 
     async function checked(make) {
         device.pushErrorScope('validation');
@@ -25,9 +38,12 @@ async function draw({ adapter, device }) {
     }
 
     function compile(fragment, format) {
-        const module = code => device.createShaderModule({ code });
-        const texture = { sampleType: 'unfilterable-float' };
-        const entries = bound.map(binding => ({ binding, visibility: GPUShaderStage.FRAGMENT, texture }));
+        const visibility = GPUShaderStage.FRAGMENT;
+        const entries = bound.flatMap(({ what: t }) => [
+            { binding: t.unit, visibility,
+                texture: { sampleType: formats[t.format].sampleType, viewDimension: shapes[t.shape] } },
+            ...t.sampler ? [{ binding: t.sampler, visibility,
+                sampler: { type: t.compare ? 'comparison' : 'non-filtering' } }] : []]);
         const bindGroupLayouts = [device.createBindGroupLayout({ entries })];
         return checked(() => device.createRenderPipeline({
             layout: device.createPipelineLayout({ bindGroupLayouts }),
@@ -36,24 +52,61 @@ async function draw({ adapter, device }) {
         }));
     }
 
-    function upload({ unit, size }, values) {
-        const old = textures[unit], bytes = { bytesPerRow: size[0] * 16 };
-        if (!old || old.width !== size[0] || old.height !== size[1]) {
-            if (old) old.destroy();
-            const usage = GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST;
-            textures[unit] = device.createTexture({ format: 'rgba32float', size, usage });
+    function create(t, usage, format) {
+        const size = [...t.size, t.layers];
+        return device.createTexture({ format, size, usage: usage | GPUTextureUsage.TEXTURE_BINDING });
+    }
+
+    function write(texture, t, values) {
+        const [width, height] = t.size, layout = { bytesPerRow: width * formats[t.format].bytes, rowsPerImage: height };
+        device.queue.writeTexture({ texture }, values, layout, [width, height, t.layers]);
+    }
+
+    // Depths cannot be written: they are drawn.
+    function draw_depths(texture, t, values) {
+        depth_pipeline ||= device.createRenderPipeline({
+            layout: 'auto',
+            vertex: { module: module(triangle) },
+            fragment: { module: module(copy_depth), targets: [] },
+            depthStencil: { format: texture.format, depthWriteEnabled: true, depthCompare: 'always' },
+        });
+        const floats = create(t, GPUTextureUsage.COPY_DST, 'r32float'), commands = device.createCommandEncoder();
+        write(floats, t, values);
+        for (let baseArrayLayer = 0; baseArrayLayer < t.layers; ++baseArrayLayer) {
+            const layer = of => of.createView({ dimension: '2d', baseArrayLayer, arrayLayerCount: 1 });
+            const pass = commands.beginRenderPass({ colorAttachments: [], depthStencilAttachment:
+                { view: layer(texture), depthLoadOp: 'clear', depthClearValue: 0, depthStoreOp: 'store' } });
+            pass.setPipeline(depth_pipeline);
+            const entries = [{ binding: 0, resource: layer(floats) }];
+            pass.setBindGroup(0, device.createBindGroup({ layout: depth_pipeline.getBindGroupLayout(0), entries }));
+            pass.draw(3);
+            pass.end();
         }
-        device.queue.writeTexture({ texture: textures[unit] }, values, bytes, size);
+        device.queue.submit([commands.finish()]);
+    }
+
+    function upload(t, values) {
+        const { format } = formats[t.format], depths = format === 'depth32float', key = JSON.stringify(t);
+        if (textures[t.unit]?.key !== key) {
+            textures[t.unit]?.texture.destroy();
+            const texture = create(t, depths ? GPUTextureUsage.RENDER_ATTACHMENT : GPUTextureUsage.COPY_DST, format);
+            const filter = t.linear ? 'linear' : 'nearest';
+            const compare = comparisons[t.compare];
+            const sampler = device.createSampler({ magFilter: filter, minFilter: filter, compare });
+            const view = texture.createView({ dimension: shapes[t.shape] });
+            const resources = [{ binding: t.unit, resource: view }];
+            if (t.sampler) resources.push({ binding: t.sampler, resource: sampler });
+            textures[t.unit] = { key, what: t, texture, resources };
+        }
+        (depths ? draw_depths : write)(textures[t.unit].texture, t, values);
+        return textures[t.unit];
     }
 
     await serve(block => checked(async () => {
         const [head, , fragment, ...values] = parts_of(block);
         const job = JSON.parse(head);
         if (job.hello) return Buffer.from(adapter.info.description);
-        if (job.textures) {
-            job.textures.forEach((t, i) => upload(t, values[i]));
-            bound = job.textures.map(t => t.unit);
-        }
+        if (job.textures) bound = job.textures.map((t, i) => upload(t, values[i]));
         const format = job.bytes ? 'rgba8unorm' : 'rgba32float', text = Buffer.from(fragment).toString();
         if (compiled !== format + text) pipeline = await compile(text, format);
         compiled = format + text;
@@ -68,7 +121,7 @@ async function draw({ adapter, device }) {
         const commands = device.createCommandEncoder(), view = targets[format].createView();
         const pass = commands.beginRenderPass({ colorAttachments: [{ view, loadOp: 'clear', storeOp: 'store' }] });
         pass.setPipeline(pipeline);
-        const entries = bound.map(binding => ({ binding, resource: textures[binding].createView() }));
+        const entries = bound.flatMap(t => t.resources);
         pass.setBindGroup(0, device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries }));
         pass.draw(3);
         pass.end();

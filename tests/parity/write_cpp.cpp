@@ -65,17 +65,18 @@ int main(int argc, char** argv) {
     file << "#include \"cpp_text.hpp\"\n\nnamespace parity::glsl_as_cpp {\nnamespace {\n";
     std::size_t count = 0;
     for (const parity::entry& e : parity::entries()) {
-        const std::string text = parity::macros(e) + umbrage::glsl::text(e.items());
+        const parity::call_snippet call(e, parity::dialect::glsl);
+        const std::string text = parity::macros(e) + umbrage::glsl::text(call.items());
         file << "\nnamespace entry_" << count++ << " {\n"
              << as_cpp(text) << "\nvec4 call(const sample& s, const filled_texture* const* t) {\n";
         for (int i = 0; i < parity::max_inputs; ++i)
             if (e.uses(i)) file << "    const vec4 x" << i << " = s.x[" << i << "];\n";
-        const auto samplers = parity::samplers(e);
-        for (std::size_t unit = parity::max_inputs; unit < samplers.size(); ++unit)
-            if (!samplers[unit].name.empty())
-                file << "    const " << samplers[unit].type << ' ' << samplers[unit].name << "{t[" << unit << "]};\n";
+        const auto uniforms = parity::uniforms(e);
+        for (std::size_t unit = parity::max_inputs; unit < uniforms.size(); ++unit)
+            if (!uniforms[unit].name.empty())
+                file << "    const " << uniforms[unit].type << ' ' << uniforms[unit].name << "{t[" << unit << "]};\n";
         if (!e.maps.empty()) file << "    const vec2 map_size = " << as_cpp(parity::map_size(e)) << ";\n";
-        file << "    return " << as_cpp(e.call) << ";\n}\n";
+        file << "    return " << as_cpp(call.result()) << ";\n}\n";
         for (const std::string& name : macros(text)) file << "#undef " << name << '\n';
         file << "}\n";
     }

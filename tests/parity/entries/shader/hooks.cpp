@@ -43,15 +43,14 @@ bool has_box(const binding& as) {
 }
 
 /// What a shader of the map calls, and the same in C++: pcf_2x2, box or hard, the bits of lit_2x2, fetch_depth or lit.
-std::string calls(const bound_map& m, const std::string& depth = "x0.z") {
-    const std::string map = "_" + m.name + "(" + m.arguments() + ", map_size, ",
-                      receiver = "vec2(x0.x, x0.y), " + depth;
-    const std::string lit = "umbrage_lit_2x2" + map + "vec2(x1.x, x1.y), " + depth + ")";
-    return "vec4(umbrage_pcf_2x2" + map + receiver + "), " +
-           (has_box(m.as) ? "umbrage_box" + map + receiver + ", 2)" : "umbrage_hard" + map + receiver + ")") +
-           ", dot(" + lit + ", vec4(1.0, 2.0, 4.0, 8.0)), " +
-           (glsl::detail::compares(m.as.texture) ? "umbrage_lit" + map + "vec2(x1.x, x1.y), " + depth + ")"
-                                                 : "umbrage_fetch_depth" + map + "vec2(x1.x, x1.y))") +
+std::string calls(const binding& as, const std::string& depth = "x0.z") {
+    const std::string receiver = "(map, map_size, vec2(x0.x, x0.y), " + depth,
+                      texel = "(map, map_size, vec2(x1.x, x1.y)";
+    return "vec4(umbrage_pcf_2x2" + receiver + "), " +
+           (has_box(as) ? "umbrage_box" + receiver + ", 2)" : "umbrage_hard" + receiver + ")") +
+           ", dot(umbrage_lit_2x2" + texel + ", " + depth + "), vec4(1.0, 2.0, 4.0, 8.0)), " +
+           (glsl::detail::compares(as.texture) ? "umbrage_lit" + texel + ", " + depth + ")"
+                                               : "umbrage_fetch_depth" + texel + ")") +
            ")";
 }
 template <class Fetch, class Compare>
@@ -89,7 +88,7 @@ entry bound(const std::string& kind, const binding& as, std::vector<texels> maps
                 [as, decode](const sample& s) {
                     return twins(as, fetch_as(as, s, decode), s, s.x[0].z, comparison{as.direction});
                 },
-            .call = calls(m),
+            .call = calls(as),
             .maps = std::move(maps),
             .bound = {m},
             .also = {has_box(as) ? &glsl::box : &glsl::hard, &glsl::lit_2x2,
@@ -150,7 +149,7 @@ void add_levels(std::vector<entry>& all) {
         e.twin = [as, level](const sample& s) {
             return twins(as, fetch_as(as, s, level), s, receiver_rg<11>(s.x[0].z, centre<float>), less_equal_scaled{});
         };
-        e.call = calls(e.bound.front(), "umbrage_receiver_rg11(x0.z, 0.5)");
+        e.call = calls(as, "umbrage_receiver_rg11(x0.z, 0.5)");
         e.also.push_back(&glsl::receiver_rg<11>);
         all.push_back(std::move(e));
     }
@@ -162,6 +161,7 @@ void add_four_maps(std::vector<entry>& all) {
     entry e{.primitive = &glsl::pcf_2x2,
             .variant = "four maps",
             .classes = receivers(),
+            .call = "umbrage_pcf_2x2(map, map_size, vec2(x0.x, x0.y), x0.z)",
             .maps = packed_maps(),
             .bound = {{"spot", glsl::stored_as(packed)},
                       {"cascade", {.texture = texture::array, .direction = depth_direction::reversed}},
@@ -169,10 +169,6 @@ void add_four_maps(std::vector<entry>& all) {
                       {"lamp", {.texture = texture::cube, .outside_lit = true}}},
             .share = 16};
     e.maps = {e.maps.front()};  // faces of cubes are square
-    for (const bound_map& m : e.bound)
-        e.call += (e.call.empty() ? "vec4(" : ", ") + ("umbrage_pcf_2x2_" + m.name) + "(" + m.arguments() +
-                  ", map_size, vec2(x0.x, x0.y), x0.z)";
-    e.call += ')';
     e.twin = [packed](const sample& s) {
         const auto channel = [map = s.map](int c) {
             return [map, c](ivec2 texel) { return fetch_clamped(map, texel)[c]; };

@@ -20,21 +20,20 @@ void add_filter_pcf_pcf_2x2_hardware(std::vector<entry>& all) {
         {"shadow array, reversed", {.texture = texture::shadow_array, .direction = depth_direction::reversed}}};
     for (const auto& [name, as] : samplers) {
         const bound_map m{.name = "map", .as = as, .linear = true};
-        all.push_back(
-            {.primitive = &glsl::pcf_2x2_hardware,
-             .variant = name,
-             .classes = receivers(),
-             .twin =
-                 [direction = as.direction, outside_lit = as.outside_lit](const sample& s) {
-                     const comparison is_lit{direction};
-                     return vec4(outside_lit ? pcf_2x2_hardware(s.bordered_depth(cleared_depth(direction)), at(s),
-                                                                s.x[0].z, is_lit)
-                                             : pcf_2x2_hardware(s.depth(), at(s), s.x[0].z, is_lit));
-                 },
-             .call = "vec4(umbrage_pcf_2x2_hardware_map(" + m.arguments() + ", map_size, vec2(x0.x, x0.y), x0.z))",
-             .maps = plain_maps({{64, 64}, {37, 21}, {3, 2}, {1, 1}}),
-             .bound = {m},
-             .share = 16});
+        all.push_back({.primitive = &glsl::pcf_2x2_hardware,
+                       .variant = name,
+                       .classes = receivers(),
+                       .twin =
+                           [direction = as.direction, outside_lit = as.outside_lit](const sample& s) {
+                               const comparison is_lit{direction};
+                               return vec4(outside_lit ? pcf_2x2_hardware(s.bordered_depth(cleared_depth(direction)),
+                                                                          at(s), s.x[0].z, is_lit)
+                                                       : pcf_2x2_hardware(s.depth(), at(s), s.x[0].z, is_lit));
+                           },
+                       .call = "vec4(umbrage_pcf_2x2_hardware(map, map_size, vec2(x0.x, x0.y), x0.z))",
+                       .maps = plain_maps({{64, 64}, {37, 21}, {3, 2}, {1, 1}}),
+                       .bound = {m},
+                       .share = 16});
     }
 }
 
