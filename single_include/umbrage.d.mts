@@ -273,6 +273,32 @@ export const box_scale: Snippet;
 export const box: Snippet;
 /** 2x2 by a comparison sampler with a linear filter */
 export const pcf_2x2_hardware: Snippet;
+/** texels across a light as world units */
+export const texels_to_world: Snippet;
+/** clamp of a bias to [0, 1], NaN to 1 */
+export const clamp_bias: Snippet;
+/** world units along a light as depth */
+export const world_to_depth: Snippet;
+/** receiver moved towards the light */
+export const biased: Snippet;
+/** clamp of a slope to [-2, 2], NaN to 2 */
+export const clamp_slope: Snippet;
+/** change of a plane's depth from texel to texel */
+export const plane_slope: Snippet;
+/** bias by the greater slope, as rasterizers have it */
+export const slope_bias: Snippet;
+/** way off a surface to the point that is looked up in its place */
+export const normal_offset: Snippet;
+/** bias by the kernel's width and the angle at which light falls */
+export const kernel_bias: Snippet;
+/** slope of a receiver's plane from derivatives, and how far it may be off */
+export const receiver_plane: Snippet;
+/** stored depth moved along the receiver's plane to the receiver */
+export const on_receiver_plane: Snippet;
+/** smallest bias without acne, for a slope, a reach and an encoding's error */
+export const acne_free_bias: Snippet;
+/** smallest bias without acne, for filters that read a disc */
+export const acne_free_disc_bias: Snippet;
 /** 1 inside a spot light's cone */
 export const spot_cone: Snippet;
 /** diffuse plus ambient light of a surface */

@@ -1216,6 +1216,154 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     return umbrage_pcf_2x2(map, size, coord, receiver);
 }
 `,
+            "texels_to_world": `
+// umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
+UMBRAGE_HIGHP float umbrage_texels_to_world(UMBRAGE_HIGHP float texels, UMBRAGE_HIGHP vec2 units,
+                                            UMBRAGE_HIGHP float w) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float world = texels * units.x * w;
+    return world >= (1.0 / 18446744073709551616.0) && world < 18446744073709551616.0 ? world : 0.0;
+}
+`,
+            "clamp_bias": `
+// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+UMBRAGE_HIGHP float umbrage_clamp_bias(UMBRAGE_HIGHP float bias) {
+    UMBRAGE_HIGHP float least = (1.0 / 18446744073709551616.0);
+    return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
+}
+`,
+            "world_to_depth": `
+// umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate, above 0.0
+UMBRAGE_HIGHP float umbrage_world_to_depth(UMBRAGE_HIGHP float world, UMBRAGE_HIGHP vec2 units,
+                                           UMBRAGE_HIGHP float w) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along = world * units.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = w * w;
+    return umbrage_clamp_bias(along / square);
+}
+`,
+            "biased": `
+// umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
+UMBRAGE_HIGHP float umbrage_biased(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float bias) {
+    UMBRAGE_HIGHP float by = abs(bias) < 18446744073709551616.0 ? bias : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? receiver - by : receiver + by;
+}
+`,
+            "clamp_slope": `
+// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
+    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+}
+`,
+            "plane_slope": `
+// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                       UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x +
+                                           plane_matrix[1] * normal.y + plane_matrix[2] * normal.z;
+    return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+}
+`,
+            "slope_bias": `
+// umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
+UMBRAGE_HIGHP float umbrage_slope_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float factor,
+                                       UMBRAGE_HIGHP float base) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 bias = abs(slope) * factor + base;
+    UMBRAGE_HIGHP float x = umbrage_clamp_bias(bias.x);  // of both: a maximum of a NaN is what a GPU makes it
+    UMBRAGE_HIGHP float y = umbrage_clamp_bias(bias.y);
+    return x > y ? x : y;
+}
+`,
+            "normal_offset": `
+// umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
+//   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   error_world  of the map's depths; world units
+UMBRAGE_HIGHP vec3 umbrage_normal_offset(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec3 direction,
+                                         UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP float width,
+                                         UMBRAGE_HIGHP float error_world) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * direction.z + normal.z * -direction.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = normal.z * direction.x + normal.x * -direction.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = normal.x * direction.y + normal.y * -direction.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float straight = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = x * x + y * y + z * z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along = width * sqrt(square) + error_world * abs(straight);
+    UMBRAGE_HIGHP vec3 offset = normal * along;
+    return abs(offset.x) + abs(offset.y) + abs(offset.z) < 18446744073709551616.0 ? offset : vec3(0.0, 0.0, 0.0);
+}
+`,
+            "kernel_bias": `
+// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
+//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+UMBRAGE_HIGHP float umbrage_kernel_bias(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 way,
+                                        UMBRAGE_HIGHP float width, UMBRAGE_HIGHP float greatest) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * direction.z + normal.z * -direction.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = normal.z * direction.x + normal.x * -direction.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = normal.x * direction.y + normal.y * -direction.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = x * x + y * y + z * z;
+    UMBRAGE_HIGHP float sine = sqrt(square);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float cosine = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float edge = cosine * greatest;
+    UMBRAGE_HIGHP float tangent = edge > sine ? sine / cosine : greatest;
+    UMBRAGE_HIGHP float bias = width * tangent;
+    return bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0 ? bias : 0.0;
+}
+`,
+            "receiver_plane": `
+// umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
+//   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
+UMBRAGE_HIGHP vec3 umbrage_receiver_plane(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP vec3 dy) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float determinant = dx.x * dy.y + dx.y * -dy.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along_x = dy.y * dx.z + dx.y * -dy.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along_y = dx.x * dy.z + dy.x * -dx.z;
+    UMBRAGE_HIGHP float a = umbrage_clamp_slope(along_x / determinant);
+    UMBRAGE_HIGHP float b = umbrage_clamp_slope(along_y / determinant);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float off = ((1.0 / 33554432.0) + (abs(a) + abs(b)) * (1.0 / 8192.0)) * 3.3;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = off * (sum / abs(determinant));
+    UMBRAGE_HIGHP float least = sum * (1.0 / 1024.0);
+    bool known = abs(determinant) > least && sum < 18446744073709551616.0;
+    return known ? vec3(a, b, umbrage_clamp_slope(error)) : vec3(0.0, 0.0, 0.0);
+}
+`,
+            "on_receiver_plane": `
+// umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+//   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
+UMBRAGE_HIGHP float umbrage_on_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
+                                              UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel + 0.5 - coord;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = stored - (slope.x * way.x + slope.y * way.y);
+    bool cleared = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
+    return cleared ? stored : depth;
+}
+`,
+            "acne_free_bias": `
+// umbrage_acne_free_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   reach  of the filter, texels
+//   error  how far a decoded depth may lie before the true one
+UMBRAGE_HIGHP float umbrage_acne_free_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float reach,
+                                           UMBRAGE_HIGHP float error) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float bias =
+        reach * (abs(slope.x) + abs(slope.y)) + (error + (1.0 / 8388608.0));
+    return umbrage_clamp_bias(bias);
+}
+`,
+            "acne_free_disc_bias": `
+// umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope   change of depth from one texel to the next;   radius  to the disc's farthest point, texels
+//   error   how far a decoded depth may lie before the true one
+UMBRAGE_HIGHP float umbrage_acne_free_disc_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float radius,
+                                                UMBRAGE_HIGHP float error) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = slope.x * slope.x + slope.y * slope.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float beside =
+        (abs(slope.x) + abs(slope.y)) * 0.5078125 + (error + (1.0 / 8388608.0));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float bias = radius * sqrt(square) + beside;
+    return umbrage_clamp_bias(bias);
+}
+`,
             "spot_cone": `
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
@@ -2339,6 +2487,142 @@ float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float
     return umbrage_pcf_2x2(map, size, coord, receiver);
 }
 `,
+            "texels_to_world": `
+// umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
+float umbrage_texels_to_world(float texels, float2 units, float w) {
+    precise float world = texels * units.x * w;
+    return world >= (1.0 / 18446744073709551616.0) && world < 18446744073709551616.0 ? world : 0.0;
+}
+`,
+            "clamp_bias": `
+// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+float umbrage_clamp_bias(float bias) {
+    float least = (1.0 / 18446744073709551616.0);
+    return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
+}
+`,
+            "world_to_depth": `
+// umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate, above 0.0
+float umbrage_world_to_depth(float world, float2 units, float w) {
+    precise float along = world * units.y;
+    precise float square = w * w;
+    return umbrage_clamp_bias(along / square);
+}
+`,
+            "biased": `
+// umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
+float umbrage_biased(float receiver, float bias) {
+    float by = abs(bias) < 18446744073709551616.0 ? bias : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? receiver - by : receiver + by;
+}
+`,
+            "clamp_slope": `
+// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+float umbrage_clamp_slope(float slope) {
+    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+}
+`,
+            "plane_slope": `
+// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+float2 umbrage_plane_slope(float4x4 plane_matrix, float3 normal, float3 world) {
+    precise float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    precise float4 q = transpose(plane_matrix)[3] * d + transpose(plane_matrix)[0] * normal.x +
+        transpose(plane_matrix)[1] * normal.y + transpose(plane_matrix)[2] * normal.z;
+    return float2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+}
+`,
+            "slope_bias": `
+// umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
+float umbrage_slope_bias(float2 slope, float factor, float base) {
+    precise float2 bias = abs(slope) * factor + base;
+    float x = umbrage_clamp_bias(bias.x);  // of both: a maximum of a NaN is what a GPU makes it
+    float y = umbrage_clamp_bias(bias.y);
+    return x > y ? x : y;
+}
+`,
+            "normal_offset": `
+// umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
+//   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   error_world  of the map's depths; world units
+float3 umbrage_normal_offset(float3 normal, float3 direction, float3 way, float width, float error_world) {
+    precise float x = normal.y * direction.z + normal.z * -direction.y;
+    precise float y = normal.z * direction.x + normal.x * -direction.z;
+    precise float z = normal.x * direction.y + normal.y * -direction.x;
+    precise float straight = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    precise float square = x * x + y * y + z * z;
+    precise float along = width * sqrt(square) + error_world * abs(straight);
+    float3 offset = normal * along;
+    return abs(offset.x) + abs(offset.y) + abs(offset.z) < 18446744073709551616.0 ? offset : float3(0.0, 0.0, 0.0);
+}
+`,
+            "kernel_bias": `
+// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
+//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+float umbrage_kernel_bias(float3 normal, float3 direction, float3 way, float width, float greatest) {
+    precise float x = normal.y * direction.z + normal.z * -direction.y;
+    precise float y = normal.z * direction.x + normal.x * -direction.z;
+    precise float z = normal.x * direction.y + normal.y * -direction.x;
+    precise float square = x * x + y * y + z * z;
+    float sine = sqrt(square);
+    precise float cosine = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
+    precise float edge = cosine * greatest;
+    float tangent = edge > sine ? sine / cosine : greatest;
+    float bias = width * tangent;
+    return bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0 ? bias : 0.0;
+}
+`,
+            "receiver_plane": `
+// umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
+//   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
+float3 umbrage_receiver_plane(float3 dx, float3 dy) {
+    precise float determinant = dx.x * dy.y + dx.y * -dy.x;
+    precise float sum = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);
+    precise float along_x = dy.y * dx.z + dx.y * -dy.z;
+    precise float along_y = dx.x * dy.z + dy.x * -dx.z;
+    float a = umbrage_clamp_slope(along_x / determinant);
+    float b = umbrage_clamp_slope(along_y / determinant);
+    precise float off = ((1.0 / 33554432.0) + (abs(a) + abs(b)) * (1.0 / 8192.0)) * 3.3;
+    precise float error = off * (sum / abs(determinant));
+    float least = sum * (1.0 / 1024.0);
+    bool known = abs(determinant) > least && sum < 18446744073709551616.0;
+    return known ? float3(a, b, umbrage_clamp_slope(error)) : float3(0.0, 0.0, 0.0);
+}
+`,
+            "on_receiver_plane": `
+// umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+//   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
+float umbrage_on_receiver_plane(float stored, float2 slope, float2 coord, float2 texel) {
+    precise float2 way = texel + 0.5 - coord;
+    precise float depth = stored - (slope.x * way.x + slope.y * way.y);
+    bool cleared = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
+    return cleared ? stored : depth;
+}
+`,
+            "acne_free_bias": `
+// umbrage_acne_free_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   reach  of the filter, texels
+//   error  how far a decoded depth may lie before the true one
+float umbrage_acne_free_bias(float2 slope, float reach, float error) {
+    precise float bias = reach * (abs(slope.x) + abs(slope.y)) + (error + (1.0 / 8388608.0));
+    return umbrage_clamp_bias(bias);
+}
+`,
+            "acne_free_disc_bias": `
+// umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope   change of depth from one texel to the next;   radius  to the disc's farthest point, texels
+//   error   how far a decoded depth may lie before the true one
+float umbrage_acne_free_disc_bias(float2 slope, float radius, float error) {
+    precise float square = slope.x * slope.x + slope.y * slope.y;
+    precise float beside = (abs(slope.x) + abs(slope.y)) * 0.5078125 + (error + (1.0 / 8388608.0));
+    precise float bias = radius * sqrt(square) + beside;
+    return umbrage_clamp_bias(bias);
+}
+`,
             "spot_cone": `
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
@@ -3443,6 +3727,143 @@ inline float umbrage_box(UMBRAGE_MAP map, float2 size, float2 coord, float recei
 //   receiver   depth, biased
 inline float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     return umbrage_pcf_2x2(map, size, coord, receiver);
+}
+`,
+            "texels_to_world": `
+// umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
+inline float umbrage_texels_to_world(float texels, float2 units, float w) {
+    float world = texels * units.x * w;
+    return world >= (1.0 / 18446744073709551616.0) && world < 18446744073709551616.0 ? world : 0.0;
+}
+`,
+            "clamp_bias": `
+// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+inline float umbrage_clamp_bias(float bias) {
+    float least = (1.0 / 18446744073709551616.0);
+    return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
+}
+`,
+            "world_to_depth": `
+// umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate, above 0.0
+inline float umbrage_world_to_depth(float world, float2 units, float w) {
+    float along = world * units.y;
+    float square = w * w;
+    return umbrage_clamp_bias(along / square);
+}
+`,
+            "biased": `
+// umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
+inline float umbrage_biased(float receiver, float bias) {
+    float by = metal::abs(bias) < 18446744073709551616.0 ? bias : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? receiver - by : receiver + by;
+}
+`,
+            "clamp_slope": `
+// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+inline float umbrage_clamp_slope(float slope) {
+    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+}
+`,
+            "plane_slope": `
+// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+inline float2 umbrage_plane_slope(metal::float4x4 plane_matrix, float3 normal, float3 world) {
+    float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    float4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y + plane_matrix[2] *
+        normal.z;
+    return float2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+}
+`,
+            "slope_bias": `
+// umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
+inline float umbrage_slope_bias(float2 slope, float factor, float base) {
+    float2 bias = metal::abs(slope) * factor + base;
+    float x = umbrage_clamp_bias(bias.x);  // of both: a maximum of a NaN is what a GPU makes it
+    float y = umbrage_clamp_bias(bias.y);
+    return x > y ? x : y;
+}
+`,
+            "normal_offset": `
+// umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
+//   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   error_world  of the map's depths; world units
+inline float3 umbrage_normal_offset(float3 normal, float3 direction, float3 way, float width, float error_world) {
+    float x = normal.y * direction.z + normal.z * -direction.y;
+    float y = normal.z * direction.x + normal.x * -direction.z;
+    float z = normal.x * direction.y + normal.y * -direction.x;
+    float straight = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    float square = x * x + y * y + z * z;
+    float along = width * metal::sqrt(square) + error_world * metal::abs(straight);
+    float3 offset = normal * along;
+    return metal::abs(offset.x) + metal::abs(offset.y) +
+        metal::abs(offset.z) < 18446744073709551616.0 ? offset : float3(0.0, 0.0, 0.0);
+}
+`,
+            "kernel_bias": `
+// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
+//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+inline float umbrage_kernel_bias(float3 normal, float3 direction, float3 way, float width, float greatest) {
+    float x = normal.y * direction.z + normal.z * -direction.y;
+    float y = normal.z * direction.x + normal.x * -direction.z;
+    float z = normal.x * direction.y + normal.y * -direction.x;
+    float square = x * x + y * y + z * z;
+    float sine = metal::sqrt(square);
+    float cosine = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
+    float edge = cosine * greatest;
+    float tangent = edge > sine ? sine / cosine : greatest;
+    float bias = width * tangent;
+    return bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0 ? bias : 0.0;
+}
+`,
+            "receiver_plane": `
+// umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
+//   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
+inline float3 umbrage_receiver_plane(float3 dx, float3 dy) {
+    float determinant = dx.x * dy.y + dx.y * -dy.x;
+    float sum = metal::abs(dx.x) + metal::abs(dx.y) + metal::abs(dy.x) + metal::abs(dy.y);
+    float along_x = dy.y * dx.z + dx.y * -dy.z;
+    float along_y = dx.x * dy.z + dy.x * -dx.z;
+    float a = umbrage_clamp_slope(along_x / determinant);
+    float b = umbrage_clamp_slope(along_y / determinant);
+    float off = ((1.0 / 33554432.0) + (metal::abs(a) + metal::abs(b)) * (1.0 / 8192.0)) * 3.3;
+    float error = off * (sum / metal::abs(determinant));
+    float least = sum * (1.0 / 1024.0);
+    bool known = metal::abs(determinant) > least && sum < 18446744073709551616.0;
+    return known ? float3(a, b, umbrage_clamp_slope(error)) : float3(0.0, 0.0, 0.0);
+}
+`,
+            "on_receiver_plane": `
+// umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+//   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
+inline float umbrage_on_receiver_plane(float stored, float2 slope, float2 coord, float2 texel) {
+    float2 way = texel + 0.5 - coord;
+    float depth = stored - (slope.x * way.x + slope.y * way.y);
+    bool cleared = metal::abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
+    return cleared ? stored : depth;
+}
+`,
+            "acne_free_bias": `
+// umbrage_acne_free_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   reach  of the filter, texels
+//   error  how far a decoded depth may lie before the true one
+inline float umbrage_acne_free_bias(float2 slope, float reach, float error) {
+    float bias = reach * (metal::abs(slope.x) + metal::abs(slope.y)) + (error + (1.0 / 8388608.0));
+    return umbrage_clamp_bias(bias);
+}
+`,
+            "acne_free_disc_bias": `
+// umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope   change of depth from one texel to the next;   radius  to the disc's farthest point, texels
+//   error   how far a decoded depth may lie before the true one
+inline float umbrage_acne_free_disc_bias(float2 slope, float radius, float error) {
+    float square = slope.x * slope.x + slope.y * slope.y;
+    float beside = (metal::abs(slope.x) + metal::abs(slope.y)) * 0.5078125 + (error + (1.0 / 8388608.0));
+    float bias = radius * metal::sqrt(square) + beside;
+    return umbrage_clamp_bias(bias);
 }
 `,
             "spot_cone": `
@@ -4551,6 +4972,142 @@ fn umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     return umbrage_pcf_2x2(map, size, coord, receiver);
 }
 `,
+            "texels_to_world": `
+// umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
+fn umbrage_texels_to_world(texels: f32, units: vec2f, w: f32) -> f32 {
+    let world: f32 = texels * units.x * w;
+    return select(0.0, world, world >= (1.0 / 18446744073709551616.0) && world < 18446744073709551616.0);
+}
+`,
+            "clamp_bias": `
+// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+fn umbrage_clamp_bias(bias: f32) -> f32 {
+    let least: f32 = (1.0 / 18446744073709551616.0);
+    return select(select(1.0, 0.0, bias < least), bias, bias >= least && bias < 1.0);
+}
+`,
+            "world_to_depth": `
+// umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate, above 0.0
+fn umbrage_world_to_depth(world: f32, units: vec2f, w: f32) -> f32 {
+    let along: f32 = world * units.y;
+    let square: f32 = w * w;
+    return umbrage_clamp_bias(along / square);
+}
+`,
+            "biased": `
+// umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
+fn umbrage_biased(receiver: f32, bias: f32) -> f32 {
+    let by: f32 = select(0.0, bias, abs(bias) < 18446744073709551616.0);
+    return select(receiver + by, receiver - by, umbrage_cleared_depth() > 0.5);
+}
+`,
+            "clamp_slope": `
+// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+fn umbrage_clamp_slope(slope: f32) -> f32 {
+    return select(select(2.0, -2.0, slope <= -2.0), slope, slope > -2.0 && slope < 2.0);
+}
+`,
+            "plane_slope": `
+// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+fn umbrage_plane_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
+    let d: f32 = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    let q: vec4f = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y + plane_matrix[2] *
+        normal.z;
+    return vec2f(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+}
+`,
+            "slope_bias": `
+// umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
+fn umbrage_slope_bias(slope: vec2f, factor: f32, base: f32) -> f32 {
+    let bias: vec2f = abs(slope) * factor + base;
+    let x: f32 = umbrage_clamp_bias(bias.x);  // of both: a maximum of a NaN is what a GPU makes it
+    let y: f32 = umbrage_clamp_bias(bias.y);
+    return select(y, x, x > y);
+}
+`,
+            "normal_offset": `
+// umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
+//   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   error_world  of the map's depths; world units
+fn umbrage_normal_offset(normal: vec3f, direction: vec3f, way: vec3f, width: f32, error_world: f32) -> vec3f {
+    let x: f32 = normal.y * direction.z + normal.z * -direction.y;
+    let y: f32 = normal.z * direction.x + normal.x * -direction.z;
+    let z: f32 = normal.x * direction.y + normal.y * -direction.x;
+    let straight: f32 = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    let square: f32 = x * x + y * y + z * z;
+    let along: f32 = width * sqrt(square) + error_world * abs(straight);
+    let offset: vec3f = normal * along;
+    return select(vec3f(0.0, 0.0, 0.0), offset, abs(offset.x) + abs(offset.y) + abs(offset.z) < 18446744073709551616.0);
+}
+`,
+            "kernel_bias": `
+// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
+//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+fn umbrage_kernel_bias(normal: vec3f, direction: vec3f, way: vec3f, width: f32, greatest: f32) -> f32 {
+    let x: f32 = normal.y * direction.z + normal.z * -direction.y;
+    let y: f32 = normal.z * direction.x + normal.x * -direction.z;
+    let z: f32 = normal.x * direction.y + normal.y * -direction.x;
+    let square: f32 = x * x + y * y + z * z;
+    let sine: f32 = sqrt(square);
+    let cosine: f32 = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
+    let edge: f32 = cosine * greatest;
+    let tangent: f32 = select(greatest, sine / cosine, edge > sine);
+    let bias: f32 = width * tangent;
+    return select(0.0, bias, bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0);
+}
+`,
+            "receiver_plane": `
+// umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
+//   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
+fn umbrage_receiver_plane(dx: vec3f, dy: vec3f) -> vec3f {
+    let determinant: f32 = dx.x * dy.y + dx.y * -dy.x;
+    let sum: f32 = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);
+    let along_x: f32 = dy.y * dx.z + dx.y * -dy.z;
+    let along_y: f32 = dx.x * dy.z + dy.x * -dx.z;
+    let a: f32 = umbrage_clamp_slope(along_x / determinant);
+    let b: f32 = umbrage_clamp_slope(along_y / determinant);
+    let off: f32 = ((1.0 / 33554432.0) + (abs(a) + abs(b)) * (1.0 / 8192.0)) * 3.3;
+    let error: f32 = off * (sum / abs(determinant));
+    let least: f32 = sum * (1.0 / 1024.0);
+    let known: bool = abs(determinant) > least && sum < 18446744073709551616.0;
+    return select(vec3f(0.0, 0.0, 0.0), vec3f(a, b, umbrage_clamp_slope(error)), known);
+}
+`,
+            "on_receiver_plane": `
+// umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+//   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
+fn umbrage_on_receiver_plane(stored: f32, slope: vec2f, coord: vec2f, texel: vec2f) -> f32 {
+    let way: vec2f = texel + 0.5 - coord;
+    let depth: f32 = stored - (slope.x * way.x + slope.y * way.y);
+    let cleared: bool = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
+    return select(depth, stored, cleared);
+}
+`,
+            "acne_free_bias": `
+// umbrage_acne_free_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   reach  of the filter, texels
+//   error  how far a decoded depth may lie before the true one
+fn umbrage_acne_free_bias(slope: vec2f, reach: f32, error: f32) -> f32 {
+    let bias: f32 = reach * (abs(slope.x) + abs(slope.y)) + (error + (1.0 / 8388608.0));
+    return umbrage_clamp_bias(bias);
+}
+`,
+            "acne_free_disc_bias": `
+// umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope   change of depth from one texel to the next;   radius  to the disc's farthest point, texels
+//   error   how far a decoded depth may lie before the true one
+fn umbrage_acne_free_disc_bias(slope: vec2f, radius: f32, error: f32) -> f32 {
+    let square: f32 = slope.x * slope.x + slope.y * slope.y;
+    let beside: f32 = (abs(slope.x) + abs(slope.y)) * 0.5078125 + (error + (1.0 / 8388608.0));
+    let bias: f32 = radius * sqrt(square) + beside;
+    return umbrage_clamp_bias(bias);
+}
+`,
             "spot_cone": `
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
@@ -4882,6 +5439,19 @@ const rows = [
     ["box_scale", "box_scale", "1 / (2r+1)^2", "a", 0, 0, "100", "none", false, []],
     ["box", "box", "lit share of a box of radius 0..8", "b", 0, 0, "100", "none", false, ["box_count", "box_scale"]],
     ["pcf_2x2_hardware", "pcf_2x2_hardware", "2x2 by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "pcf_2x2_hardware", false, ["pcf_2x2"]],
+    ["texels_to_world", "texels_to_world", "texels across a light as world units", "b", 0, 0, "100", "none", false, []],
+    ["clamp_bias", "clamp_bias", "clamp of a bias to [0, 1], NaN to 1", "a", 0, 0, "100", "none", false, []],
+    ["world_to_depth", "world_to_depth", "world units along a light as depth", "c", 1, 0, "100", "none", false, ["clamp_bias"]],
+    ["biased", "biased", "receiver moved towards the light", "b", 0, 0, "100", "none", false, ["cleared_depth"]],
+    ["clamp_slope", "clamp_slope", "clamp of a slope to [-2, 2], NaN to 2", "a", 0, 0, "100", "none", false, []],
+    ["plane_slope", "plane_slope", "change of a plane's depth from texel to texel", "c", 1, 0, "100", "none", false, ["clamp_slope"]],
+    ["slope_bias", "slope_bias", "bias by the greater slope, as rasterizers have it", "b", 0, 0, "100", "none", false, ["clamp_bias"]],
+    ["normal_offset", "normal_offset", "way off a surface to the point that is looked up in its place", "c", 1, 0, "100", "none", false, []],
+    ["kernel_bias", "kernel_bias", "bias by the kernel's width and the angle at which light falls", "c", 1, 0, "100", "none", false, []],
+    ["receiver_plane", "receiver_plane", "slope of a receiver's plane from derivatives, and how far it may be off", "c", 1, 0, "100", "none", false, ["clamp_slope"]],
+    ["on_receiver_plane", "on_receiver_plane", "stored depth moved along the receiver's plane to the receiver", "b", 0, 0, "100", "none", false, ["cleared_depth"]],
+    ["acne_free_bias", "acne_free_bias", "smallest bias without acne, for a slope, a reach and an encoding's error", "b", 0, 0, "100", "none", false, ["clamp_bias"]],
+    ["acne_free_disc_bias", "acne_free_disc_bias", "smallest bias without acne, for filters that read a disc", "c", 1, 0, "100", "none", false, ["clamp_bias"]],
     ["spot_cone", "spot_cone", "1 inside a spot light's cone", "b", 0, 0, "100", "none", false, []],
     ["diffuse_ambient", "diffuse_ambient", "diffuse plus ambient light of a surface", "b", 0, 0, "100", "none", false, []],
     ["false_colour", "false_colour", "0..1 to blue, green, red", "b", 0, 0, "100", "none", false, ["saturate"]],
@@ -4939,4 +5509,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, inside_texel_space, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, pcf_2x2_hardware, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, inside_texel_space, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, pcf_2x2_hardware, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

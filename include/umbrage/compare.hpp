@@ -27,6 +27,10 @@ struct less_equal {
     [[nodiscard]] static constexpr bool beyond_far(T receiver) {
         return !is_nan(receiver) && receiver > T(1);
     }
+    template <real T>
+    [[nodiscard]] static constexpr T towards_light(T depth, T by) {
+        return depth - by;
+    }
 };
 
 /// The same for reversed Z, where near is 1.
@@ -38,6 +42,10 @@ struct greater_equal {
     template <real T>
     [[nodiscard]] static constexpr bool beyond_far(T receiver) {
         return !is_nan(receiver) && receiver < T(0);
+    }
+    template <real T>
+    [[nodiscard]] static constexpr T towards_light(T depth, T by) {
+        return depth + by;
     }
 };
 
@@ -63,6 +71,11 @@ struct comparison {
     [[nodiscard]] constexpr bool beyond_far(T receiver) const {
         return direction == depth_direction::forward ? less_equal::beyond_far(receiver)
                                                      : greater_equal::beyond_far(receiver);
+    }
+    template <real T>
+    [[nodiscard]] constexpr T towards_light(T depth, T by) const {
+        return direction == depth_direction::forward ? less_equal::towards_light(depth, by)
+                                                     : greater_equal::towards_light(depth, by);
     }
 };
 

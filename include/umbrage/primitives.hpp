@@ -4,6 +4,14 @@
 // the texts of snippets come with <umbrage/umbrage.hpp>. Made by single_include/amalgamate.cmake.
 #pragma once
 
+#include <umbrage/bias/acne_free.hpp>
+#include <umbrage/bias/constant.hpp>
+#include <umbrage/bias/kernel.hpp>
+#include <umbrage/bias/light_units.hpp>
+#include <umbrage/bias/normal_offset.hpp>
+#include <umbrage/bias/rasterizer.hpp>
+#include <umbrage/bias/receiver_plane.hpp>
+#include <umbrage/bias/slope.hpp>
 #include <umbrage/clip_space.hpp>
 #include <umbrage/compare.hpp>
 #include <umbrage/config.hpp>

@@ -43,6 +43,7 @@
 #include <glm/fwd.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -429,6 +430,10 @@ struct less_equal {
     [[nodiscard]] static constexpr bool beyond_far(T receiver) {
         return !is_nan(receiver) && receiver > T(1);
     }
+    template <real T>
+    [[nodiscard]] static constexpr T towards_light(T depth, T by) {
+        return depth - by;
+    }
 };
 
 /// The same for reversed Z, where near is 1.
@@ -440,6 +445,10 @@ struct greater_equal {
     template <real T>
     [[nodiscard]] static constexpr bool beyond_far(T receiver) {
         return !is_nan(receiver) && receiver < T(0);
+    }
+    template <real T>
+    [[nodiscard]] static constexpr T towards_light(T depth, T by) {
+        return depth + by;
     }
 };
 
@@ -465,6 +474,11 @@ struct comparison {
     [[nodiscard]] constexpr bool beyond_far(T receiver) const {
         return direction == depth_direction::forward ? less_equal::beyond_far(receiver)
                                                      : greater_equal::beyond_far(receiver);
+    }
+    template <real T>
+    [[nodiscard]] constexpr T towards_light(T depth, T by) const {
+        return direction == depth_direction::forward ? less_equal::towards_light(depth, by)
+                                                     : greater_equal::towards_light(depth, by);
     }
 };
 
@@ -579,6 +593,72 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
 };
 
 inline constexpr auto compare_snippets = list<&beyond_far, &compare, &compare_dx_sdk, &compare_exercise>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/bias/constant.hpp
+// A receiver moved towards the light, which is what every bias in depth comes to.
+//
+//     float receiver = umbrage::biased(p.z, bias, filter.is_lit);  // p.z - bias, or p.z + bias where depth is reversed
+//
+
+namespace umbrage {
+
+/// A bias in depth within its range: with 1 nothing is in shadow, so that no bias need be greater.
+/// @return        0 below 2^-64, so that no denormal counts; 1 from 1 up, and for NaN
+/// @exactness     A: selects
+template <real T>
+[[nodiscard]] constexpr T clamp_bias(T bias) {
+    const T clamped = saturate(bias);
+    return clamped < T(0x1p-64) ? T(0) : clamped;
+}
+
+/// A receiver moved towards the light; the direction of depth is the comparison's.
+///
+/// @param receiver   depth; NaN stays NaN, in shadow
+/// @param bias       in depth: towards the light above 0, away from it below; of 2^64 and more, and NaN: none
+/// @param is_lit     less_equal, greater_equal or comparison: the filter's own
+/// @return           the receiver that a filter compares
+/// @formula          receiver - bias; receiver + bias where depth is reversed
+/// @exactness        B: one sum
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr T biased(T receiver, T bias, const Compare& is_lit = {}) {
+    constexpr T beyond(0x1p64);
+    const bool some = !is_nan(bias) && bias < beyond && bias > -beyond;
+    return is_lit.towards_light(receiver, some ? bias : T(0));
+}
+
+namespace glsl {
+
+inline constexpr snippet clamp_bias{
+    .name = "clamp_bias",
+    .summary = "clamp of a bias to [0, 1], NaN to 1",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+UMBRAGE_HIGHP float umbrage_clamp_bias(UMBRAGE_HIGHP float bias) {
+    UMBRAGE_HIGHP float least = (1.0 / 18446744073709551616.0);
+    return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet biased{
+    .name = "biased",
+    .summary = "receiver moved towards the light",
+    .exactness = tier::b,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
+UMBRAGE_HIGHP float umbrage_biased(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float bias) {
+    UMBRAGE_HIGHP float by = abs(bias) < 18446744073709551616.0 ? bias : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? receiver - by : receiver + by;
+}
+)GLSL",
+};
+
+inline constexpr auto constant_snippets = list<&clamp_bias, &biased>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -771,6 +851,940 @@ consteval bool is_encoding() {
 }
 
 }  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/filter/filter.hpp
+// What a filter is: a value that makes visibility of a map's texels, and knows what there is to know of itself.
+//
+//     umbrage::filters::box filter{.radius = 2, .is_lit = {light.clip.direction}};
+//     float visibility = filter(umbrage::clamped(map), coord, depth - bias);
+//
+// The library's own are listed in filters.hpp. Functions over images take any callable like them.
+
+namespace umbrage {
+namespace detail {
+
+/// A map as filters see it.
+struct any_fetch {
+    float operator()(glm::ivec2 texel) const;
+};
+
+}  // namespace detail
+
+/// A callable (fetch, coord, receiver) -> visibility: all that functions over images ask for.
+template <class Filter>
+concept filter = std::copy_constructible<Filter> &&
+    requires(const Filter& f, const detail::any_fetch& fetch, float receiver) {
+    { f(fetch, glm::vec2(), receiver) } -> std::convertible_to<float>;
+};
+
+/// What a filter of the library tells of itself, for tools, tables and biases.
+template <class Filter>
+concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
+    { Filter::name } -> std::convertible_to<std::string_view>;         // a C++ identifier
+    { Filter::snippet } -> std::convertible_to<const glsl::snippet*>;  // of the same result
+    { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest point of its texels, an axis, in texels
+    { f.is_lit(depth, depth) } -> std::same_as<bool>;  // the comparison, its direction inside
+};
+
+namespace detail {
+
+/// Says in words what a type lacks that is used as a filter.
+template <class Filter>
+consteval bool is_filter() {
+    static_assert(filter<Filter>,
+                  "an umbrage filter is a callable (fetch, glm::vec2 coord, float receiver) -> float, const");
+    return true;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/bias/acne_free.hpp
+// The smallest bias with which no plane shadows itself, from the plane's slope in the map, how far the filter reads and
+// how the map is stored.
+//
+//     umbrage::filters::box filter{.radius = 2};
+//     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);  // of depth, a texel
+//     float bias = umbrage::acne_free_bias(slope, filter, umbrage::rg<11>{});
+//     float visibility = filter(fetch, glm::vec2(p), umbrage::biased(p.z, bias, filter.is_lit));
+//
+// A filter compares a receiver with depths of its plane at centres of texels that lie up to its reach away, in x and in
+// y: there the plane may be nearer by reach (|a| + |b|), and what is stored of it nearer still by the encoding's error.
+// That much is needed, and no more: with 9/10 of it some receiver is dark.
+
+namespace umbrage {
+
+/// Texels that a reach grows by where the depth pass moves vertices by up to 1/512 texel, as rasterizers do.
+template <real T>
+inline constexpr T snapping_reach = T(1) / T(128);
+
+/// The smallest bias in depth without acne, for filters that read whole rows and columns.
+///
+/// @param slope   change of the receiver's depth from one texel to the next, in x and y: plane_slope, receiver_plane
+/// @param reach   of the filter, texels; with coordinates that round, 2^-12 more for 4096 texels, and in proportion;
+///                snapping_reach more where a rasterizer has moved vertices
+/// @param error   how far a decoded depth may lie before the true one: decoding_error::below, where depth is reversed
+///                above; of a UNORM depth texture 1/2 / (2^bits - 1)
+/// @return        0 .. 1; 1, with which nothing is in shadow, for slopes and reaches that are infinite, and for NaN
+/// @formula       reach (|slope.x| + |slope.y|) + error + 2^-23, the last for rounding in binary32
+/// @detaches      casters nearer to the receiver than detachment() lose their shadow
+/// @exactness     B
+template <real T>
+[[nodiscard]] constexpr T acne_free_bias(glm::vec<2, T> slope, T reach, T error) {
+    const T sum = (slope.x < T(0) ? -slope.x : slope.x) + (slope.y < T(0) ? -slope.y : slope.y);
+    return clamp_bias(reach * sum + (error + T(0x1p-23)));
+}
+
+/// The same for a filter over a map of an encoding, whose direction of depth says which of its errors counts.
+/// @param more   what the reach is to grow by, texels: snapping_reach, rounding of coordinates
+[[nodiscard]] constexpr float acne_free_bias(glm::vec2 slope, const known_filter auto& filter,
+                                             const known_encoding auto& encoding, float more = 0.0f) {
+    const decoding_error error = encoding.error();
+    return acne_free_bias(slope, filter.reach() + more,
+                          float(encoding.direction == depth_direction::forward ? error.below : error.above));
+}
+
+/// The smallest bias in depth without acne, for filters that read a disc.
+///
+/// @param slope, error   as for acne_free_bias
+/// @param radius         from the receiver to the farthest point, texels; the texel that a point falls into lies up to
+///                       half a texel, and 1/128 for the points' rounding, farther
+/// @return               0 .. 1; 1 for what is infinite, and for NaN
+/// @formula              radius |slope| + (1/2 + 1/128) (|slope.x| + |slope.y|) + error + 2^-23
+/// @exactness            C: a square root, of which GLSL allows a few ulp; 0 seen
+template <real T>
+[[nodiscard]] T acne_free_disc_bias(glm::vec<2, T> slope, T radius, T error) {
+    const T sum = std::abs(slope.x) + std::abs(slope.y);
+    const T length = std::sqrt(slope.x * slope.x + slope.y * slope.y);
+    return clamp_bias(radius * length + (sum * T(0.5078125) + (error + T(0x1p-23))));
+}
+
+/// Depth before a receiver within which a caster's shadow is lost, wholly or in part.
+///
+/// @param bias           of the receiver, in depth
+/// @param caster_slope   of the caster's depth, a texel; |slope.x| + |slope.y| of a caster that faces the light is 0
+/// @param reach          of the filter, texels
+/// @return               in depth, >= 0: casters at least so far before the receiver shadow it as without bias
+/// @formula              bias + reach (|caster_slope.x| + |caster_slope.y|). On a floor beside a wall that stands
+///                       square to it light leaks in for bias sin(t), t between the floor's normal and the light: in
+///                       world units at most sqrt(2) reach texel tan(t) sin(t)
+template <real T>
+[[nodiscard]] constexpr T detachment(T bias, glm::vec<2, T> caster_slope, T reach) {
+    return acne_free_bias(caster_slope, reach, bias);
+}
+
+namespace glsl {
+
+inline constexpr snippet acne_free_bias{
+    .name = "acne_free_bias",
+    .summary = "smallest bias without acne, for a slope, a reach and an encoding's error",
+    .exactness = tier::b,
+    .needs = list<&clamp_bias>,
+    .source = R"GLSL(
+// umbrage_acne_free_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   reach  of the filter, texels
+//   error  how far a decoded depth may lie before the true one
+UMBRAGE_HIGHP float umbrage_acne_free_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float reach,
+                                           UMBRAGE_HIGHP float error) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float bias =
+        reach * (abs(slope.x) + abs(slope.y)) + (error + (1.0 / 8388608.0));
+    return umbrage_clamp_bias(bias);
+}
+)GLSL",
+};
+
+inline constexpr snippet acne_free_disc_bias{
+    .name = "acne_free_disc_bias",
+    .summary = "smallest bias without acne, for filters that read a disc",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&clamp_bias>,
+    .source = R"GLSL(
+// umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope   change of depth from one texel to the next;   radius  to the disc's farthest point, texels
+//   error   how far a decoded depth may lie before the true one
+UMBRAGE_HIGHP float umbrage_acne_free_disc_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float radius,
+                                                UMBRAGE_HIGHP float error) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = slope.x * slope.x + slope.y * slope.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float beside =
+        (abs(slope.x) + abs(slope.y)) * 0.5078125 + (error + (1.0 / 8388608.0));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float bias = radius * sqrt(square) + beside;
+    return umbrage_clamp_bias(bias);
+}
+)GLSL",
+};
+
+inline constexpr auto acne_free_snippets = list<&acne_free_bias, &acne_free_disc_bias>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/bias/kernel.hpp
+// A bias that grows with the filter's kernel and the angle at which light falls, from a surface's normal.
+//
+//     float width = umbrage::offset_width(filter.reach(), umbrage::texels_to_world(1.0f, units, w));
+//     float world = umbrage::kernel_bias(normal, light_direction, way, width, 20.0f);  // way as for normal_offset
+//     float bias = umbrage::world_to_depth(world, units, w);
+//
+
+namespace umbrage {
+
+/// How far along the light a filter's kernel reaches before a surface's plane.
+///
+/// @param normal      of the surface, of any length, on the side that is seen
+/// @param direction   of the light, a spot's axis, of length one
+/// @param way         from the light to the point over w; for a directional light its direction once more
+/// @param width       of the kernel, offset_width, in world units; or in depth: the result is in the same
+/// @param greatest    tangent from which on the bias grows no more, >= 0
+/// @return            2^-64 to 2^64; width greatest where light grazes or comes from behind, for a normal of zero and
+///                    NaN; 0 for what is not
+/// @formula           width min(|normal x direction| / -(normal . way), greatest), a tangent: up to the greatest one,
+///                    acne_free_bias without its constant part, times 1 to sqrt(2), whichever way the plane is turned
+/// @detaches          casters nearer than the bias along the light lose their shadow: at most width greatest
+/// @exactness         C: a square root and a division, of each of which GLSL allows a few ulp; 0 seen
+template <real T>
+[[nodiscard]] T kernel_bias(glm::vec<3, T> normal, glm::vec<3, T> direction, glm::vec<3, T> way, T width, T greatest) {
+    const T x = normal.y * direction.z + normal.z * -direction.y;
+    const T y = normal.z * direction.x + normal.x * -direction.z;
+    const T z = normal.x * direction.y + normal.y * -direction.x;
+    const T sine = std::sqrt(x * x + y * y + z * z);
+    const T cosine = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
+    const bool grazing = is_nan(cosine) || is_nan(sine) || !(cosine * greatest > sine);
+    const T bias = width * (grazing ? greatest : sine / cosine);
+    return !is_nan(bias) && bias >= T(0x1p-64) && bias < T(0x1p64) ? bias : T(0);
+}
+
+namespace glsl {
+
+inline constexpr snippet kernel_bias{
+    .name = "kernel_bias",
+    .summary = "bias by the kernel's width and the angle at which light falls",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
+// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
+//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+UMBRAGE_HIGHP float umbrage_kernel_bias(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 way,
+                                        UMBRAGE_HIGHP float width, UMBRAGE_HIGHP float greatest) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * direction.z + normal.z * -direction.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = normal.z * direction.x + normal.x * -direction.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = normal.x * direction.y + normal.y * -direction.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = x * x + y * y + z * z;
+    UMBRAGE_HIGHP float sine = sqrt(square);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float cosine = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float edge = cosine * greatest;
+    UMBRAGE_HIGHP float tangent = edge > sine ? sine / cosine : greatest;
+    UMBRAGE_HIGHP float bias = width * tangent;
+    return bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0 ? bias : 0.0;
+}
+)GLSL",
+};
+
+inline constexpr auto kernel_snippets = list<&kernel_bias>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/light/light_space.hpp
+// A light's view of the world: two matrices and the convention they follow. Every set-up function either returns
+// matrices of finite numbers, whose product is finite too, or reports which argument is to blame.
+//
+//     auto light = umbrage::make_spot_light({.position = {0, 5, 0}, .direction = {0, -1, 0}});
+//     glm::mat4 clip_from_world = light.projection * light.view;
+//
+
+namespace umbrage {
+
+template <real T>
+struct light_space {
+    glm::mat<4, 4, T> view{T(1)};        ///< world -> light's view space, a rotation; down -z (right) or +z (left)
+    glm::mat<4, 4, T> projection{T(1)};  ///< view space -> clip space
+    clip_space clip;
+};
+
+namespace detail {
+
+/// Reports an argument of a set-up function, or several, unless what they need is met.
+inline void require(bool met, const char* function, const char* arguments, const char* problem) {
+    if (met) return;
+    std::string message = "umbrage::";  // appended to: of sums GCC 12 believes at times that they overrun
+    for (const char* part : {function, ": ", arguments, " ", problem}) message += part;
+    fail(message);
+}
+
+/// True for what neither overflowed nor is lost where denormals count as zero.
+template <real T>
+[[nodiscard]] bool is_normal(T v) {
+    return is_finite(v) && glm::abs(v) >= std::numeric_limits<T>::min();
+}
+
+/// The one check of a light's matrices.
+template <real T>
+[[nodiscard]] light_space<T> checked(const light_space<T>& light, const char* function, const char* arguments) {
+    const bool finite = all_finite(light.view) && all_finite(light.projection);
+    require(finite && all_finite(light.projection * light.view), function, arguments,
+            "give a matrix that is not finite");
+    return light;
+}
+
+/// Unit vector; scaled first, so that nothing overflows or underflows. Zero stays zero.
+template <real T>
+[[nodiscard]] glm::vec<3, T> unit(glm::vec<3, T> v) {
+    const T scale = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
+    return scale > T(0) ? glm::normalize(v / scale) : v;
+}
+
+/// look_along in the name of another function, whose argument `position` is; the result is the caller's to check.
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
+                                           handedness hand, const char* function, const char* position_name) {
+    require(all_finite(position), function, position_name, "must be finite");
+    require(all_finite(direction), function, "direction", "must be finite");
+    require(all_finite(up), function, "up", "must be finite");
+    const glm::vec<3, T> forward = unit(direction);
+    require(forward != glm::vec<3, T>(0), function, "direction", "must not be zero");
+
+    glm::vec<3, T> side = glm::cross(forward, unit(up));
+    if (!(glm::length(side) > T(1e-3))) {
+        const glm::vec<3, T> along = glm::abs(forward);
+        const glm::length_t least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
+        glm::vec<3, T> axis(0);
+        axis[least] = T(1);
+        side = glm::cross(forward, axis);
+    }
+    const glm::vec<3, T> above = glm::normalize(glm::cross(side, forward));
+    side = glm::cross(forward, above);  // again: up nearly parallel to forward leaves the first a hundred ulp askew
+    const T towards = hand == handedness::right ? T(1) : T(-1);  // left: half a turn about y
+
+    glm::mat<4, 4, T> view(T(1));
+    for (glm::length_t i = 0; i < 3; ++i) {
+        view[i][0] = towards * side[i];
+        view[i][1] = above[i];
+        view[i][2] = -towards * forward[i];
+    }
+    view[3][0] = -towards * glm::dot(side, position);
+    view[3][1] = -glm::dot(above, position);
+    view[3][2] = towards * glm::dot(forward, position);
+    return view;
+}
+
+}  // namespace detail
+
+/// World to light's view space by a rotation: x to the right, y up.
+///
+/// @param position    of the light, world
+/// @param direction   it looks along, any length > 0
+/// @param up          hint; where it is parallel to direction, or nearly (1e-3), the world axis least along direction
+///                    takes its place, so that any direction works
+/// @param hand        of the world and the view; right: looks down -z, as glm::lookAtRH, left: down +z, as
+/// glm::lookAtLH
+/// @throws std::invalid_argument  zero or non-finite direction or position
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
+                                           handedness hand) {
+    const auto view = detail::look_along(position, direction, up, hand, "look_along", "position");
+    detail::require(detail::all_finite(view), "look_along", "position", "is too far out");
+    return view;
+}
+
+namespace detail {
+
+/// Rows that send view-space distance z_near to the near depth and z_far to the far depth of the convention.
+template <real T>
+struct depth_ends {
+    T at_near, at_far;
+};
+template <real T>
+[[nodiscard]] constexpr depth_ends<T> ends(clip_space clip) {
+    const T low = clip.range == depth_range::zero_to_one ? T(0) : T(-1);
+    return clip.direction == depth_direction::forward ? depth_ends<T>{low, T(1)} : depth_ends<T>{T(1), low};
+}
+
+/// perspective in the name of another function, which has checked the tangents.
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip,
+                                            const char* function) {
+    require(is_normal(z_near) && z_near > T(0), function, "z_near", "must be above 0, finite and no denormal");
+    require(!is_nan(z_far) && z_near < z_far, function, "z_far", "must be above z_near");
+    const auto [at_near, at_far] = ends<T>(clip);
+    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
+    // the formula over powers of two, which keeps its bits and does not overflow; no far plane: z_near is nothing to it
+    const bool bounded = is_finite(z_far);
+    const int far_scale = bounded ? std::ilogb(z_far) : 0, near_scale = std::ilogb(z_near);
+    const T f = bounded ? std::scalbn(z_far, -far_scale) : T(1), n = bounded ? std::scalbn(z_near, -far_scale) : T(0);
+    const T product = std::scalbn(z_near, -near_scale) * f * (at_near - at_far);
+    glm::mat<4, 4, T> m(T(0));
+    m[0][0] = T(1) / tan_half_x;
+    m[1][1] = T(1) / tan_half_y;
+    m[2][2] = forward * (f * at_far - n * at_near) / (f - n);
+    m[3][2] = std::scalbn(product / (f - n), near_scale);
+    m[2][3] = forward;
+    require(is_finite(m[3][2]), function, "z_near and z_far", "are too large and too close together");
+    return m;
+}
+
+/// orthographic in the name of another function, whose arguments give the box and the planes.
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
+                                             clip_space clip, const char* function, const char* box,
+                                             const char* planes) {
+    require(all_finite(low) && all_finite(high), function, box, "must give a finite box");
+    require(low.x < high.x && low.y < high.y, function, box, "must give a box with some width and height");
+    require(is_finite(z_near) && is_finite(z_far), function, planes, "must be finite");
+    require(z_near < z_far, function, planes, "must be in order, some distance apart");
+    const auto [at_near, at_far] = ends<T>(clip);
+    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
+    glm::mat<4, 4, T> m(T(1));
+    for (glm::length_t i = 0; i < 2; ++i) {
+        m[i][i] = T(2) / (high[i] - low[i]);
+        m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
+        require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "give too large or too small a box");
+    }
+    m[2][2] = forward * (at_far - at_near) / (z_far - z_near);
+    m[3][2] = (z_far * at_near - z_near * at_far) / (z_far - z_near);
+    require(is_normal(m[2][2]) && is_finite(m[3][2]), function, planes, "are too far apart or too close together");
+    return m;
+}
+
+}  // namespace detail
+
+/// Perspective projection.
+///
+/// @param tan_half_x, tan_half_y   tangent of half the opening angle, > 0
+/// @param z_near, z_far            0 < z_near < z_far, world units; an infinite z_far is no far plane: depth then nears
+///                                 the far depth with distance, forward or reversed
+/// @throws std::invalid_argument   anything else, and what gives a matrix that is not finite
+/// @formula       z/w = A + B / distance through (z_near, near depth), (z_far, far depth)
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip) {
+    const auto opening = [](T tangent) { return tangent > T(0) && detail::is_normal(T(1) / tangent); };
+    detail::require(opening(tan_half_x), "perspective", "tan_half_x", "must be above 0, and 1 / tan_half_x finite");
+    detail::require(opening(tan_half_y), "perspective", "tan_half_y", "must be above 0, and 1 / tan_half_y finite");
+    return detail::perspective(tan_half_x, tan_half_y, z_near, z_far, clip, "perspective");
+}
+
+/// Orthographic projection of the box between two corners of view space, z given as distances in front of the light.
+///
+/// @param low, high        x and y of the corners, low < high
+/// @param z_near, z_far    z_near < z_far, world units, may be negative (behind the light's position)
+/// @throws std::invalid_argument   an empty or non-finite box, and one that gives a matrix that is not finite
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
+                                             clip_space clip) {
+    return detail::orthographic(low, high, z_near, z_far, clip, "orthographic", "low and high", "z_near and z_far");
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/bias/light_units.hpp
+// Texels, world units and depth, each in the others, at a point that a light sees: directional or spot, by one formula.
+//
+//     glm::vec2 units = umbrage::make_light_units(light, map.size());
+//     float w = umbrage::shadow_coordinate(to_texels, world).w;  // 1 for a directional light
+//     float bias = umbrage::world_to_depth(0.02f, units, w);     // two centimetres
+//
+// Across the light a texel's footprint grows with w, the distance along a spot's axis; depth grows by less and less a
+// world unit, as 1 / w^2. A directional light has w = 1 everywhere.
+
+namespace umbrage {
+
+/// A light's measures at w = 1.
+///
+/// @param light      whose view is a rotation
+/// @param map_size   texels, each >= 1
+/// @return           x: edge of a texel's footprint across the light, world units, the longer where they differ;
+///                   y: depth a world unit along the light, where it is z/w
+/// @throws std::invalid_argument  map_size below 1, or measures that are not finite and above 0
+template <real T>
+[[nodiscard]] glm::vec<2, T> make_light_units(const light_space<T>& light, glm::ivec2 map_size) {
+    constexpr auto function = "make_light_units";
+    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
+    const glm::mat<4, 4, T>& p = light.projection;
+    const T edge = glm::max(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
+    const bool perspective = p[2][3] != T(0);
+    const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
+    const T depth = light.clip.range == depth_range::minus_one_to_one ? along * T(0.5) : along;
+    detail::require(detail::is_normal(edge) && detail::is_normal(depth), function, "light",
+                    "gives measures that are not finite and above 0");
+    return {edge, depth};
+}
+
+/// Texels across the light as world units.
+///
+/// @param units   make_light_units
+/// @param w       of the point's shadow_coordinate
+/// @return        2^-64 to 2^64; 0 for what is not, as for w <= 0, and for NaN
+/// @formula       texels units.x w
+/// @exactness     B: two products
+template <real T>
+[[nodiscard]] constexpr T texels_to_world(T texels, glm::vec<2, T> units, T w) {
+    const T world = texels * units.x * w;
+    return !is_nan(world) && world >= T(0x1p-64) && world < T(0x1p64) ? world : T(0);
+}
+
+/// World units along the light as depth, z/w.
+///
+/// @param units   make_light_units
+/// @param w       of the point's shadow_coordinate, > 0
+/// @return        0 .. 1; 1 for w = 0 and for NaN
+/// @formula       world units.y / w^2: the slope of z/w at the point; what lies nearer to a spot changes by more, so
+///                that a point moved towards it by `world` has w / (w - world) times that, which covers a bias
+/// @exactness     C: one division, of which GLSL allows 2.5 ulp; 0 seen
+template <real T>
+[[nodiscard]] constexpr T world_to_depth(T world, glm::vec<2, T> units, T w) {
+    return clamp_bias(world * units.y / (w * w));
+}
+
+namespace glsl {
+
+inline constexpr snippet texels_to_world{
+    .name = "texels_to_world",
+    .summary = "texels across a light as world units",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
+UMBRAGE_HIGHP float umbrage_texels_to_world(UMBRAGE_HIGHP float texels, UMBRAGE_HIGHP vec2 units,
+                                            UMBRAGE_HIGHP float w) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float world = texels * units.x * w;
+    return world >= (1.0 / 18446744073709551616.0) && world < 18446744073709551616.0 ? world : 0.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet world_to_depth{
+    .name = "world_to_depth",
+    .summary = "world units along a light as depth",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&clamp_bias>,
+    .source = R"GLSL(
+// umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate, above 0.0
+UMBRAGE_HIGHP float umbrage_world_to_depth(UMBRAGE_HIGHP float world, UMBRAGE_HIGHP vec2 units,
+                                           UMBRAGE_HIGHP float w) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along = world * units.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = w * w;
+    return umbrage_clamp_bias(along / square);
+}
+)GLSL",
+};
+
+inline constexpr auto light_units_snippets = list<&texels_to_world, &world_to_depth>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/bias/normal_offset.hpp
+// The point to look up instead of a surface's own: off it along the normal, by what the surface's tilt asks for.
+//
+//     float width = umbrage::offset_width(filter.reach(), umbrage::texels_to_world(1.0f, units, w));
+//     glm::vec3 way = spot ? (world - light_position) / w : light_direction;
+//     glm::vec3 point = world + umbrage::normal_offset(normal, light_direction, way, width, 0.0f);
+//
+// In world space, so that the direction of depth does not matter; nothing where the light falls straight on a surface.
+
+namespace umbrage {
+
+/// How far along its normal a surface is looked up where light grazes it, so that no plane shadows itself.
+/// @param reach   of the filter, texels, as for acne_free_bias;   texel_world  edge of a texel's footprint
+/// @return        world units
+/// @formula       sqrt(2) reach texel_world, the root rounded up: to the corner of what the filter reads
+template <real T>
+[[nodiscard]] constexpr T offset_width(T reach, T texel_world) {
+    return T(1.4142137) * reach * texel_world;
+}
+
+/// The way from a surface to the point that is looked up in its place.
+///
+/// @param normal        of the surface, of length one, on the side that is seen; zero: no offset
+/// @param direction     of the light, a spot's axis, of length one: what a map's texels lie across
+/// @param way           from the light to the point over w, the distance along the axis; for a directional light its
+///                      direction once more
+/// @param width         world units, offset_width
+/// @param error_world   world units along the light that the map's depths are off by, e of acne_free_bias
+/// @return              world units; 0 where it is not finite, or 2^64 and more
+/// @formula             normal (width |normal x direction| + error_world |normal . way|): with t the angle between
+///                      normal and light, d along the normal wins d / cos t along the light, where a texel's step loses
+///                      texel tan t. Enough for a directional light; for a spot where the normal looks against its axis
+/// @detaches            as width tan t + error_world along the light: on a floor beside a wall that stands square to it
+///                      light leaks in for up to width tan t sin t
+/// @exactness           C: a square root, of which GLSL allows a few ulp; 0 seen
+template <real T>
+[[nodiscard]] glm::vec<3, T> normal_offset(glm::vec<3, T> normal, glm::vec<3, T> direction, glm::vec<3, T> way, T width,
+                                           T error_world) {
+    const T x = normal.y * direction.z + normal.z * -direction.y;
+    const T y = normal.z * direction.x + normal.x * -direction.z;
+    const T z = normal.x * direction.y + normal.y * -direction.x;
+    const T straight = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    const T along = width * std::sqrt(x * x + y * y + z * z) + error_world * std::abs(straight);
+    const glm::vec<3, T> offset = normal * along;
+    const T extent = std::abs(offset.x) + std::abs(offset.y) + std::abs(offset.z);
+    return !is_nan(extent) && extent < T(0x1p64) ? offset : glm::vec<3, T>(0);
+}
+
+namespace glsl {
+
+inline constexpr snippet normal_offset{
+    .name = "normal_offset",
+    .summary = "way off a surface to the point that is looked up in its place",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
+// umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
+//   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   error_world  of the map's depths; world units
+UMBRAGE_HIGHP vec3 umbrage_normal_offset(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec3 direction,
+                                         UMBRAGE_HIGHP vec3 way, UMBRAGE_HIGHP float width,
+                                         UMBRAGE_HIGHP float error_world) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * direction.z + normal.z * -direction.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = normal.z * direction.x + normal.x * -direction.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = normal.x * direction.y + normal.y * -direction.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float straight = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = x * x + y * y + z * z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along = width * sqrt(square) + error_world * abs(straight);
+    UMBRAGE_HIGHP vec3 offset = normal * along;
+    return abs(offset.x) + abs(offset.y) + abs(offset.z) < 18446744073709551616.0 ? offset : vec3(0.0, 0.0, 0.0);
+}
+)GLSL",
+};
+
+inline constexpr auto normal_offset_snippets = list<&normal_offset>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/bias/rasterizer.hpp
+// The bias that the depth pass adds to casters, as the numbers that each API's rasterizer takes: with them no plane
+// shadows itself under a filter, and receivers need no bias of their own.
+//
+//     auto [factor, units, clamp] = umbrage::make_polygon_offset({.reach = filter.reach()});
+//     glPolygonOffset(factor, units);
+//
+// Rasterizers multiply by the greater slope of depth, |a| or |b|, where a filter needs |a| + |b|; and by a step of the
+// depth buffer, which in one of floats is that of the primitive's greatest depth.
+
+namespace umbrage {
+
+enum class depth_format { unorm16, unorm24, float32 };  ///< of the depth buffer
+
+/// What a rasterizer's bias has to cover.
+struct raster_bias {
+    float reach = 0.5f;         ///< of the filter, texels, as for acne_free_bias
+    float constant = 0x1p-23f;  ///< in depth: the encoding's error and 2^-23
+    float greatest = 0.0f;      ///< no bias is greater, in depth: slopes beyond may shadow themselves; 0: no limit
+    float least_depth = 0.5f;   ///< of a buffer of floats, above 0: primitives all below it get less than `constant`
+    depth_format format = depth_format::unorm24;
+    depth_direction direction = depth_direction::forward;
+};
+
+struct polygon_offset {
+    float factor, units;  ///< glPolygonOffset
+    float clamp;          ///< glPolygonOffsetClamp
+};
+
+/// In the order of vkCmdSetDepthBias.
+struct vulkan_depth_bias {
+    float constant_factor, clamp, slope_factor;
+};
+
+/// Of D3D11_RASTERIZER_DESC and D3D12_RASTERIZER_DESC.
+struct direct3d_depth_bias {
+    std::int32_t depth_bias;
+    float depth_bias_clamp, slope_scaled_depth_bias;
+};
+
+namespace detail {
+
+/// In steps of the depth buffer, rounded up, towards the far plane.
+[[nodiscard]] inline vulkan_depth_bias raster_numbers(const raster_bias& bias, const char* function) {
+    const auto not_negative = [](float v) { return is_finite(v) && v >= 0.0f; };
+    require(not_negative(bias.reach) && is_finite(2.0f * bias.reach), function, "reach", "must be finite, 0 or more");
+    require(not_negative(bias.constant), function, "constant", "must be finite, 0 or more");
+    require(not_negative(bias.greatest), function, "greatest", "must be finite, 0 or more");
+    require(is_normal(bias.least_depth) && bias.least_depth > 0.0f && bias.least_depth <= 1.0f, function, "least_depth",
+            "must be above 0, no denormal, and at most 1");
+    const int step = bias.format == depth_format::unorm16   ? -16
+                     : bias.format == depth_format::unorm24 ? -24
+                                                            : std::ilogb(bias.least_depth) - 23;
+    const float units = std::ceil(std::scalbn(bias.constant, -step));
+    require(is_finite(units), function, "constant and least_depth", "give too many steps of the depth buffer");
+    const float away = bias.direction == depth_direction::forward ? 1.0f : -1.0f;
+    return {away * units, away * bias.greatest, away * 2.0f * bias.reach};
+}
+
+}  // namespace detail
+
+/// For glPolygonOffset, where GL_POLYGON_OFFSET_FILL is on.
+/// @return        factor 2 reach, units constant / step, both negative where depth is reversed
+/// @throws std::invalid_argument  what is not finite or negative, a least_depth outside (0, 1]
+[[nodiscard]] inline polygon_offset make_polygon_offset(const raster_bias& bias) {
+    const auto numbers = detail::raster_numbers(bias, "make_polygon_offset");
+    return {numbers.slope_factor, numbers.constant_factor, numbers.clamp};
+}
+
+/// For vkCmdSetDepthBias; a clamp other than 0 needs the feature depthBiasClamp.
+/// @return        the same numbers
+/// @throws std::invalid_argument  as make_polygon_offset
+[[nodiscard]] inline vulkan_depth_bias make_vulkan_depth_bias(const raster_bias& bias) {
+    return detail::raster_numbers(bias, "make_vulkan_depth_bias");
+}
+
+/// For Direct3D's rasterizer state.
+/// @return        the same numbers, the constant as a whole one
+/// @throws std::invalid_argument  as make_polygon_offset, and for more than 2^31 - 128 steps
+[[nodiscard]] inline direct3d_depth_bias make_direct3d_depth_bias(const raster_bias& bias) {
+    const auto numbers = detail::raster_numbers(bias, "make_direct3d_depth_bias");
+    detail::require(std::abs(numbers.constant_factor) < 0x1p31f, "make_direct3d_depth_bias", "constant and least_depth",
+                    "give too many steps of the depth buffer");
+    return {static_cast<std::int32_t>(numbers.constant_factor), numbers.clamp, numbers.slope_factor};
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/bias/slope.hpp
+// How depth changes from texel to texel of a map where it sees a plane, and the slope-scaled bias that rasterizers have.
+//
+//     glm::mat4 planes = umbrage::plane_matrix(umbrage::texture_matrix(light, map.size()));  // for planes, not points
+//     glm::vec2 slope = umbrage::plane_slope(planes, normal, world);
+//     float bias = umbrage::slope_bias(slope, 1.0f, 0.0005f);
+//
+
+namespace umbrage {
+
+/// What sends planes where a texture matrix sends their points; a map sees a plane as a plane, spot or not.
+///
+/// @param texture_matrix   world to texels
+/// @return                 for plane_slope; the inverse is taken in double
+/// @throws std::invalid_argument  a matrix without an inverse, or not finite
+/// @formula                transpose(inverse(texture_matrix))
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> plane_matrix(const glm::mat<4, 4, T>& texture_matrix) {
+    const glm::mat<4, 4, T> m(glm::transpose(glm::inverse(glm::dmat4(texture_matrix))));
+    detail::require(detail::all_finite(texture_matrix) && detail::all_finite(m), "plane_matrix", "texture_matrix",
+                    "has no finite inverse");
+    return m;
+}
+
+/// A slope within what a bias tells apart.
+/// @return        -2 .. 2, 2 for NaN: with a reach of half a texel up, acne_free_bias is 1 from 2 on
+/// @exactness     A: selects
+template <real T>
+[[nodiscard]] constexpr T clamp_slope(T slope) {
+    if (is_nan(slope)) return T(2);
+    return slope > T(-2) ? (slope < T(2) ? slope : T(2)) : T(-2);
+}
+
+/// Change of depth from one texel to the next, of the plane through a world.
+///
+/// @param plane_matrix   of the texture matrix
+/// @param normal         of the plane, world, of any length
+/// @param world          a point on the plane
+/// @return               slope in x and y, each -2 .. 2; 2 where the light sees the plane edge-on and for NaN
+/// @formula              q = plane_matrix (normal, -normal . world), slope = -(q.x, q.y) / q.z
+/// @exactness            C: two divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> plane_slope(const glm::mat<4, 4, T>& plane_matrix, glm::vec<3, T> normal,
+                                                   glm::vec<3, T> world) {
+    const T d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    glm::vec<3, T> q(0);
+    for (glm::length_t i = 0; i < 3; ++i)
+        q[i] = plane_matrix[3][i] * d + plane_matrix[0][i] * normal.x + plane_matrix[1][i] * normal.y +
+               plane_matrix[2][i] * normal.z;
+    return {clamp_slope(-q.x / q.z), clamp_slope(-q.y / q.z)};
+}
+
+/// The bias that rasterizers know, in a shader: so much a slope, on a base.
+///
+/// @param slope      change of depth from one texel to the next
+/// @param factor     texels
+/// @param base       depth
+/// @return           0 .. 1; 1 for NaN
+/// @formula          factor max(|slope.x|, |slope.y|) + base; with a factor of twice a filter's reach it is at
+///                   least acne_free_bias, as |slope.x| + |slope.y| <= 2 max(|slope.x|, |slope.y|)
+/// @exactness        B
+template <real T>
+[[nodiscard]] constexpr T slope_bias(glm::vec<2, T> slope, T factor, T base) {
+    const T x = clamp_bias(factor * (slope.x < T(0) ? -slope.x : slope.x) + base);
+    const T y = clamp_bias(factor * (slope.y < T(0) ? -slope.y : slope.y) + base);
+    return x > y ? x : y;
+}
+
+namespace glsl {
+
+inline constexpr snippet clamp_slope{
+    .name = "clamp_slope",
+    .summary = "clamp of a slope to [-2, 2], NaN to 2",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
+    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet plane_slope{
+    .name = "plane_slope",
+    .summary = "change of a plane's depth from texel to texel",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&clamp_slope>,
+    .source = R"GLSL(
+// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                       UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x +
+                                           plane_matrix[1] * normal.y + plane_matrix[2] * normal.z;
+    return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+}
+)GLSL",
+};
+
+inline constexpr snippet slope_bias{
+    .name = "slope_bias",
+    .summary = "bias by the greater slope, as rasterizers have it",
+    .exactness = tier::b,
+    .needs = list<&clamp_bias>,
+    .source = R"GLSL(
+// umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
+UMBRAGE_HIGHP float umbrage_slope_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float factor,
+                                       UMBRAGE_HIGHP float base) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 bias = abs(slope) * factor + base;
+    UMBRAGE_HIGHP float x = umbrage_clamp_bias(bias.x);  // of both: a maximum of a NaN is what a GPU makes it
+    UMBRAGE_HIGHP float y = umbrage_clamp_bias(bias.y);
+    return x > y ? x : y;
+}
+)GLSL",
+};
+
+inline constexpr auto slope_snippets = list<&clamp_slope, &plane_slope, &slope_bias>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/bias/receiver_plane.hpp
+// The receiver's own plane: every texel is compared with the depth that the plane has at the texel's centre, so that no
+// reach of a filter needs a bias. The slope comes from the plane (plane_slope), or from derivatives across the screen.
+//
+//     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
+//     float visibility = filter(umbrage::on_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
+//
+// In GLSL with both as globals, ahead of the filter:
+//
+//     #define STORED(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
+//     #define UMBRAGE_FETCH(map, size, texel) umbrage_on_receiver_plane(STORED(map, size, texel), slope, coord, texel)
+//
+
+namespace umbrage {
+
+/// The plane through a receiver and its neighbours on the screen.
+///
+/// @param dx, dy   derivatives of (x and y in texels, depth) along the screen: dFdx, dFdy, taken outside of branches
+/// @return         x, y: change of depth from one texel to the next, as plane_slope; z: how far the sum of both may be
+///                 off, the bias a texel of reach that is left to add: acne_free_bias({z, 0}, reach, error).
+///                 (0, 0, 0), a plane that faces the light, where the texels of a pixel are nearly in line or fewer
+///                 than 2^-10, so that nothing is known of the slope; and for NaN
+/// @formula        by Cramer's rule; z = 3.3 (2^-25 + (|x| + |y|) 2^-13) s / |determinant|, for coordinates below 4096,
+///                 with s / |determinant|, s the sum of the four magnitudes, for 1 / least texels a pixel
+/// @exactness      C: divisions, of each of which GLSL allows 2.5 ulp
+/// @cite           Isidoro: Shadow Mapping, Tricks and Techniques, GDC 2006
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> receiver_plane(glm::vec<3, T> dx, glm::vec<3, T> dy) {
+    const auto magnitude = [](T v) { return v < T(0) ? -v : v; };
+    const T determinant = dx.x * dy.y + dx.y * -dy.x;
+    const T sum = magnitude(dx.x) + magnitude(dx.y) + magnitude(dy.x) + magnitude(dy.y);
+    const T a = clamp_slope((dy.y * dx.z + dx.y * -dy.z) / determinant);
+    const T b = clamp_slope((dx.x * dy.z + dy.x * -dx.z) / determinant);
+    const T off = (T(0x1p-25) + (magnitude(a) + magnitude(b)) * T(0x1p-13)) * T(3.3);
+    const T least = sum * T(0x1p-10);
+    const bool known = !is_nan(determinant) && !is_nan(sum) && magnitude(determinant) > least && sum < T(0x1p64);
+    if (!known) return glm::vec<3, T>(0);
+    return {a, b, clamp_slope(off * (sum / magnitude(determinant)))};
+}
+
+/// A stored depth as the receiver's own texel would hold it: moved along the receiver's plane to the receiver.
+///
+/// @param stored   depth from the map
+/// @param slope    of the receiver's plane, a texel, -2 .. 2
+/// @param coord    receiver in texels;   texel  whose depth is stored
+/// @param far      the cleared depth: 1, or 0 where depth is reversed
+/// @return         what to compare with the receiver; a cleared texel, and what is nearer than 2^-64 to one, stays
+/// @formula        stored - slope . (texel + 1/2 - coord)
+/// @exactness      B
+template <real T>
+[[nodiscard]] constexpr T on_receiver_plane(T stored, glm::vec<2, T> slope, glm::vec<2, T> coord, glm::vec<2, T> texel,
+                                            T far = T(1)) {
+    const T x = texel.x + T(0.5) - coord.x, y = texel.y + T(0.5) - coord.y;
+    const T before = stored - far;
+    const bool cleared = before < T(0x1p-64) && before > T(-0x1p-64);
+    return cleared ? stored : stored - (slope.x * x + slope.y * y);
+}
+
+/// The same of all texels, as the fetch callable that filters take.
+/// @param fetch       ivec2 texel -> stored depth;   coord  that the filter is called with
+/// @param direction   of the map's depth, which says what it is cleared to
+template <std::invocable<glm::ivec2> Fetch>
+[[nodiscard]] auto on_receiver_plane(Fetch fetch, glm::vec2 slope, glm::vec2 coord,
+                                     depth_direction direction = depth_direction::forward) {
+    return [=, far = cleared_depth(direction)](glm::ivec2 texel) {
+        return on_receiver_plane(static_cast<float>(fetch(texel)), slope, coord, glm::vec2(texel), far);
+    };
+}
+
+namespace glsl {
+
+inline constexpr snippet receiver_plane{
+    .name = "receiver_plane",
+    .summary = "slope of a receiver's plane from derivatives, and how far it may be off",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&clamp_slope>,
+    .source = R"GLSL(
+// umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
+//   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
+UMBRAGE_HIGHP vec3 umbrage_receiver_plane(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP vec3 dy) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float determinant = dx.x * dy.y + dx.y * -dy.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along_x = dy.y * dx.z + dx.y * -dy.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along_y = dx.x * dy.z + dy.x * -dx.z;
+    UMBRAGE_HIGHP float a = umbrage_clamp_slope(along_x / determinant);
+    UMBRAGE_HIGHP float b = umbrage_clamp_slope(along_y / determinant);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float off = ((1.0 / 33554432.0) + (abs(a) + abs(b)) * (1.0 / 8192.0)) * 3.3;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = off * (sum / abs(determinant));
+    UMBRAGE_HIGHP float least = sum * (1.0 / 1024.0);
+    bool known = abs(determinant) > least && sum < 18446744073709551616.0;
+    return known ? vec3(a, b, umbrage_clamp_slope(error)) : vec3(0.0, 0.0, 0.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet on_receiver_plane{
+    .name = "on_receiver_plane",
+    .summary = "stored depth moved along the receiver's plane to the receiver",
+    .exactness = tier::b,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+//   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
+UMBRAGE_HIGHP float umbrage_on_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
+                                              UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel + 0.5 - coord;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = stored - (slope.x * way.x + slope.y * way.y);
+    bool cleared = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
+    return cleared ? stored : depth;
+}
+)GLSL",
+};
+
+inline constexpr auto receiver_plane_snippets = list<&receiver_plane, &on_receiver_plane>;
+
+}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/depth/code.hpp
@@ -2548,53 +3562,6 @@ inline constexpr auto rg_table_snippets = list<&encode_rg_table<Bits>...>;
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/filter/filter.hpp
-// What a filter is: a value that makes visibility of a map's texels, and knows what there is to know of itself.
-//
-//     umbrage::filters::box filter{.radius = 2, .is_lit = {light.clip.direction}};
-//     float visibility = filter(umbrage::clamped(map), coord, depth - bias);
-//
-// The library's own are listed in filters.hpp. Functions over images take any callable like them.
-
-namespace umbrage {
-namespace detail {
-
-/// A map as filters see it.
-struct any_fetch {
-    float operator()(glm::ivec2 texel) const;
-};
-
-}  // namespace detail
-
-/// A callable (fetch, coord, receiver) -> visibility: all that functions over images ask for.
-template <class Filter>
-concept filter = std::copy_constructible<Filter> &&
-    requires(const Filter& f, const detail::any_fetch& fetch, float receiver) {
-    { f(fetch, glm::vec2(), receiver) } -> std::convertible_to<float>;
-};
-
-/// What a filter of the library tells of itself, for tools, tables and biases.
-template <class Filter>
-concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
-    { Filter::name } -> std::convertible_to<std::string_view>;         // a C++ identifier
-    { Filter::snippet } -> std::convertible_to<const glsl::snippet*>;  // of the same result
-    { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest point of its texels, an axis, in texels
-    { f.is_lit(depth, depth) } -> std::same_as<bool>;  // the comparison, its direction inside
-};
-
-namespace detail {
-
-/// Says in words what a type lacks that is used as a filter.
-template <class Filter>
-consteval bool is_filter() {
-    static_assert(filter<Filter>,
-                  "an umbrage filter is a callable (fetch, glm::vec2 coord, float receiver) -> float, const");
-    return true;
-}
-
-}  // namespace detail
-}  // namespace umbrage
-
 // ---- umbrage/filter/texel_space.hpp
 // What every filter over a map shares: the range of its coordinates, and the comparison with a texel.
 //
@@ -2916,197 +3883,6 @@ struct hierarchical_box {
 };
 
 }  // namespace filters
-}  // namespace umbrage
-
-// ---- umbrage/light/light_space.hpp
-// A light's view of the world: two matrices and the convention they follow. Every set-up function either returns
-// matrices of finite numbers, whose product is finite too, or reports which argument is to blame.
-//
-//     auto light = umbrage::make_spot_light({.position = {0, 5, 0}, .direction = {0, -1, 0}});
-//     glm::mat4 clip_from_world = light.projection * light.view;
-//
-
-namespace umbrage {
-
-template <real T>
-struct light_space {
-    glm::mat<4, 4, T> view{T(1)};        ///< world -> light's view space, a rotation; down -z (right) or +z (left)
-    glm::mat<4, 4, T> projection{T(1)};  ///< view space -> clip space
-    clip_space clip;
-};
-
-namespace detail {
-
-/// Reports an argument of a set-up function, or several, unless what they need is met.
-inline void require(bool met, const char* function, const char* arguments, const char* problem) {
-    if (met) return;
-    std::string message = "umbrage::";  // appended to: of sums GCC 12 believes at times that they overrun
-    for (const char* part : {function, ": ", arguments, " ", problem}) message += part;
-    fail(message);
-}
-
-/// True for what neither overflowed nor is lost where denormals count as zero.
-template <real T>
-[[nodiscard]] bool is_normal(T v) {
-    return is_finite(v) && glm::abs(v) >= std::numeric_limits<T>::min();
-}
-
-/// The one check of a light's matrices.
-template <real T>
-[[nodiscard]] light_space<T> checked(const light_space<T>& light, const char* function, const char* arguments) {
-    const bool finite = all_finite(light.view) && all_finite(light.projection);
-    require(finite && all_finite(light.projection * light.view), function, arguments,
-            "give a matrix that is not finite");
-    return light;
-}
-
-/// Unit vector; scaled first, so that nothing overflows or underflows. Zero stays zero.
-template <real T>
-[[nodiscard]] glm::vec<3, T> unit(glm::vec<3, T> v) {
-    const T scale = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
-    return scale > T(0) ? glm::normalize(v / scale) : v;
-}
-
-/// look_along in the name of another function, whose argument `position` is; the result is the caller's to check.
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
-                                           handedness hand, const char* function, const char* position_name) {
-    require(all_finite(position), function, position_name, "must be finite");
-    require(all_finite(direction), function, "direction", "must be finite");
-    require(all_finite(up), function, "up", "must be finite");
-    const glm::vec<3, T> forward = unit(direction);
-    require(forward != glm::vec<3, T>(0), function, "direction", "must not be zero");
-
-    glm::vec<3, T> side = glm::cross(forward, unit(up));
-    if (!(glm::length(side) > T(1e-3))) {
-        const glm::vec<3, T> along = glm::abs(forward);
-        const glm::length_t least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
-        glm::vec<3, T> axis(0);
-        axis[least] = T(1);
-        side = glm::cross(forward, axis);
-    }
-    const glm::vec<3, T> above = glm::normalize(glm::cross(side, forward));
-    side = glm::cross(forward, above);  // again: up nearly parallel to forward leaves the first a hundred ulp askew
-    const T towards = hand == handedness::right ? T(1) : T(-1);  // left: half a turn about y
-
-    glm::mat<4, 4, T> view(T(1));
-    for (glm::length_t i = 0; i < 3; ++i) {
-        view[i][0] = towards * side[i];
-        view[i][1] = above[i];
-        view[i][2] = -towards * forward[i];
-    }
-    view[3][0] = -towards * glm::dot(side, position);
-    view[3][1] = -glm::dot(above, position);
-    view[3][2] = towards * glm::dot(forward, position);
-    return view;
-}
-
-}  // namespace detail
-
-/// World to light's view space by a rotation: x to the right, y up.
-///
-/// @param position    of the light, world
-/// @param direction   it looks along, any length > 0
-/// @param up          hint; where it is parallel to direction, or nearly (1e-3), the world axis least along direction
-///                    takes its place, so that any direction works
-/// @param hand        of the world and the view; right: looks down -z, as glm::lookAtRH, left: down +z, as
-/// glm::lookAtLH
-/// @throws std::invalid_argument  zero or non-finite direction or position
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
-                                           handedness hand) {
-    const auto view = detail::look_along(position, direction, up, hand, "look_along", "position");
-    detail::require(detail::all_finite(view), "look_along", "position", "is too far out");
-    return view;
-}
-
-namespace detail {
-
-/// Rows that send view-space distance z_near to the near depth and z_far to the far depth of the convention.
-template <real T>
-struct depth_ends {
-    T at_near, at_far;
-};
-template <real T>
-[[nodiscard]] constexpr depth_ends<T> ends(clip_space clip) {
-    const T low = clip.range == depth_range::zero_to_one ? T(0) : T(-1);
-    return clip.direction == depth_direction::forward ? depth_ends<T>{low, T(1)} : depth_ends<T>{T(1), low};
-}
-
-/// perspective in the name of another function, which has checked the tangents.
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip,
-                                            const char* function) {
-    require(is_normal(z_near) && z_near > T(0), function, "z_near", "must be above 0, finite and no denormal");
-    require(!is_nan(z_far) && z_near < z_far, function, "z_far", "must be above z_near");
-    const auto [at_near, at_far] = ends<T>(clip);
-    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
-    // the formula over powers of two, which keeps its bits and does not overflow; no far plane: z_near is nothing to it
-    const bool bounded = is_finite(z_far);
-    const int far_scale = bounded ? std::ilogb(z_far) : 0, near_scale = std::ilogb(z_near);
-    const T f = bounded ? std::scalbn(z_far, -far_scale) : T(1), n = bounded ? std::scalbn(z_near, -far_scale) : T(0);
-    const T product = std::scalbn(z_near, -near_scale) * f * (at_near - at_far);
-    glm::mat<4, 4, T> m(T(0));
-    m[0][0] = T(1) / tan_half_x;
-    m[1][1] = T(1) / tan_half_y;
-    m[2][2] = forward * (f * at_far - n * at_near) / (f - n);
-    m[3][2] = std::scalbn(product / (f - n), near_scale);
-    m[2][3] = forward;
-    require(is_finite(m[3][2]), function, "z_near and z_far", "are too large and too close together");
-    return m;
-}
-
-/// orthographic in the name of another function, whose arguments give the box and the planes.
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
-                                             clip_space clip, const char* function, const char* box,
-                                             const char* planes) {
-    require(all_finite(low) && all_finite(high), function, box, "must give a finite box");
-    require(low.x < high.x && low.y < high.y, function, box, "must give a box with some width and height");
-    require(is_finite(z_near) && is_finite(z_far), function, planes, "must be finite");
-    require(z_near < z_far, function, planes, "must be in order, some distance apart");
-    const auto [at_near, at_far] = ends<T>(clip);
-    const T forward = clip.hand == handedness::right ? T(-1) : T(1);
-    glm::mat<4, 4, T> m(T(1));
-    for (glm::length_t i = 0; i < 2; ++i) {
-        m[i][i] = T(2) / (high[i] - low[i]);
-        m[3][i] = -(high[i] + low[i]) / (high[i] - low[i]);
-        require(is_normal(m[i][i]) && is_finite(m[3][i]), function, box, "give too large or too small a box");
-    }
-    m[2][2] = forward * (at_far - at_near) / (z_far - z_near);
-    m[3][2] = (z_far * at_near - z_near * at_far) / (z_far - z_near);
-    require(is_normal(m[2][2]) && is_finite(m[3][2]), function, planes, "are too far apart or too close together");
-    return m;
-}
-
-}  // namespace detail
-
-/// Perspective projection.
-///
-/// @param tan_half_x, tan_half_y   tangent of half the opening angle, > 0
-/// @param z_near, z_far            0 < z_near < z_far, world units; an infinite z_far is no far plane: depth then nears
-///                                 the far depth with distance, forward or reversed
-/// @throws std::invalid_argument   anything else, and what gives a matrix that is not finite
-/// @formula       z/w = A + B / distance through (z_near, near depth), (z_far, far depth)
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> perspective(T tan_half_x, T tan_half_y, T z_near, T z_far, clip_space clip) {
-    const auto opening = [](T tangent) { return tangent > T(0) && detail::is_normal(T(1) / tangent); };
-    detail::require(opening(tan_half_x), "perspective", "tan_half_x", "must be above 0, and 1 / tan_half_x finite");
-    detail::require(opening(tan_half_y), "perspective", "tan_half_y", "must be above 0, and 1 / tan_half_y finite");
-    return detail::perspective(tan_half_x, tan_half_y, z_near, z_far, clip, "perspective");
-}
-
-/// Orthographic projection of the box between two corners of view space, z given as distances in front of the light.
-///
-/// @param low, high        x and y of the corners, low < high
-/// @param z_near, z_far    z_near < z_far, world units, may be negative (behind the light's position)
-/// @throws std::invalid_argument   an empty or non-finite box, and one that gives a matrix that is not finite
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> orthographic(glm::vec<2, T> low, glm::vec<2, T> high, T z_near, T z_far,
-                                             clip_space clip) {
-    return detail::orthographic(low, high, z_near, z_far, clip, "orthographic", "low and high", "z_near and z_far");
-}
-
 }  // namespace umbrage
 
 // ---- umbrage/light/texture_matrix.hpp
@@ -9256,9 +10032,11 @@ inline constexpr auto codes =
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps = collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets,
                                      filters, pcf_2x2_hardware_snippets);
+inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
+                                     kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);
 inline constexpr auto view = collect(false_colour_snippets, overlay_texel_snippets);
-inline constexpr auto everything = collect(light, kinds, codes, levels, maps, shade, view);
+inline constexpr auto everything = collect(light, kinds, codes, levels, maps, bias, shade, view);
 
 }  // namespace detail
 

@@ -46,6 +46,7 @@ std::string with_sections(std::string page, const std::string& include) {
     replace(page, "encodings", readme::encodings());
     replace(page, "filters", readme::filters());
     replace(page, "lights", readme::functions(include + "/light"));
+    replace(page, "biases", readme::functions(include + "/bias"));
     replace(page, "images", readme::functions(include + "/images"));
     return page;
 }

@@ -10,6 +10,13 @@
 #include <array>
 #include <cstddef>
 
+#include <umbrage/bias/acne_free.hpp>
+#include <umbrage/bias/constant.hpp>
+#include <umbrage/bias/kernel.hpp>
+#include <umbrage/bias/light_units.hpp>
+#include <umbrage/bias/normal_offset.hpp>
+#include <umbrage/bias/receiver_plane.hpp>
+#include <umbrage/bias/slope.hpp>
 #include <umbrage/clip_space.hpp>
 #include <umbrage/compare.hpp>
 #include <umbrage/depth/encodings.hpp>
@@ -83,9 +90,11 @@ inline constexpr auto codes =
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps = collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets,
                                      filters, pcf_2x2_hardware_snippets);
+inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
+                                     kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);
 inline constexpr auto view = collect(false_colour_snippets, overlay_texel_snippets);
-inline constexpr auto everything = collect(light, kinds, codes, levels, maps, shade, view);
+inline constexpr auto everything = collect(light, kinds, codes, levels, maps, bias, shade, view);
 
 }  // namespace detail
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Every binary32 value and every code through every encoding, on all cores. Prints a table, writes it as TSV into the
-// file that the argument names, and fails when anything in it does.
+// Every binary32 value and every code through every encoding, every filter over planes of every tilt, on all cores.
+// Prints a table, writes it as TSV into the file that the argument names, and fails when anything in it does.
 //
 //     prove_cpp prove.tsv
 //
 #include <atomic>
+#include <cstdio>
 #include <fstream>
 #include <functional>
 #include <iomanip>
@@ -24,6 +25,7 @@
 #include <umbrage/depth/float_bits.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
 
+#include "../acne.hpp"
 #include "../codecs.hpp"
 
 namespace {
@@ -153,6 +155,24 @@ void add_foreign(std::vector<line>& table) {
         }
 }
 
+/// Receivers under a filter over planes, in maps of every encoding.
+template <class Filter>
+line acne_under(const Filter& filter, umbrage::depth_direction direction) {
+    char reach[16];
+    std::snprintf(reach, sizeof reach, ", reach %g", double(filter.reach()));
+    const bool forward = direction == umbrage::depth_direction::forward;
+    return {umbrage::glsl::acne_free_bias, std::string(filter.name) + reach + (forward ? "" : ", reversed"), 0,
+            proof::planes, [=](count first, count last) {
+                seen s;
+                for (count n = first; n < last; ++n)
+                    proof::for_each_decoder(direction, [&](const auto& encoding) {
+                        const proof::acne found = proof::look_for_acne(filter, encoding, n);
+                        s.failures += found.dark + found.loose;
+                    });
+                return s;
+            }};
+}
+
 std::vector<line> make_table() {
     namespace glsl = umbrage::glsl;
     std::vector<line> table;
@@ -165,6 +185,8 @@ std::vector<line> make_table() {
     table.push_back({glsl::decode_ps14, "codes", 0, 2048, each(decodes_ps14)});
     table.push_back({glsl::encode_float_bits, "every pattern", 0, all_floats, each(keeps_bits)});
     table.push_back({glsl::decode_float_bits, "every pattern", 0, all_floats, each(reads_bits)});
+    proof::for_each_percentage_closer(
+        [&](const auto& filter, auto direction) { table.push_back(acne_under(filter, direction)); });
     std::apply([&](auto... format) { (add_foreign<decltype(format)>(table), ...); }, proof::foreign{});
     return table;
 }

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+//
+// The smallest bias with which no plane shadows itself, from the plane's slope in the map, how far the filter reads and
+// how the map is stored.
+//
+//     umbrage::filters::box filter{.radius = 2};
+//     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);  // of depth, a texel
+//     float bias = umbrage::acne_free_bias(slope, filter, umbrage::rg<11>{});
+//     float visibility = filter(fetch, glm::vec2(p), umbrage::biased(p.z, bias, filter.is_lit));
+//
+// A filter compares a receiver with depths of its plane at centres of texels that lie up to its reach away, in x and in
+// y: there the plane may be nearer by reach (|a| + |b|), and what is stored of it nearer still by the encoding's error.
+// That much is needed, and no more: with 9/10 of it some receiver is dark.
+#pragma once
+
+#include <cmath>
+
+#include <glm/vec2.hpp>
+
+#include <umbrage/bias/constant.hpp>
+#include <umbrage/depth/encoding.hpp>
+#include <umbrage/filter/filter.hpp>
+#include <umbrage/shader/snippet.hpp>
+#include <umbrage/scalar.hpp>
+
+namespace umbrage {
+
+/// Texels that a reach grows by where the depth pass moves vertices by up to 1/512 texel, as rasterizers do.
+template <real T>
+inline constexpr T snapping_reach = T(1) / T(128);
+
+/// The smallest bias in depth without acne, for filters that read whole rows and columns.
+///
+/// @param slope   change of the receiver's depth from one texel to the next, in x and y: plane_slope, receiver_plane
+/// @param reach   of the filter, texels; with coordinates that round, 2^-12 more for 4096 texels, and in proportion;
+///                snapping_reach more where a rasterizer has moved vertices
+/// @param error   how far a decoded depth may lie before the true one: decoding_error::below, where depth is reversed
+///                above; of a UNORM depth texture 1/2 / (2^bits - 1)
+/// @return        0 .. 1; 1, with which nothing is in shadow, for slopes and reaches that are infinite, and for NaN
+/// @formula       reach (|slope.x| + |slope.y|) + error + 2^-23, the last for rounding in binary32
+/// @detaches      casters nearer to the receiver than detachment() lose their shadow
+/// @exactness     B
+template <real T>
+[[nodiscard]] constexpr T acne_free_bias(glm::vec<2, T> slope, T reach, T error) {
+    const T sum = (slope.x < T(0) ? -slope.x : slope.x) + (slope.y < T(0) ? -slope.y : slope.y);
+    return clamp_bias(reach * sum + (error + T(0x1p-23)));
+}
+
+/// The same for a filter over a map of an encoding, whose direction of depth says which of its errors counts.
+/// @param more   what the reach is to grow by, texels: snapping_reach, rounding of coordinates
+[[nodiscard]] constexpr float acne_free_bias(glm::vec2 slope, const known_filter auto& filter,
+                                             const known_encoding auto& encoding, float more = 0.0f) {
+    const decoding_error error = encoding.error();
+    return acne_free_bias(slope, filter.reach() + more,
+                          float(encoding.direction == depth_direction::forward ? error.below : error.above));
+}
+
+/// The smallest bias in depth without acne, for filters that read a disc.
+///
+/// @param slope, error   as for acne_free_bias
+/// @param radius         from the receiver to the farthest point, texels; the texel that a point falls into lies up to
+///                       half a texel, and 1/128 for the points' rounding, farther
+/// @return               0 .. 1; 1 for what is infinite, and for NaN
+/// @formula              radius |slope| + (1/2 + 1/128) (|slope.x| + |slope.y|) + error + 2^-23
+/// @exactness            C: a square root, of which GLSL allows a few ulp; 0 seen
+template <real T>
+[[nodiscard]] T acne_free_disc_bias(glm::vec<2, T> slope, T radius, T error) {
+    const T sum = std::abs(slope.x) + std::abs(slope.y);
+    const T length = std::sqrt(slope.x * slope.x + slope.y * slope.y);
+    return clamp_bias(radius * length + (sum * T(0.5078125) + (error + T(0x1p-23))));
+}
+
+/// Depth before a receiver within which a caster's shadow is lost, wholly or in part.
+///
+/// @param bias           of the receiver, in depth
+/// @param caster_slope   of the caster's depth, a texel; |slope.x| + |slope.y| of a caster that faces the light is 0
+/// @param reach          of the filter, texels
+/// @return               in depth, >= 0: casters at least so far before the receiver shadow it as without bias
+/// @formula              bias + reach (|caster_slope.x| + |caster_slope.y|). On a floor beside a wall that stands
+///                       square to it light leaks in for bias sin(t), t between the floor's normal and the light: in
+///                       world units at most sqrt(2) reach texel tan(t) sin(t)
+template <real T>
+[[nodiscard]] constexpr T detachment(T bias, glm::vec<2, T> caster_slope, T reach) {
+    return acne_free_bias(caster_slope, reach, bias);
+}
+
+namespace glsl {
+
+inline constexpr snippet acne_free_bias{
+    .name = "acne_free_bias",
+    .summary = "smallest bias without acne, for a slope, a reach and an encoding's error",
+    .exactness = tier::b,
+    .needs = list<&clamp_bias>,
+    .source = R"GLSL(
+// umbrage_acne_free_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   reach  of the filter, texels
+//   error  how far a decoded depth may lie before the true one
+UMBRAGE_HIGHP float umbrage_acne_free_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float reach,
+                                           UMBRAGE_HIGHP float error) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float bias =
+        reach * (abs(slope.x) + abs(slope.y)) + (error + (1.0 / 8388608.0));
+    return umbrage_clamp_bias(bias);
+}
+)GLSL",
+};
+
+inline constexpr snippet acne_free_disc_bias{
+    .name = "acne_free_disc_bias",
+    .summary = "smallest bias without acne, for filters that read a disc",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&clamp_bias>,
+    .source = R"GLSL(
+// umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope   change of depth from one texel to the next;   radius  to the disc's farthest point, texels
+//   error   how far a decoded depth may lie before the true one
+UMBRAGE_HIGHP float umbrage_acne_free_disc_bias(UMBRAGE_HIGHP vec2 slope, UMBRAGE_HIGHP float radius,
+                                                UMBRAGE_HIGHP float error) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = slope.x * slope.x + slope.y * slope.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float beside =
+        (abs(slope.x) + abs(slope.y)) * 0.5078125 + (error + (1.0 / 8388608.0));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float bias = radius * sqrt(square) + beside;
+    return umbrage_clamp_bias(bias);
+}
+)GLSL",
+};
+
+inline constexpr auto acne_free_snippets = list<&acne_free_bias, &acne_free_disc_bias>;
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+//
+// A bias that grows with the filter's kernel and the angle at which light falls, from a surface's normal.
+//
+//     float width = umbrage::offset_width(filter.reach(), umbrage::texels_to_world(1.0f, units, w));
+//     float world = umbrage::kernel_bias(normal, light_direction, way, width, 20.0f);  // way as for normal_offset
+//     float bias = umbrage::world_to_depth(world, units, w);
+//
+#pragma once
+
+#include <cmath>
+
+#include <glm/vec3.hpp>
+
+#include <umbrage/shader/snippet.hpp>
+#include <umbrage/scalar.hpp>
+
+namespace umbrage {
+
+/// How far along the light a filter's kernel reaches before a surface's plane.
+///
+/// @param normal      of the surface, of any length, on the side that is seen
+/// @param direction   of the light, a spot's axis, of length one
+/// @param way         from the light to the point over w; for a directional light its direction once more
+/// @param width       of the kernel, offset_width, in world units; or in depth: the result is in the same
+/// @param greatest    tangent from which on the bias grows no more, >= 0
+/// @return            2^-64 to 2^64; width greatest where light grazes or comes from behind, for a normal of zero and
+///                    NaN; 0 for what is not
+/// @formula           width min(|normal x direction| / -(normal . way), greatest), a tangent: up to the greatest one,
+///                    acne_free_bias without its constant part, times 1 to sqrt(2), whichever way the plane is turned
+/// @detaches          casters nearer than the bias along the light lose their shadow: at most width greatest
+/// @exactness         C: a square root and a division, of each of which GLSL allows a few ulp; 0 seen
+template <real T>
+[[nodiscard]] T kernel_bias(glm::vec<3, T> normal, glm::vec<3, T> direction, glm::vec<3, T> way, T width, T greatest) {
+    const T x = normal.y * direction.z + normal.z * -direction.y;
+    const T y = normal.z * direction.x + normal.x * -direction.z;
+    const T z = normal.x * direction.y + normal.y * -direction.x;
+    const T sine = std::sqrt(x * x + y * y + z * z);
+    const T cosine = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
+    const bool grazing = is_nan(cosine) || is_nan(sine) || !(cosine * greatest > sine);
+    const T bias = width * (grazing ? greatest : sine / cosine);
+    return !is_nan(bias) && bias >= T(0x1p-64) && bias < T(0x1p64) ? bias : T(0);
+}
+
+namespace glsl {
+
+inline constexpr snippet kernel_bias{
+    .name = "kernel_bias",
+    .summary = "bias by the kernel's width and the angle at which light falls",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
+// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
+//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+UMBRAGE_HIGHP float umbrage_kernel_bias(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 way,
+                                        UMBRAGE_HIGHP float width, UMBRAGE_HIGHP float greatest) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * direction.z + normal.z * -direction.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = normal.z * direction.x + normal.x * -direction.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = normal.x * direction.y + normal.y * -direction.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = x * x + y * y + z * z;
+    UMBRAGE_HIGHP float sine = sqrt(square);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float cosine = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float edge = cosine * greatest;
+    UMBRAGE_HIGHP float tangent = edge > sine ? sine / cosine : greatest;
+    UMBRAGE_HIGHP float bias = width * tangent;
+    return bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0 ? bias : 0.0;
+}
+)GLSL",
+};
+
+inline constexpr auto kernel_snippets = list<&kernel_bias>;
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+//
+// Texels, world units and depth, each in the others, at a point that a light sees: directional or spot, by one formula.
+//
+//     glm::vec2 units = umbrage::make_light_units(light, map.size());
+//     float w = umbrage::shadow_coordinate(to_texels, world).w;  // 1 for a directional light
+//     float bias = umbrage::world_to_depth(0.02f, units, w);     // two centimetres
+//
+// Across the light a texel's footprint grows with w, the distance along a spot's axis; depth grows by less and less a
+// world unit, as 1 / w^2. A directional light has w = 1 everywhere.
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+
+#include <umbrage/bias/constant.hpp>
+#include <umbrage/light/light_space.hpp>
+#include <umbrage/shader/snippet.hpp>
+#include <umbrage/scalar.hpp>
+
+namespace umbrage {
+
+/// A light's measures at w = 1.
+///
+/// @param light      whose view is a rotation
+/// @param map_size   texels, each >= 1
+/// @return           x: edge of a texel's footprint across the light, world units, the longer where they differ;
+///                   y: depth a world unit along the light, where it is z/w
+/// @throws std::invalid_argument  map_size below 1, or measures that are not finite and above 0
+template <real T>
+[[nodiscard]] glm::vec<2, T> make_light_units(const light_space<T>& light, glm::ivec2 map_size) {
+    constexpr auto function = "make_light_units";
+    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
+    const glm::mat<4, 4, T>& p = light.projection;
+    const T edge = glm::max(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
+    const bool perspective = p[2][3] != T(0);
+    const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
+    const T depth = light.clip.range == depth_range::minus_one_to_one ? along * T(0.5) : along;
+    detail::require(detail::is_normal(edge) && detail::is_normal(depth), function, "light",
+                    "gives measures that are not finite and above 0");
+    return {edge, depth};
+}
+
+/// Texels across the light as world units.
+///
+/// @param units   make_light_units
+/// @param w       of the point's shadow_coordinate
+/// @return        2^-64 to 2^64; 0 for what is not, as for w <= 0, and for NaN
+/// @formula       texels units.x w
+/// @exactness     B: two products
+template <real T>
+[[nodiscard]] constexpr T texels_to_world(T texels, glm::vec<2, T> units, T w) {
+    const T world = texels * units.x * w;
+    return !is_nan(world) && world >= T(0x1p-64) && world < T(0x1p64) ? world : T(0);
+}
+
+/// World units along the light as depth, z/w.
+///
+/// @param units   make_light_units
+/// @param w       of the point's shadow_coordinate, > 0
+/// @return        0 .. 1; 1 for w = 0 and for NaN
+/// @formula       world units.y / w^2: the slope of z/w at the point; what lies nearer to a spot changes by more, so
+///                that a point moved towards it by `world` has w / (w - world) times that, which covers a bias
+/// @exactness     C: one division, of which GLSL allows 2.5 ulp; 0 seen
+template <real T>
+[[nodiscard]] constexpr T world_to_depth(T world, glm::vec<2, T> units, T w) {
+    return clamp_bias(world * units.y / (w * w));
+}
+
+namespace glsl {
+
+inline constexpr snippet texels_to_world{
+    .name = "texels_to_world",
+    .summary = "texels across a light as world units",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
+UMBRAGE_HIGHP float umbrage_texels_to_world(UMBRAGE_HIGHP float texels, UMBRAGE_HIGHP vec2 units,
+                                            UMBRAGE_HIGHP float w) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float world = texels * units.x * w;
+    return world >= (1.0 / 18446744073709551616.0) && world < 18446744073709551616.0 ? world : 0.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet world_to_depth{
+    .name = "world_to_depth",
+    .summary = "world units along a light as depth",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&clamp_bias>,
+    .source = R"GLSL(
+// umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate, above 0.0
+UMBRAGE_HIGHP float umbrage_world_to_depth(UMBRAGE_HIGHP float world, UMBRAGE_HIGHP vec2 units,
+                                           UMBRAGE_HIGHP float w) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along = world * units.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = w * w;
+    return umbrage_clamp_bias(along / square);
+}
+)GLSL",
+};
+
+inline constexpr auto light_units_snippets = list<&texels_to_world, &world_to_depth>;
+
+}  // namespace glsl
+}  // namespace umbrage

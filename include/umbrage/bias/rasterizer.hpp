@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+//
+// The bias that the depth pass adds to casters, as the numbers that each API's rasterizer takes: with them no plane
+// shadows itself under a filter, and receivers need no bias of their own.
+//
+//     auto [factor, units, clamp] = umbrage::make_polygon_offset({.reach = filter.reach()});
+//     glPolygonOffset(factor, units);
+//
+// Rasterizers multiply by the greater slope of depth, |a| or |b|, where a filter needs |a| + |b|; and by a step of the
+// depth buffer, which in one of floats is that of the primitive's greatest depth.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include <umbrage/clip_space.hpp>
+#include <umbrage/light/light_space.hpp>
+#include <umbrage/scalar.hpp>
+
+namespace umbrage {
+
+enum class depth_format { unorm16, unorm24, float32 };  ///< of the depth buffer
+
+/// What a rasterizer's bias has to cover.
+struct raster_bias {
+    float reach = 0.5f;         ///< of the filter, texels, as for acne_free_bias
+    float constant = 0x1p-23f;  ///< in depth: the encoding's error and 2^-23
+    float greatest = 0.0f;      ///< no bias is greater, in depth: slopes beyond may shadow themselves; 0: no limit
+    float least_depth = 0.5f;   ///< of a buffer of floats, above 0: primitives all below it get less than `constant`
+    depth_format format = depth_format::unorm24;
+    depth_direction direction = depth_direction::forward;
+};
+
+struct polygon_offset {
+    float factor, units;  ///< glPolygonOffset
+    float clamp;          ///< glPolygonOffsetClamp
+};
+
+/// In the order of vkCmdSetDepthBias.
+struct vulkan_depth_bias {
+    float constant_factor, clamp, slope_factor;
+};
+
+/// Of D3D11_RASTERIZER_DESC and D3D12_RASTERIZER_DESC.
+struct direct3d_depth_bias {
+    std::int32_t depth_bias;
+    float depth_bias_clamp, slope_scaled_depth_bias;
+};
+
+namespace detail {
+
+/// In steps of the depth buffer, rounded up, towards the far plane.
+[[nodiscard]] inline vulkan_depth_bias raster_numbers(const raster_bias& bias, const char* function) {
+    const auto not_negative = [](float v) { return is_finite(v) && v >= 0.0f; };
+    require(not_negative(bias.reach) && is_finite(2.0f * bias.reach), function, "reach", "must be finite, 0 or more");
+    require(not_negative(bias.constant), function, "constant", "must be finite, 0 or more");
+    require(not_negative(bias.greatest), function, "greatest", "must be finite, 0 or more");
+    require(is_normal(bias.least_depth) && bias.least_depth > 0.0f && bias.least_depth <= 1.0f, function, "least_depth",
+            "must be above 0, no denormal, and at most 1");
+    const int step = bias.format == depth_format::unorm16   ? -16
+                     : bias.format == depth_format::unorm24 ? -24
+                                                            : std::ilogb(bias.least_depth) - 23;
+    const float units = std::ceil(std::scalbn(bias.constant, -step));
+    require(is_finite(units), function, "constant and least_depth", "give too many steps of the depth buffer");
+    const float away = bias.direction == depth_direction::forward ? 1.0f : -1.0f;
+    return {away * units, away * bias.greatest, away * 2.0f * bias.reach};
+}
+
+}  // namespace detail
+
+/// For glPolygonOffset, where GL_POLYGON_OFFSET_FILL is on.
+/// @return        factor 2 reach, units constant / step, both negative where depth is reversed
+/// @throws std::invalid_argument  what is not finite or negative, a least_depth outside (0, 1]
+[[nodiscard]] inline polygon_offset make_polygon_offset(const raster_bias& bias) {
+    const auto numbers = detail::raster_numbers(bias, "make_polygon_offset");
+    return {numbers.slope_factor, numbers.constant_factor, numbers.clamp};
+}
+
+/// For vkCmdSetDepthBias; a clamp other than 0 needs the feature depthBiasClamp.
+/// @return        the same numbers
+/// @throws std::invalid_argument  as make_polygon_offset
+[[nodiscard]] inline vulkan_depth_bias make_vulkan_depth_bias(const raster_bias& bias) {
+    return detail::raster_numbers(bias, "make_vulkan_depth_bias");
+}
+
+/// For Direct3D's rasterizer state.
+/// @return        the same numbers, the constant as a whole one
+/// @throws std::invalid_argument  as make_polygon_offset, and for more than 2^31 - 128 steps
+[[nodiscard]] inline direct3d_depth_bias make_direct3d_depth_bias(const raster_bias& bias) {
+    const auto numbers = detail::raster_numbers(bias, "make_direct3d_depth_bias");
+    detail::require(std::abs(numbers.constant_factor) < 0x1p31f, "make_direct3d_depth_bias", "constant and least_depth",
+                    "give too many steps of the depth buffer");
+    return {static_cast<std::int32_t>(numbers.constant_factor), numbers.clamp, numbers.slope_factor};
+}
+
+}  // namespace umbrage

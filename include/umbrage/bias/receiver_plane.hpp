@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+//
+// The receiver's own plane: every texel is compared with the depth that the plane has at the texel's centre, so that no
+// reach of a filter needs a bias. The slope comes from the plane (plane_slope), or from derivatives across the screen.
+//
+//     glm::vec2 slope = umbrage::plane_slope(plane_matrix, normal, world);
+//     float visibility = filter(umbrage::on_receiver_plane(fetch, slope, coord), coord, p.z - rounding);
+//
+// In GLSL with both as globals, ahead of the filter:
+//
+//     #define STORED(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
+//     #define UMBRAGE_FETCH(map, size, texel) umbrage_on_receiver_plane(STORED(map, size, texel), slope, coord, texel)
+//
+#pragma once
+
+#include <concepts>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/bias/slope.hpp>
+#include <umbrage/clip_space.hpp>
+#include <umbrage/shader/snippet.hpp>
+#include <umbrage/scalar.hpp>
+
+namespace umbrage {
+
+/// The plane through a receiver and its neighbours on the screen.
+///
+/// @param dx, dy   derivatives of (x and y in texels, depth) along the screen: dFdx, dFdy, taken outside of branches
+/// @return         x, y: change of depth from one texel to the next, as plane_slope; z: how far the sum of both may be
+///                 off, the bias a texel of reach that is left to add: acne_free_bias({z, 0}, reach, error).
+///                 (0, 0, 0), a plane that faces the light, where the texels of a pixel are nearly in line or fewer
+///                 than 2^-10, so that nothing is known of the slope; and for NaN
+/// @formula        by Cramer's rule; z = 3.3 (2^-25 + (|x| + |y|) 2^-13) s / |determinant|, for coordinates below 4096,
+///                 with s / |determinant|, s the sum of the four magnitudes, for 1 / least texels a pixel
+/// @exactness      C: divisions, of each of which GLSL allows 2.5 ulp
+/// @cite           Isidoro: Shadow Mapping, Tricks and Techniques, GDC 2006
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> receiver_plane(glm::vec<3, T> dx, glm::vec<3, T> dy) {
+    const auto magnitude = [](T v) { return v < T(0) ? -v : v; };
+    const T determinant = dx.x * dy.y + dx.y * -dy.x;
+    const T sum = magnitude(dx.x) + magnitude(dx.y) + magnitude(dy.x) + magnitude(dy.y);
+    const T a = clamp_slope((dy.y * dx.z + dx.y * -dy.z) / determinant);
+    const T b = clamp_slope((dx.x * dy.z + dy.x * -dx.z) / determinant);
+    const T off = (T(0x1p-25) + (magnitude(a) + magnitude(b)) * T(0x1p-13)) * T(3.3);
+    const T least = sum * T(0x1p-10);
+    const bool known = !is_nan(determinant) && !is_nan(sum) && magnitude(determinant) > least && sum < T(0x1p64);
+    if (!known) return glm::vec<3, T>(0);
+    return {a, b, clamp_slope(off * (sum / magnitude(determinant)))};
+}
+
+/// A stored depth as the receiver's own texel would hold it: moved along the receiver's plane to the receiver.
+///
+/// @param stored   depth from the map
+/// @param slope    of the receiver's plane, a texel, -2 .. 2
+/// @param coord    receiver in texels;   texel  whose depth is stored
+/// @param far      the cleared depth: 1, or 0 where depth is reversed
+/// @return         what to compare with the receiver; a cleared texel, and what is nearer than 2^-64 to one, stays
+/// @formula        stored - slope . (texel + 1/2 - coord)
+/// @exactness      B
+template <real T>
+[[nodiscard]] constexpr T on_receiver_plane(T stored, glm::vec<2, T> slope, glm::vec<2, T> coord, glm::vec<2, T> texel,
+                                            T far = T(1)) {
+    const T x = texel.x + T(0.5) - coord.x, y = texel.y + T(0.5) - coord.y;
+    const T before = stored - far;
+    const bool cleared = before < T(0x1p-64) && before > T(-0x1p-64);
+    return cleared ? stored : stored - (slope.x * x + slope.y * y);
+}
+
+/// The same of all texels, as the fetch callable that filters take.
+/// @param fetch       ivec2 texel -> stored depth;   coord  that the filter is called with
+/// @param direction   of the map's depth, which says what it is cleared to
+template <std::invocable<glm::ivec2> Fetch>
+[[nodiscard]] auto on_receiver_plane(Fetch fetch, glm::vec2 slope, glm::vec2 coord,
+                                     depth_direction direction = depth_direction::forward) {
+    return [=, far = cleared_depth(direction)](glm::ivec2 texel) {
+        return on_receiver_plane(static_cast<float>(fetch(texel)), slope, coord, glm::vec2(texel), far);
+    };
+}
+
+namespace glsl {
+
+inline constexpr snippet receiver_plane{
+    .name = "receiver_plane",
+    .summary = "slope of a receiver's plane from derivatives, and how far it may be off",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&clamp_slope>,
+    .source = R"GLSL(
+// umbrage_receiver_plane: change of a receiver's depth a texel in x and y, and by how much their sum may be off
+//   dx, dy  dFdx and dFdy of (x and y in texels, depth); zero where they tell nothing of the plane
+UMBRAGE_HIGHP vec3 umbrage_receiver_plane(UMBRAGE_HIGHP vec3 dx, UMBRAGE_HIGHP vec3 dy) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float determinant = dx.x * dy.y + dx.y * -dy.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = abs(dx.x) + abs(dx.y) + abs(dy.x) + abs(dy.y);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along_x = dy.y * dx.z + dx.y * -dy.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float along_y = dx.x * dy.z + dy.x * -dx.z;
+    UMBRAGE_HIGHP float a = umbrage_clamp_slope(along_x / determinant);
+    UMBRAGE_HIGHP float b = umbrage_clamp_slope(along_y / determinant);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float off = ((1.0 / 33554432.0) + (abs(a) + abs(b)) * (1.0 / 8192.0)) * 3.3;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float error = off * (sum / abs(determinant));
+    UMBRAGE_HIGHP float least = sum * (1.0 / 1024.0);
+    bool known = abs(determinant) > least && sum < 18446744073709551616.0;
+    return known ? vec3(a, b, umbrage_clamp_slope(error)) : vec3(0.0, 0.0, 0.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet on_receiver_plane{
+    .name = "on_receiver_plane",
+    .summary = "stored depth moved along the receiver's plane to the receiver",
+    .exactness = tier::b,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_on_receiver_plane: a texel's depth as the receiver's own texel would hold it; a cleared one stays cleared
+//   stored  depth of the texel;   slope  of the receiver's plane, a texel;   coord  receiver in texels
+UMBRAGE_HIGHP float umbrage_on_receiver_plane(UMBRAGE_HIGHP float stored, UMBRAGE_HIGHP vec2 slope,
+                                              UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 way = texel + 0.5 - coord;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float depth = stored - (slope.x * way.x + slope.y * way.y);
+    bool cleared = abs(stored - umbrage_cleared_depth()) < (1.0 / 18446744073709551616.0);
+    return cleared ? stored : depth;
+}
+)GLSL",
+};
+
+inline constexpr auto receiver_plane_snippets = list<&receiver_plane, &on_receiver_plane>;
+
+}  // namespace glsl
+}  // namespace umbrage

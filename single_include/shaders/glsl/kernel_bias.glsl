@@ -1,0 +1,36 @@
+// umbrage 0.1.0, MIT License: kernel_bias
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_KERNEL_BIAS
+#define UMBRAGE_HAS_KERNEL_BIAS
+// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
+//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+UMBRAGE_HIGHP float umbrage_kernel_bias(UMBRAGE_HIGHP vec3 normal, UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP vec3 way,
+                                        UMBRAGE_HIGHP float width, UMBRAGE_HIGHP float greatest) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = normal.y * direction.z + normal.z * -direction.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = normal.z * direction.x + normal.x * -direction.z;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = normal.x * direction.y + normal.y * -direction.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = x * x + y * y + z * z;
+    UMBRAGE_HIGHP float sine = sqrt(square);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float cosine = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float edge = cosine * greatest;
+    UMBRAGE_HIGHP float tangent = edge > sine ? sine / cosine : greatest;
+    UMBRAGE_HIGHP float bias = width * tangent;
+    return bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0 ? bias : 0.0;
+}
+#endif

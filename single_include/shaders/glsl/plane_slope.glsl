@@ -1,0 +1,37 @@
+// umbrage 0.1.0, MIT License: plane_slope
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CLAMP_SLOPE
+#define UMBRAGE_HAS_CLAMP_SLOPE
+// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+UMBRAGE_HIGHP float umbrage_clamp_slope(UMBRAGE_HIGHP float slope) {
+    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PLANE_SLOPE
+#define UMBRAGE_HAS_PLANE_SLOPE
+// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+UMBRAGE_HIGHP vec2 umbrage_plane_slope(UMBRAGE_HIGHP mat4 plane_matrix, UMBRAGE_HIGHP vec3 normal,
+                                       UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 q = plane_matrix[3] * d + plane_matrix[0] * normal.x +
+                                           plane_matrix[1] * normal.y + plane_matrix[2] * normal.z;
+    return vec2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+}
+#endif

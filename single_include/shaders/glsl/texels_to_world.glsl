@@ -1,0 +1,27 @@
+// umbrage 0.1.0, MIT License: texels_to_world
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_TEXELS_TO_WORLD
+#define UMBRAGE_HAS_TEXELS_TO_WORLD
+// umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
+UMBRAGE_HIGHP float umbrage_texels_to_world(UMBRAGE_HIGHP float texels, UMBRAGE_HIGHP vec2 units,
+                                            UMBRAGE_HIGHP float w) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float world = texels * units.x * w;
+    return world >= (1.0 / 18446744073709551616.0) && world < 18446744073709551616.0 ? world : 0.0;
+}
+#endif

@@ -1,0 +1,18 @@
+// umbrage 0.1.0, MIT License: biased
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BIASED
+#define UMBRAGE_HAS_BIASED
+// umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
+float umbrage_biased(float receiver, float bias) {
+    float by = abs(bias) < 18446744073709551616.0 ? bias : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? receiver - by : receiver + by;
+}
+#endif

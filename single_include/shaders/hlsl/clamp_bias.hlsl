@@ -1,0 +1,10 @@
+// umbrage 0.1.0, MIT License: clamp_bias
+
+#ifndef UMBRAGE_HAS_CLAMP_BIAS
+#define UMBRAGE_HAS_CLAMP_BIAS
+// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+float umbrage_clamp_bias(float bias) {
+    float least = (1.0 / 18446744073709551616.0);
+    return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
+}
+#endif

@@ -1,0 +1,18 @@
+// umbrage 0.1.0, MIT License: normal_offset
+
+#ifndef UMBRAGE_HAS_NORMAL_OFFSET
+#define UMBRAGE_HAS_NORMAL_OFFSET
+// umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
+//   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   error_world  of the map's depths; world units
+float3 umbrage_normal_offset(float3 normal, float3 direction, float3 way, float width, float error_world) {
+    precise float x = normal.y * direction.z + normal.z * -direction.y;
+    precise float y = normal.z * direction.x + normal.x * -direction.z;
+    precise float z = normal.x * direction.y + normal.y * -direction.x;
+    precise float straight = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    precise float square = x * x + y * y + z * z;
+    precise float along = width * sqrt(square) + error_world * abs(straight);
+    float3 offset = normal * along;
+    return abs(offset.x) + abs(offset.y) + abs(offset.z) < 18446744073709551616.0 ? offset : float3(0.0, 0.0, 0.0);
+}
+#endif

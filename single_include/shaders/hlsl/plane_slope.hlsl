@@ -1,0 +1,21 @@
+// umbrage 0.1.0, MIT License: plane_slope
+
+#ifndef UMBRAGE_HAS_CLAMP_SLOPE
+#define UMBRAGE_HAS_CLAMP_SLOPE
+// umbrage_clamp_slope: change of depth a texel clamped to [-2, 2]; NaN becomes 2.0
+float umbrage_clamp_slope(float slope) {
+    return slope > -2.0 && slope < 2.0 ? slope : (slope <= -2.0 ? -2.0 : 2.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PLANE_SLOPE
+#define UMBRAGE_HAS_PLANE_SLOPE
+// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+float2 umbrage_plane_slope(float4x4 plane_matrix, float3 normal, float3 world) {
+    precise float d = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    precise float4 q = transpose(plane_matrix)[3] * d + transpose(plane_matrix)[0] * normal.x +
+        transpose(plane_matrix)[1] * normal.y + transpose(plane_matrix)[2] * normal.z;
+    return float2(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+}
+#endif

@@ -1,0 +1,27 @@
+// umbrage 0.1.0, MIT License: acne_free_disc_bias
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CLAMP_BIAS
+#define UMBRAGE_HAS_CLAMP_BIAS
+// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+inline float umbrage_clamp_bias(float bias) {
+    float least = (1.0 / 18446744073709551616.0);
+    return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ACNE_FREE_DISC_BIAS
+#define UMBRAGE_HAS_ACNE_FREE_DISC_BIAS
+// umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope   change of depth from one texel to the next;   radius  to the disc's farthest point, texels
+//   error   how far a decoded depth may lie before the true one
+inline float umbrage_acne_free_disc_bias(float2 slope, float radius, float error) {
+    float square = slope.x * slope.x + slope.y * slope.y;
+    float beside = (metal::abs(slope.x) + metal::abs(slope.y)) * 0.5078125 + (error + (1.0 / 8388608.0));
+    float bias = radius * metal::sqrt(square) + beside;
+    return umbrage_clamp_bias(bias);
+}
+#endif

@@ -1,0 +1,24 @@
+// umbrage 0.1.0, MIT License: kernel_bias
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_KERNEL_BIAS
+#define UMBRAGE_HAS_KERNEL_BIAS
+// umbrage_kernel_bias: how far along the light a kernel reaches before a surface's plane, in the units of width
+//   normal  of the surface;   direction  of the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   greatest  tangent, where growth ends
+inline float umbrage_kernel_bias(float3 normal, float3 direction, float3 way, float width, float greatest) {
+    float x = normal.y * direction.z + normal.z * -direction.y;
+    float y = normal.z * direction.x + normal.x * -direction.z;
+    float z = normal.x * direction.y + normal.y * -direction.x;
+    float square = x * x + y * y + z * z;
+    float sine = metal::sqrt(square);
+    float cosine = -(normal.x * way.x + normal.y * way.y + normal.z * way.z);
+    float edge = cosine * greatest;
+    float tangent = edge > sine ? sine / cosine : greatest;
+    float bias = width * tangent;
+    return bias >= (1.0 / 18446744073709551616.0) && bias < 18446744073709551616.0 ? bias : 0.0;
+}
+#endif

@@ -1,0 +1,23 @@
+// umbrage 0.1.0, MIT License: normal_offset
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_NORMAL_OFFSET
+#define UMBRAGE_HAS_NORMAL_OFFSET
+// umbrage_normal_offset: what to add to a surface's point, world units, before it is looked up
+//   normal, direction  of the surface and the light, of length one;   way  from the light to the point over w; of a
+//   directional light its direction;   width  sqrt(2) reach texel;   error_world  of the map's depths; world units
+inline float3 umbrage_normal_offset(float3 normal, float3 direction, float3 way, float width, float error_world) {
+    float x = normal.y * direction.z + normal.z * -direction.y;
+    float y = normal.z * direction.x + normal.x * -direction.z;
+    float z = normal.x * direction.y + normal.y * -direction.x;
+    float straight = normal.x * way.x + normal.y * way.y + normal.z * way.z;
+    float square = x * x + y * y + z * z;
+    float along = width * metal::sqrt(square) + error_world * metal::abs(straight);
+    float3 offset = normal * along;
+    return metal::abs(offset.x) + metal::abs(offset.y) +
+        metal::abs(offset.z) < 18446744073709551616.0 ? offset : float3(0.0, 0.0, 0.0);
+}
+#endif

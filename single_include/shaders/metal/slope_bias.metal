@@ -1,0 +1,26 @@
+// umbrage 0.1.0, MIT License: slope_bias
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CLAMP_BIAS
+#define UMBRAGE_HAS_CLAMP_BIAS
+// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+inline float umbrage_clamp_bias(float bias) {
+    float least = (1.0 / 18446744073709551616.0);
+    return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SLOPE_BIAS
+#define UMBRAGE_HAS_SLOPE_BIAS
+// umbrage_slope_bias: factor times the greater slope, and a base, 0.0 to 1.0
+//   slope  change of depth from one texel to the next;   factor  in texels;   base  in depth
+inline float umbrage_slope_bias(float2 slope, float factor, float base) {
+    float2 bias = metal::abs(slope) * factor + base;
+    float x = umbrage_clamp_bias(bias.x);  // of both: a maximum of a NaN is what a GPU makes it
+    float y = umbrage_clamp_bias(bias.y);
+    return x > y ? x : y;
+}
+#endif

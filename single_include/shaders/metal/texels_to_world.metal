@@ -1,0 +1,15 @@
+// umbrage 0.1.0, MIT License: texels_to_world
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_TEXELS_TO_WORLD
+#define UMBRAGE_HAS_TEXELS_TO_WORLD
+// umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
+inline float umbrage_texels_to_world(float texels, float2 units, float w) {
+    float world = texels * units.x * w;
+    return world >= (1.0 / 18446744073709551616.0) && world < 18446744073709551616.0 ? world : 0.0;
+}
+#endif

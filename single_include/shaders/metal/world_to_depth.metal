@@ -1,0 +1,25 @@
+// umbrage 0.1.0, MIT License: world_to_depth
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CLAMP_BIAS
+#define UMBRAGE_HAS_CLAMP_BIAS
+// umbrage_clamp_bias: a bias in depth clamped to [0, 1], 0.0 below 2^-64; NaN becomes 1.0, and nothing is in shadow
+inline float umbrage_clamp_bias(float bias) {
+    float least = (1.0 / 18446744073709551616.0);
+    return bias >= least && bias < 1.0 ? bias : (bias < least ? 0.0 : 1.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WORLD_TO_DEPTH
+#define UMBRAGE_HAS_WORLD_TO_DEPTH
+// umbrage_world_to_depth: world units along a light as depth, 0.0 to 1.0
+//   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate, above 0.0
+inline float umbrage_world_to_depth(float world, float2 units, float w) {
+    float along = world * units.y;
+    float square = w * w;
+    return umbrage_clamp_bias(along / square);
+}
+#endif

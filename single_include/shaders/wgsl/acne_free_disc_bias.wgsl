@@ -1,0 +1,12 @@
+// umbrage 0.1.0, MIT License: acne_free_disc_bias
+// Paste along: clamp_bias.wgsl
+
+// umbrage_acne_free_disc_bias: the smallest bias in depth with which no plane shadows itself, 0.0 to 1.0
+//   slope   change of depth from one texel to the next;   radius  to the disc's farthest point, texels
+//   error   how far a decoded depth may lie before the true one
+fn umbrage_acne_free_disc_bias(slope: vec2f, radius: f32, error: f32) -> f32 {
+    let square: f32 = slope.x * slope.x + slope.y * slope.y;
+    let beside: f32 = (abs(slope.x) + abs(slope.y)) * 0.5078125 + (error + (1.0 / 8388608.0));
+    let bias: f32 = radius * sqrt(square) + beside;
+    return umbrage_clamp_bias(bias);
+}

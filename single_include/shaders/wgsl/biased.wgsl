@@ -1,0 +1,8 @@
+// umbrage 0.1.0, MIT License: biased
+// Paste along: cleared_depth.wgsl
+
+// umbrage_biased: receiver moved towards the light by bias, in depth; 2^64 and more, and NaN, is none
+fn umbrage_biased(receiver: f32, bias: f32) -> f32 {
+    let by: f32 = select(0.0, bias, abs(bias) < 18446744073709551616.0);
+    return select(receiver + by, receiver - by, umbrage_cleared_depth() > 0.5);
+}

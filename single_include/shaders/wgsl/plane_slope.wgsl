@@ -1,0 +1,11 @@
+// umbrage 0.1.0, MIT License: plane_slope
+// Paste along: clamp_slope.wgsl
+
+// umbrage_plane_slope: change of depth from one texel to the next, in x and y, of the plane through a point
+//   plane_matrix  transpose of the texture matrix' inverse;   normal  of any length;   world  point on the plane
+fn umbrage_plane_slope(plane_matrix: mat4x4f, normal: vec3f, world: vec3f) -> vec2f {
+    let d: f32 = -(normal.x * world.x + normal.y * world.y + normal.z * world.z);
+    let q: vec4f = plane_matrix[3] * d + plane_matrix[0] * normal.x + plane_matrix[1] * normal.y + plane_matrix[2] *
+        normal.z;
+    return vec2f(umbrage_clamp_slope(-q.x / q.z), umbrage_clamp_slope(-q.y / q.z));
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+//
+// Planes in a map against receivers on them: with acne_free_bias none is dark, with 9/10 of it some are. A sample in the
+// tests, all of it in `make prove`.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <type_traits>
+#include <utility>
+
+#include <umbrage/bias/acne_free.hpp>
+#include <umbrage/depth/encodings.hpp>
+#include <umbrage/filter/filters.hpp>
+#include <umbrage/images/visibility.hpp>
+
+namespace proof {
+
+/// Tilted against the light by up to 89 degrees, turned every way, before maps whose depth spans 2^11 to 2^17 texels.
+inline constexpr double tilts[]{0, 1, 5, 15, 30, 45, 60, 75, 80, 85, 87, 88, 89};
+inline constexpr std::uint64_t planes = std::size(tilts) * 3 * 8;
+
+/// Change of the n-th plane's depth from one texel to the next.
+[[nodiscard]] inline glm::vec2 nth_slope(std::uint64_t n) {
+    constexpr double degree = std::numbers::pi / 180;
+    const double tilt = std::tan(tilts[n % std::size(tilts)] * degree);
+    const double texels = std::exp2(11.0 + 3.0 * double(n / std::size(tilts) % 3));
+    const double turn = 45.0 * double(n / std::size(tilts) / 3) + (n % 2 ? 0.0 : 17.0);
+    return glm::vec2(glm::dvec2(std::cos(turn * degree), std::sin(turn * degree)) * (tilt / texels));
+}
+
+/// A plane's map, and a receiver on it at every fraction k / 256 of a texel, in both directions.
+struct plane {
+    umbrage::image<float> depth;
+    umbrage::image<glm::vec3> receivers{{256, 256}};
+
+    /// @param reach  texels around each receiver that are the map's
+    plane(glm::vec2 slope, float reach, std::mt19937& random) : depth({1, 1}) {
+        const auto margin = static_cast<int>(std::ceil(reach)) + 1;
+        const double steep = std::abs(double(slope.x)) + std::abs(double(slope.y));
+        const int side = 2 * margin + std::clamp(static_cast<int>(0.9 / std::max(steep, 1e-9)) - 2 * margin, 1, 32);
+        const double extent = steep * side;
+        const double low = std::uniform_real_distribution(0.0, 1.0 - std::min(extent, 1.0))(random);
+        const double corner = low + side * (std::max(-double(slope.x), 0.0) + std::max(-double(slope.y), 0.0));
+        const auto at = [&](glm::dvec2 p) {
+            return static_cast<float>(corner + double(slope.x) * p.x + double(slope.y) * p.y);
+        };
+        depth = umbrage::image<float>(glm::ivec2(side));
+        for (int y = 0; y < side; ++y)
+            for (int x = 0; x < side; ++x) depth[{x, y}] = at(glm::dvec2(x, y) + 0.5);
+        std::uniform_int_distribution texel(margin, side - margin - 1);
+        for (int y = 0; y < 256; ++y)
+            for (int x = 0; x < 256; ++x) {
+                const glm::dvec2 p = glm::dvec2(texel(random), texel(random)) + glm::dvec2(x, y) / 256.0;
+                receivers[{x, y}] = {p.x, p.y, at(p)};
+            }
+    }
+
+    /// How many receivers any texel darkens.
+    template <class Filter, class Encoding>
+    [[nodiscard]] int dark(const Filter& filter, const Encoding& encoding, float bias) const {
+        umbrage::image<float> map(depth.size()), lit(receivers.size());
+        std::ranges::transform(depth.texels(), map.texels().begin(),
+                               [&](float d) { return encoding.decode(encoding.encode(d)); });
+        umbrage::image<glm::vec3> seen = receivers;
+        for (glm::vec3& r : seen.texels()) r.z = umbrage::biased(r.z, bias, filter.is_lit);
+        umbrage::visibility(std::as_const(map).view(), umbrage::depth32f{}, std::as_const(seen).view(), filter,
+                            lit.view());
+        return static_cast<int>(std::ranges::count_if(lit.texels(), [](float v) { return v < 1.0f; }));
+    }
+};
+
+struct acne {
+    std::uint64_t dark = 0;   ///< receivers under the whole bias
+    std::uint64_t loose = 0;  ///< planes of which 9/10 of the bias leaves none dark, though they are owed one
+    std::uint64_t tight = 0;  ///< planes that were owed one
+};
+
+/// The n-th plane, moved to and fro in depth until 9/10 of the bias is too little, or 64 times.
+template <class Filter, class Encoding>
+[[nodiscard]] acne look_for_acne(const Filter& filter, const Encoding& encoding, std::uint64_t n) {
+    const glm::vec2 slope = nth_slope(n);
+    const float bias = umbrage::acne_free_bias(slope, filter, encoding);
+    const bool owed = bias - 0x1p-23f > 0x1p-16f;
+    std::mt19937 random(static_cast<std::uint32_t>(n));
+    acne seen{.tight = owed};
+    bool tight = !owed;
+    for (int move = 0; move < 64 && (move == 0 || !tight); ++move) {
+        const plane p(slope, filter.reach(), random);
+        seen.dark += static_cast<std::uint64_t>(p.dark(filter, encoding, bias));
+        tight = tight || p.dark(filter, encoding, bias * 0.9f) > 0;
+    }
+    seen.loose = !tight;
+    return seen;
+}
+
+/// Calls use(encoding) for every encoding there is, with every edge that its decoder can answer for.
+template <class Use>
+void for_each_decoder(umbrage::depth_direction direction, Use&& use) {
+    umbrage::for_each_encoding([&](auto encoding) {
+        encoding.direction = direction;
+        if constexpr (umbrage::has_edge<decltype(encoding)>)
+            for (float edge : {umbrage::lower_edge<float>, umbrage::centre<float>, umbrage::upper_edge<float>}) {
+                encoding.edge = edge;
+                use(encoding);
+            }
+        else use(encoding);
+    });
+}
+
+/// Calls use(filter) for every filter there is, in every size that it is made for, and either direction that it takes.
+template <class Use>
+void for_each_percentage_closer(Use&& use) {
+    umbrage::for_each_filter([&]<class Filter>(Filter filter) {
+        for (auto direction : {umbrage::depth_direction::forward, umbrage::depth_direction::reversed}) {
+            if constexpr (requires { filter.is_lit = umbrage::comparison{direction}; }) filter.is_lit = {direction};
+            else if (direction == umbrage::depth_direction::reversed) continue;
+            if constexpr (requires { filter.radius = 0; })
+                for (int radius = 0; radius <= umbrage::max_box_radius; ++radius) {
+                    filter.radius = radius;
+                    use(filter, direction);
+                }
+            else use(filter, direction);
+        }
+    });
+}
+
+}  // namespace proof

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <umbrage/bias/acne_free.hpp>
+#include <umbrage/bias/receiver_plane.hpp>
+#include <umbrage/filter/filters.hpp>
+#include <umbrage/image.hpp>
+
+using namespace umbrage;
+
+TEST_CASE_TEMPLATE("receiver_plane: by hand", T, float, double) {
+    using vec = glm::vec<3, T>;
+    // depth 0.25 x - 0.125 y, two texels a pixel along x and four along y, then turned
+    const vec straight = receiver_plane(vec(2, 0, T(0.5)), vec(0, 4, T(-0.5)));
+    CHECK(straight.x == T(0.25));
+    CHECK(straight.y == T(-0.125));
+    CHECK(straight.z == doctest::Approx(3.3 * (0x1p-25 + 0.375 * 0x1p-13) * 6 / 8));
+    const vec turned = receiver_plane(vec(1, 2, 0), vec(-2, 1, T(-0.625)));
+    CHECK(turned.x == T(0.25));
+    CHECK(turned.y == T(-0.125));
+    CHECK(receiver_plane(vec(1, 0, 5), vec(0, 1, -9)).x == 2);
+    CHECK(receiver_plane(vec(1, 0, 5), vec(0, 1, -9)).y == -2);
+}
+
+TEST_CASE_TEMPLATE("receiver_plane: nothing is known of a plane seen edge-on, magnified too much, of NaN", T, float,
+                   double) {
+    using vec = glm::vec<3, T>;
+    const T inf = std::numeric_limits<T>::infinity(), nan = std::numeric_limits<T>::quiet_NaN();
+    CHECK(receiver_plane(vec(0), vec(0)) == vec(0));
+    CHECK(receiver_plane(vec(1, 2, 1), vec(2, 4, 3)) == vec(0));
+    CHECK(receiver_plane(vec(T(0x1p-11), 0, 1), vec(0, T(0x1p-11), 1)) == vec(0));
+    CHECK(receiver_plane(vec(T(0x1p70), 0, 1), vec(0, T(0x1p70), 1)) == vec(0));
+    for (T bad : {inf, -inf, nan, -nan})
+        for (int i = 0; i < 6; ++i) {
+            vec d[2]{vec(1, 0, T(0.1)), vec(0, 1, T(0.1))};
+            d[i / 3][i % 3] = bad;
+            const vec plane = receiver_plane(d[0], d[1]);
+            for (int k = 0; k < 3; ++k) CHECK((plane[k] >= -2 && plane[k] <= 2));
+            if (i % 3 < 2) CHECK(plane == vec(0));
+        }
+}
+
+TEST_CASE("receiver_plane: the slope of coordinates rounded to float is off by no more than it says") {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> tilt(-8, 0), place(100, 3900), turn(0, 6.3), squeeze(0.02, 1);
+    double worst = 0;
+    int known = 0;
+    for (int i = 0; i < 300000; ++i) {
+        const double texels = std::exp2(tilt(random)), steep = std::exp2(2 * tilt(random) - 4);
+        const glm::dvec2 slope = steep * glm::dvec2(std::cos(turn(random)), std::sin(turn(random)));
+        const double angle = turn(random), narrow = texels * squeeze(random);
+        const glm::dvec2 across(texels * std::cos(angle), texels * std::sin(angle));
+        const glm::dvec2 up(-narrow * std::sin(angle), narrow * std::cos(angle));
+        const glm::dvec2 here(place(random), place(random));
+        const auto seen = [&](glm::dvec2 p) {
+            return glm::vec3(p, 0.5 + slope.x * (p.x - here.x) + slope.y * (p.y - here.y));
+        };
+        const glm::vec3 at = seen(here);
+        const glm::vec3 plane = receiver_plane(seen(here + across) - at, seen(here + up) - at);
+        if (plane == glm::vec3(0)) continue;
+        ++known;
+        const double off = std::abs(double(plane.x) - slope.x) + std::abs(double(plane.y) - slope.y);
+        worst = std::max(worst, off / double(plane.z));
+    }
+    CHECK(known > 200000);
+    CHECK(worst <= 1);
+    CHECK(worst > 0.2);
+}
+
+TEST_CASE_TEMPLATE("on_receiver_plane: by hand, to the texel's centre", T, float, double) {
+    using vec = glm::vec<2, T>;
+    const vec slope(T(0.25), T(-0.125)), coord(T(3.25), T(7.5));
+    CHECK(on_receiver_plane(T(0.5), slope, coord, vec(3, 7)) == T(0.4375));  // a quarter of a texel to its right
+    CHECK(on_receiver_plane(T(0.5), slope, coord, vec(2, 9)) == T(0.9375));
+    CHECK(on_receiver_plane(T(1), slope, coord, vec(2, 9)) == 1);  // cleared
+    CHECK(on_receiver_plane(T(0), slope, coord, vec(2, 9), T(0)) == 0);
+    CHECK(on_receiver_plane(T(1), slope, coord, vec(2, 9), T(0)) == T(1.4375));
+    CHECK(is_nan(on_receiver_plane(std::numeric_limits<T>::quiet_NaN(), slope, coord, vec(3, 7))));
+}
+
+TEST_CASE("on_receiver_plane: no filter darkens a plane, without any bias by its reach") {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> steep(-0x1p-6f, 0x1p-6f), place(10, 22);
+    for_each_filter([&]<class Filter>(Filter filter) {
+        CAPTURE(Filter::name);
+        for (auto direction : {depth_direction::forward, depth_direction::reversed}) {
+            if constexpr (requires { filter.is_lit = comparison{direction}; }) filter.is_lit = {direction};
+            else if (direction == depth_direction::reversed) continue;
+            int dark = 0, dark_without = 0;
+            for (int i = 0; i < 200; ++i) {
+                const glm::dvec2 slope(steep(random), steep(random));
+                image<float> map({32, 32});
+                const auto depth = [&](glm::dvec2 p) {
+                    return static_cast<float>(0.5 + slope.x * (p.x - 16) + slope.y * (p.y - 16));
+                };
+                for (int y = 0; y < 32; ++y)
+                    for (int x = 0; x < 32; ++x) map[{x, y}] = depth(glm::dvec2(x, y) + 0.5);
+                for (int k = 0; k < 50; ++k) {
+                    const glm::vec2 coord(place(random), place(random));
+                    const float receiver = biased(depth(coord), 0x1p-22f, filter.is_lit);
+                    dark_without += filter(clamped(map), coord, receiver) < 1.0f;
+                    dark += filter(on_receiver_plane(clamped(map), slope, coord, direction), coord, receiver) < 1.0f;
+                }
+            }
+            CHECK(dark == 0);
+            CHECK(dark_without > 3000);
+        }
+    });
+}

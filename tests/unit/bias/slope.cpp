@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <glm/geometric.hpp>
+
+#include <umbrage/bias/acne_free.hpp>
+#include <umbrage/bias/slope.hpp>
+#include <umbrage/light/directional_light.hpp>
+#include <umbrage/light/spot_light.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+#include "../light/clip_spaces.hpp"
+
+using namespace umbrage;
+
+namespace {
+
+/// A spot and a directional light for every clip space.
+template <class T>
+std::vector<light_space<T>> lights() {
+    using vec = glm::vec<3, T>;
+    std::vector<light_space<T>> all;
+    for (const clip_space clip : all_clip_spaces()) {
+        all.push_back(make_spot_light<T>(
+            {.position = vec(1, 5, 2), .direction = vec(T(-0.2), -1, T(0.3)), .z_near = 1, .z_far = 20, .clip = clip}));
+        all.push_back(
+            fit_directional_light<T>({.direction = vec(1, -2, T(0.5)), .low = vec(-3), .high = vec(3), .clip = clip}));
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("plane_slope: the plane through three projected points", T, float, double) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> coordinate(-1, 1), tilt(-1, 1);
+    double worst = 0;
+    for (const light_space<T>& light : lights<T>()) {
+        const glm::mat<4, 4, T> to_texels = texture_matrix(light, {512, 256});
+        const glm::mat<4, 4, T> planes = plane_matrix(to_texels);
+        for (int i = 0; i < 50; ++i) {
+            const glm::dvec3 p(coordinate(random), coordinate(random), coordinate(random));
+            const glm::dvec3 normal(tilt(random), 1.5, tilt(random));  // seen by every light at less than 80 degrees
+            const glm::dvec3 u = 0.1 * glm::normalize(glm::cross(normal, glm::dvec3(1, 0, 0.3)));
+            const glm::dvec3 v = 0.1 * glm::normalize(glm::cross(normal, u));
+            const glm::dvec3 a = through(to_texels, p), b = through(to_texels, p + u), c = through(to_texels, p + v);
+            const glm::dvec3 across = glm::cross(b - a, c - a);
+            const glm::dvec2 expected(-across.x / across.z, -across.y / across.z);
+            const auto got = plane_slope(planes, glm::vec<3, T>(normal), glm::vec<3, T>(p));
+            worst = worse(worst, glm::length(glm::dvec2(got) - expected) / glm::length(expected));
+        }
+    }
+    CHECK(worst < (sizeof(T) == 4 ? 1e-3 : 1e-9));
+}
+
+TEST_CASE_TEMPLATE("plane_slope, clamp_slope: edge-on, zero normal, NaN", T, float, double) {
+    using vec = glm::vec<3, T>;
+    const T inf = std::numeric_limits<T>::infinity(), nan = std::numeric_limits<T>::quiet_NaN();
+    const glm::mat<4, 4, T> identity(T(1));
+    using slope = glm::vec<2, T>;
+    CHECK(plane_slope(identity, vec(T(0.25), T(-0.5), 1), vec(7, 8, 9)) == slope(T(-0.25), T(0.5)));
+    CHECK(plane_slope(identity, vec(T(0.5), -1, 2), vec(7, 8, 9)) == slope(T(-0.25), T(0.5)));  // of any length
+    CHECK(glm::abs(plane_slope(identity, vec(1, -1, 0), vec(0))) == slope(2));                  // edge-on
+    for (vec bad : {vec(0), vec(nan), vec(inf), vec(0, nan, 1)}) {
+        const slope got = plane_slope(identity, bad, vec(1));
+        for (int i = 0; i < 2; ++i) CHECK((got[i] >= -2 && got[i] <= 2));
+        CHECK(acne_free_bias(got, T(0.5), T(0)) == 1);
+    }
+    for (T v : {T(2), T(3), inf, nan, -nan}) CHECK(clamp_slope(v) == 2);
+    for (T v : {T(-2), T(-3), -inf}) CHECK(clamp_slope(v) == -2);
+    CHECK(clamp_slope(T(-1.5)) == T(-1.5));
+}
+
+TEST_CASE("plane_matrix: what has no inverse") {
+    CHECK(complaint([] { static_cast<void>(plane_matrix(glm::mat4(0))); }) ==
+          "umbrage::plane_matrix: texture_matrix has no finite inverse");
+    glm::mat4 bad(1);
+    bad[2][1] = std::numeric_limits<float>::quiet_NaN();
+    CHECK(!complaint([&] { static_cast<void>(plane_matrix(bad)); }).empty());
+    bad[2][1] = std::numeric_limits<float>::infinity();
+    CHECK(!complaint([&] { static_cast<void>(plane_matrix(bad)); }).empty());
+}
+
+TEST_CASE_TEMPLATE("slope_bias: by hand, and at least acne_free_bias with twice the reach", T, float, double) {
+    using vec = glm::vec<2, T>;
+    CHECK(slope_bias(vec(T(0.125), T(-0.25)), T(2), T(0.125)) == T(0.625));
+    CHECK(slope_bias(vec(T(-0.25), T(0.125)), T(2), T(0.125)) == T(0.625));
+    CHECK(slope_bias(vec(T(0.25)), T(-2), T(0.125)) == 0);
+    CHECK(slope_bias(vec(1), T(1), T(1)) == 1);
+    const T inf = std::numeric_limits<T>::infinity(), nan = std::numeric_limits<T>::quiet_NaN();
+    for (vec bad : {vec(nan, 0), vec(0, nan), vec(inf, 0), vec(0, -inf), vec(nan)})
+        CHECK(slope_bias(bad, T(1), T(0)) == 1);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<T> steep(T(-0.1), T(0.1)), texels(T(0.5), T(4));
+    for (int i = 0; i < 10000; ++i) {
+        const vec slope(steep(random), steep(random));
+        const T reach = texels(random);
+        CHECK(slope_bias(slope, T(2) * reach, T(0x1p-22)) >= acne_free_bias(slope, reach, T(0)));
+    }
+}
