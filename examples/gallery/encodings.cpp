@@ -19,7 +19,7 @@ namespace {
 using namespace example;
 namespace glsl = umbrage::glsl;
 
-/// What writes and reads it, in an order in which all of them together are a shader.
+/// What writes and reads it.
 template <class Encoding>
 std::vector<glsl::snippet> snippets_of(const Encoding& encoding) {
     if (encoding.writes == umbrage::written::depth) return {glsl::fetch_clamped, glsl::fetch_depth};
@@ -31,15 +31,6 @@ std::vector<glsl::snippet> snippets_of(const Encoding& encoding) {
     all.push_back(*encoding.reader);
     all.push_back(glsl::fetch_depth);
     return all;
-}
-
-/// For shaders whose filters read such a map.
-template <class Encoding>
-std::string fetching_of(const Encoding& encoding) {
-    if (encoding.writes == umbrage::written::depth) return {};
-    const std::string channels = "." + std::string("xyzw").substr(0, sizeof(typename Encoding::texel));
-    return fetching("umbrage_" + std::string(encoding.reader->name),
-                    channels + (umbrage::has_edge<Encoding> ? ", 1.0" : ""));
 }
 
 }  // namespace
@@ -100,7 +91,7 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
              {"pixels other than with exact depth", std::to_string(other)},
              {text("encode %s, best of 5", square(system.map_size).c_str()), text("%.2f ms", map.encode_ms)},
              {"decode, best of 5", text("%.2f ms", map.decode_ms)}},
-            together_and_alone(snippets_of(encoding), fetching_of(encoding)));
+            together_and_alone(snippets_of(encoding), glsl::stored_as(encoding)));
     });
 }
 

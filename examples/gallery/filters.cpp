@@ -22,7 +22,7 @@ namespace glsl = umbrage::glsl;
 template <class Filter>
 void add_filter(page& page, const settings& o, const std::filesystem::path& folder, std::string_view id,
                 std::string_view title, std::string_view about, Filter filter, float reach,
-                std::vector<glsl::snippet> snippets) {
+                const std::vector<glsl::snippet>& snippets) {
     shadow_system system = radeon_8500;
     system.map_size = 256;
     system.lift = std::numbers::sqrt2_v<float> * (reach + 1.0f / 128);  // to the corner of what the filter reads
@@ -64,7 +64,7 @@ void add_filter(page& page, const settings& o, const std::filesystem::path& fold
                 {"levels in this picture", std::to_string(different)},
                 {text("%.0f receivers, best of 5", count), text("%.3f ms", ms)},
                 {"each", text("%.1f ns", ms * 1e6 / count)}},
-               together_and_alone(std::move(snippets)));
+               together_and_alone(snippets));
 }
 
 /// A summary as a sentence.

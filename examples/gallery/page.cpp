@@ -69,9 +69,9 @@ std::string text_of(const code& c) {
     std::string text;
     for (glsl::version v : glsl::versions) {
         bool supported = true;
-        for (const glsl::snippet& s : c.snippets) supported = supported && glsl::supports(s, v);
+        for (const glsl::bound& s : c.snippets) supported = supported && glsl::supports(s, v);
         if (!supported) continue;
-        const std::string source = glsl::source(v, c.snippets, c.preamble),
+        const std::string source = glsl::source(v, c.snippets),
                           first = "#version " + std::string(glsl::directive(v)) + '\n';
         if (!source.starts_with(first) || (!text.empty() && source.substr(first.size()) != text))
             throw std::logic_error(c.label + " differs between dialects by more than #version");
@@ -95,9 +95,14 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-std::vector<code> together_and_alone(std::vector<glsl::snippet> snippets, std::string preamble) {
+std::vector<code> together_and_alone(const std::vector<glsl::snippet>& snippets, const glsl::binding& map) {
     std::vector<code> out;
-    if (snippets.size() > 1) out.push_back({"all of these together", snippets, std::move(preamble)});
+    if (snippets.size() > 1) {
+        code all{"all of these together", {snippets.begin(), snippets.end()}};
+        if (map != glsl::binding())
+            for (glsl::bound& b : all.snippets) b = bind(b.what, "", map);
+        out.push_back(std::move(all));
+    }
     for (const glsl::snippet& s : snippets) out.push_back({std::string(s.name), {s}});
     return out;
 }
@@ -140,12 +145,13 @@ int page::number_of(const code& c) {
     const auto [at, fresh] = numbers_.try_emplace(c.label + '\n' + text, static_cast<int>(numbers_.size()));
     if (fresh) {
         std::size_t lowest = 0;
-        while (!std::ranges::all_of(c.snippets,
-                                    [&](const glsl::snippet& s) { return supports(s, glsl::versions[lowest]); }))
+        while (
+            !std::ranges::all_of(c.snippets, [&](const glsl::bound& s) { return supports(s, glsl::versions[lowest]); }))
             ++lowest;
         texts_ += "<script type=\"text/plain\" id=\"text-" + std::to_string(at->second) + "\" data-label=\"" +
                   escaped(c.label) + "\" data-lowest=\"" + std::to_string(lowest) + "\" data-tier=\"" +
-                  (c.snippets.size() == 1 ? escaped(tier_of(c.snippets.front())) : "") + "\">" + text + "</script>\n";
+                  (c.snippets.size() == 1 ? escaped(tier_of(c.snippets.front().what)) : "") + "\">" + text +
+                  "</script>\n";
     }
     return at->second;
 }

@@ -35,13 +35,12 @@ struct number {
 /// Text to copy.
 struct code {
     std::string label;
-    std::vector<umbrage::glsl::snippet> snippets;
-    std::string preamble{};  ///< see umbrage::glsl::source
+    std::vector<umbrage::glsl::bound> snippets;
 };
 
-/// A choice of each snippet alone, after all of them together.
-[[nodiscard]] std::vector<code> together_and_alone(std::vector<umbrage::glsl::snippet> snippets,
-                                                   std::string preamble = {});
+/// A choice of each snippet alone, after all of them together, for a map of some kind.
+[[nodiscard]] std::vector<code> together_and_alone(const std::vector<umbrage::glsl::snippet>& snippets,
+                                                   const umbrage::glsl::binding& map = {});
 
 /// Text as HTML.
 [[nodiscard]] std::string escaped(std::string_view text);

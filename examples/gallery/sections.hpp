@@ -58,11 +58,4 @@ template <class... Values>
     return side_by_side(channels);
 }
 
-/// @param decode    GLSL function of the texels' channels, e.g. "umbrage_decode_rg11"
-/// @param channels  what it takes, e.g. ".xy, 1.0"
-[[nodiscard]] inline std::string fetching(const std::string& decode, const std::string& channels) {
-    return "#define UMBRAGE_FETCH(map, size, texel) " + decode + "(umbrage_fetch_clamped(map, size, texel)" + channels +
-           ")\n";
-}
-
 }  // namespace gallery

@@ -30,10 +30,11 @@ picture coloured(const umbrage::image<float>& depth, int edge) {
 struct description {
     std::string text;
     std::vector<glsl::snippet> snippets;
-    std::string preamble{};
+    glsl::binding map{};
 };
 
-/// Decoders come before the filters that fetch through them.
+const glsl::binding as_ps14{.depth = "umbrage_decode_ps14(value.xy)", .channels = 2, .needs = {glsl::decode_ps14}};
+
 const std::map<std::string_view, description> descriptions{
     {"radeon_8500",
      {"The card of 2001 had 8 bits a channel. A look-up texture of 2048 texels spread 11 bits of depth over two of "
@@ -42,7 +43,7 @@ const std::map<std::string_view, description> descriptions{
       {glsl::shadow_coordinate, glsl::tap_coordinate, glsl::project_coordinate, glsl::linear_depth,
        glsl::encode_rg_table<11>, glsl::decode_ps14, glsl::receiver_ps14, glsl::four_tap, glsl::spot_cone,
        glsl::diffuse_ambient},
-      fetching("umbrage_decode_ps14", ".xy")}},
+      as_ps14}},
     {"dx_sdk",
      {"Microsoft's sample: a spot light with a cone, z/w in a float texture, an epsilon, four comparisons and their "
       "bilinear "
@@ -61,7 +62,7 @@ const std::map<std::string_view, description> descriptions{
       "both fetch from it, and equal texels mean light. Shadow darkens the lit picture.",
       {glsl::shadow_coordinate, glsl::project_coordinate, glsl::encode_rg_table<11>, glsl::decode_ps14, glsl::hard,
        glsl::diffuse_ambient},
-      fetching("umbrage_decode_ps14", ".xy")}}};
+      as_ps14}}};
 
 void add_system(page& page, const settings& o, const std::filesystem::path& folder, const shadow_system& system) {
     const options with{.output = folder,
@@ -136,7 +137,7 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
     if (!map.channels.empty())
         figures.push_back({page.picture(packed(map, depth, edge / 2)), "The map as stored: R, G"});
     const description& d = descriptions.at(system.name);
-    page.entry(system.name, system.title, d.text, figures, numbers, together_and_alone(d.snippets, d.preamble));
+    page.entry(system.name, system.title, d.text, figures, numbers, together_and_alone(d.snippets, d.map));
 }
 
 }  // namespace

@@ -22,9 +22,11 @@ using example::shadow_system;
 using glsl::version;
 using snippets = std::vector<glsl::snippet>;
 
-snippets joined(std::initializer_list<snippets> lists) {
-    snippets all;
-    for (const snippets& list : lists) all.insert(all.end(), list.begin(), list.end());
+/// All of them, for a shader's one map.
+std::vector<glsl::bound> joined(std::initializer_list<snippets> lists, const glsl::binding& map = {}) {
+    std::vector<glsl::bound> all;
+    for (const snippets& list : lists)
+        for (const glsl::snippet& s : list) all.push_back(bind(s, "", map));
     return all;
 }
 
@@ -32,34 +34,28 @@ snippets joined(std::initializer_list<snippets> lists) {
 std::string vertex(version v, const snippets& uses, std::string_view rest) {
     return glsl::source(v, uses, v == version::v100 ? "" : "#define attribute in\n#define varying out\n").append(rest);
 }
-std::string fragment(version v, const snippets& uses, const std::string& macros, std::string_view rest) {
+std::string fragment(version v, const std::vector<glsl::bound>& uses, std::string_view rest) {
     const std::string words =
         v == version::v100
             ? "precision highp float;\nprecision highp sampler2D;\n#define fragment_colour gl_FragColor\n"
             : "#define varying in\nout vec4 fragment_colour;\n";
-    return glsl::source(v, uses, words + macros).append(rest);
+    return glsl::source(v, uses, words).append(rest);
 }
 
-/// How a system writes the map, and reads it: as its encoding does, or through the look-up texture of 2048 x 1 texels
-/// and pixel shader 1.4's r / 8 + g.
+/// How a system writes the map, an expression of `depth`, and reads it: as its encoding does, or through the look-up
+/// texture of 2048 x 1 texels and pixel shader 1.4's r / 8 + g.
 struct storage {
-    snippets writers, readers;
-    std::string write, read;  ///< expressions of `depth` and of `stored`
+    snippets writers;
+    std::string write;
+    glsl::binding map;
 };
 storage storage_of(const shadow_system& s) {
     if (s.receiver != example::receiver_kind::plain)
         return {{glsl::encode_rg_table<11>, glsl::to_unorm},
-                {glsl::decode_ps14},
                 "vec4(umbrage_to_unorm(umbrage_encode_rg11_table(table, depth)), 0.0, 0.0)",
-                "umbrage_decode_ps14((stored).xy)"};
+                {.depth = "umbrage_decode_ps14(value.xy)", .channels = 2, .needs = {glsl::decode_ps14}}};
     const stored_as e = encoding_called(s.encoding);
-    return {e.writers(), e.readers(), e.write("depth"), e.read("(stored)")};
-}
-
-/// UMBRAGE_FETCH: what filters read of the map.
-std::string fetch_macro(const storage& how) {
-    return "#define DECODED(stored) " + how.read +
-           "\n#define UMBRAGE_FETCH(map, size, texel) DECODED(umbrage_fetch_clamped(map, size, texel))\n";
+    return {e.writers(), e.write("depth"), e.map};
 }
 
 /// map_depth(z): the system's kind of depth from z/w in [0, 1]; planes are z_near, z_far, 1 / z_far.
@@ -113,14 +109,13 @@ void main() {
 
 /// depth_here(): the map's depth at a corner's place, nearest texel.
 std::string overlay_head(const shadow_system& s, version v, const snippets& more) {
-    const stored_as e = encoding_called(s.encoding);  // whatever way the system itself reads it
-    return fragment(v, joined({e.readers(), {glsl::fetch_clamped, glsl::saturate}, more}), "", R"GLSL(
+    const glsl::binding map = encoding_called(s.encoding).map;  // whatever way the system itself reads it
+    return fragment(v, joined({{glsl::fetch_depth, glsl::saturate}, more}, map), R"GLSL(
 uniform sampler2D map;
 uniform vec2 map_size;
 varying vec2 at;
-float depth_here() {
-    vec4 stored = umbrage_fetch_clamped(map, map_size, floor(vec2(at.x, 1.0 - at.y) * map_size));
-    return )GLSL" + e.read("stored") + ";\n}\n");
+float depth_here() { return umbrage_fetch_depth(map, map_size, floor(vec2(at.x, 1.0 - at.y) * map_size)); }
+)GLSL");
 }
 
 }  // namespace
@@ -136,7 +131,7 @@ void main() {
     gl_Position = light_to_clip * vec4(position, 1.0);
 }
 )GLSL"),
-            fragment(v, joined({how.writers, depth_snippets, {glsl::project_coordinate}}), "",
+            fragment(v, joined({how.writers, depth_snippets, {glsl::project_coordinate}}),
                      "uniform sampler2D table;\nvarying vec4 coordinate;\n" + map_depth(s) + R"GLSL(
 void main() {
     float depth = map_depth(umbrage_project_coordinate(coordinate).z);
@@ -169,12 +164,11 @@ void main() {
 )GLSL");
     out.fragment = fragment(v,
                             joined({how.writers,
-                                    how.readers,
                                     filter.uses,
                                     depth_snippets,
                                     {glsl::receiver_ps14, glsl::shadow_coordinate, glsl::project_coordinate,
-                                     glsl::spot_cone, glsl::diffuse_ambient}}),
-                            fetch_macro(how),
+                                     glsl::spot_cone, glsl::diffuse_ambient}},
+                                   how.map),
                             R"GLSL(
 varying vec3 world, world_normal, world_face;
 varying vec4 surface_colour;  // alpha: 1 on the floor
@@ -270,7 +264,7 @@ void main() {
     gl_Position = vec4(at.x - 1.0, 1.0 - at.y, 0.0, 1.0);
 }
 )GLSL"),
-            fragment(v, {}, "", "uniform vec4 ink;\nvoid main() { fragment_colour = ink; }\n")};
+            fragment(v, {}, "uniform vec4 ink;\nvoid main() { fragment_colour = ink; }\n")};
 }
 
 }  // namespace viewer

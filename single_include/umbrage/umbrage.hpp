@@ -9004,6 +9004,7 @@ struct texture_words {
     std::string_view lit_filtered{};                 ///< those around the point `at`, weighted by the sampler: float
     std::string_view size{};                         ///< of the texture: vec2
     std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
+    snippet_span needs{};                            ///< what these words call
 };
 
 /// What there is to know of a language.
@@ -9160,7 +9161,8 @@ public:
         for (bound& item : items_) {
             if (item.by_macros) item.map = one;
             for (const bound& other : items)
-                if (!item.by_macros && item.suffix == other.suffix && !(item.map == other.map))
+                if (!item.by_macros && item.suffix == other.suffix && !(item.map == other.map) &&
+                    (!other.by_macros || is_of_map(other.what)))
                     umbrage::detail::fail("umbrage::glsl::text: two maps have one name:" + item.suffix);
         }
         if (language_.macros && !one.needs.empty()) text_ += language_.scaled_macro;
@@ -9171,7 +9173,7 @@ public:
         for (const bool of_map : {false, true})
             for (const bound& item : items_) {
                 for (const snippet& need : item.map.needs) add(need, item, of_map);
-                if (item.map.texture == texture::cube) add(cube_direction, item, of_map);
+                for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map);
                 add(item.what, item, of_map);
             }
         return std::move(text_);
@@ -9282,7 +9284,8 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
 #else
     return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));
 #endif
-)GLSL"};
+)GLSL",
+                    .needs = list<&cube_direction>};
         case texture::integer:
             return {.parameters = "UMBRAGE_HIGHP usampler2D map",
                     .arguments = "map",
@@ -9787,7 +9790,8 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
                     .arguments = "map, map_sampler, face",
                     .texel =
                         "map.SampleLevel(map_sampler, umbrage_cube_direction(face, (at + 0.5) / "
-                        "UMBRAGE_TEXTURE_SIZE), 0.0)"};
+                        "UMBRAGE_TEXTURE_SIZE), 0.0)",
+                    .needs = glsl::list<&glsl::cube_direction>};
         case integer:
             return {.parameters = "Texture2D<uint4> map",
                     .arguments = "map",
@@ -10675,7 +10679,8 @@ namespace detail {
                     .arguments = "map, map_sampler, face",
                     .texel =
                         "textureSampleLevel(map, map_sampler, umbrage_cube_direction(face, (at + 0.5) / "
-                        "UMBRAGE_TEXTURE_SIZE), 0.0)"};
+                        "UMBRAGE_TEXTURE_SIZE), 0.0)",
+                    .needs = glsl::list<&glsl::cube_direction>};
         case texture::integer:
             return {.parameters = "map: texture_2d<u32>",
                     .arguments = "map",

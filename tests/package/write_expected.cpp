@@ -87,6 +87,7 @@ void write(std::ostream& out) {
              bind(glsl::box, "tile", {.texture = glsl::texture::atlas, .outside_lit = true}),
              bind(glsl::hard, "lamp", {.texture = glsl::texture::cube}), glsl::cube_coordinate});
         add(out, l, {bind(glsl::hard, "", {})});
+        add(out, l, {bind(glsl::hard, "", glsl::stored_as(umbrage::rg<11>{})), glsl::cube_coordinate});
         add(out, l, {glsl::hard, glsl::hard});
         add(out, l, {});
         add(out, l,

@@ -95,7 +95,7 @@ std::string words(const glsl::detail::texture_words& w) {
     add("size", w.size);
     add("sampler", w.sampler);
     add("sampler_argument", w.sampler_argument);
-    return out + " }";
+    return out + ", needs: " + list(w.needs) + " }";
 }
 
 template <class Use>

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include <umbrage/shader/bind.hpp>
-#include <umbrage/light/cube_map.hpp>
 #include <umbrage/shader/hooks.hpp>
 #include <umbrage/shader/translate/layout.hpp>
 #include <umbrage/version.hpp>
@@ -29,6 +28,7 @@ struct texture_words {
     std::string_view lit_filtered{};                 ///< those around the point `at`, weighted by the sampler: float
     std::string_view size{};                         ///< of the texture: vec2
     std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
+    snippet_span needs{};                            ///< what these words call
 };
 
 /// What there is to know of a language.
@@ -185,7 +185,8 @@ public:
         for (bound& item : items_) {
             if (item.by_macros) item.map = one;
             for (const bound& other : items)
-                if (!item.by_macros && item.suffix == other.suffix && !(item.map == other.map))
+                if (!item.by_macros && item.suffix == other.suffix && !(item.map == other.map) &&
+                    (!other.by_macros || is_of_map(other.what)))
                     umbrage::detail::fail("umbrage::glsl::text: two maps have one name:" + item.suffix);
         }
         if (language_.macros && !one.needs.empty()) text_ += language_.scaled_macro;
@@ -196,7 +197,7 @@ public:
         for (const bool of_map : {false, true})
             for (const bound& item : items_) {
                 for (const snippet& need : item.map.needs) add(need, item, of_map);
-                if (item.map.texture == texture::cube) add(cube_direction, item, of_map);
+                for (const snippet* need : language_.texture(item.map.texture).needs) add(*need, item, of_map);
                 add(item.what, item, of_map);
             }
         return std::move(text_);

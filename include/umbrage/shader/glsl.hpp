@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <umbrage/config.hpp>
+#include <umbrage/light/cube_map.hpp>
 #include <umbrage/shader/compose.hpp>
 
 namespace umbrage::glsl {
@@ -75,7 +76,8 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
 #else
     return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));
 #endif
-)GLSL"};
+)GLSL",
+                    .needs = list<&cube_direction>};
         case texture::integer:
             return {.parameters = "UMBRAGE_HIGHP usampler2D map",
                     .arguments = "map",

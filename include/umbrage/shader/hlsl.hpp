@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 
+#include <umbrage/light/cube_map.hpp>
 #include <umbrage/shader/compose.hpp>
 #include <umbrage/shader/translate/word_by_word.hpp>
 
@@ -68,7 +69,8 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
                     .arguments = "map, map_sampler, face",
                     .texel =
                         "map.SampleLevel(map_sampler, umbrage_cube_direction(face, (at + 0.5) / "
-                        "UMBRAGE_TEXTURE_SIZE), 0.0)"};
+                        "UMBRAGE_TEXTURE_SIZE), 0.0)",
+                    .needs = glsl::list<&glsl::cube_direction>};
         case integer:
             return {.parameters = "Texture2D<uint4> map",
                     .arguments = "map",

@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 
+#include <umbrage/light/cube_map.hpp>
 #include <umbrage/shader/compose.hpp>
 #include <umbrage/shader/translate/layout.hpp>
 #include <umbrage/shader/translate/wgsl_function.hpp>
@@ -58,7 +59,8 @@ namespace detail {
                     .arguments = "map, map_sampler, face",
                     .texel =
                         "textureSampleLevel(map, map_sampler, umbrage_cube_direction(face, (at + 0.5) / "
-                        "UMBRAGE_TEXTURE_SIZE), 0.0)"};
+                        "UMBRAGE_TEXTURE_SIZE), 0.0)",
+                    .needs = glsl::list<&glsl::cube_direction>};
         case texture::integer:
             return {.parameters = "map: texture_2d<u32>",
                     .arguments = "map",

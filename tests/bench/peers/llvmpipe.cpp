@@ -33,13 +33,10 @@ GLuint stage(GLenum kind, const std::string& text) {
 }
 
 GLuint program(bool packed) {
-    const std::string fetch = packed ? "#define UMBRAGE_FETCH(map, size, texel) "
-                                       "umbrage_decode_rg11(umbrage_fetch_clamped(map, size, texel).xy, 0.0)\n"
-                                     : "";
+    using namespace umbrage;
+    const glsl::binding map = packed ? glsl::stored_as(rg<11>{.edge = lower_edge<float>}) : glsl::binding();
     const std::string fragment =
-        umbrage::glsl::source(umbrage::glsl::version::v300_es,
-                              {umbrage::glsl::decode_rg<11>, umbrage::glsl::fetch_clamped, umbrage::glsl::pcf_2x2},
-                              fetch) +
+        glsl::source(glsl::version::v300_es, {bind(glsl::pcf_2x2, "", map)}) +
         "uniform highp sampler2D map, receivers;\n"
         "out highp vec4 visibility;\n"
         "void main() {\n"

@@ -40,21 +40,21 @@ std::vector<job> jobs(const std::string& folder) {
         "#define textureShadow(name, at) texture(name, at)\n#define saturate(v) clamp(v, 0.0, 1.0)\n" +
         text("playcanvas_shadow");
 
-    // A packed map to a filter of ours: how a texel becomes a depth.
-    const auto fetch = [](const std::string& decoded) {
-        return "#define UMBRAGE_FETCH(map, size, texel) " + decoded + "\n";
+    // A packed map to a filter of ours.
+    const auto read_by = [](std::string depth, int channels, std::vector<snippet> needs = {}) {
+        return glsl::binding{.depth = std::move(depth), .channels = channels, .needs = std::move(needs)};
     };
-    const std::string texel = "umbrage_fetch_clamped(map, size, texel)";
-    const std::string rg11 = fetch("umbrage_decode_rg11(" + texel + ".xy, 1.0)");
-    const std::string level = fetch("umbrage_level_rg11(" + texel + ".xy)");
-    const auto by_level = [](const snippet& filter) {
-        return std::vector<glsl::bound>{glsl::level_rg<11>, glsl::receiver_rg<11>, filter};
+    const glsl::binding rg11 = glsl::stored_as(umbrage::rg<11>{});
+    const glsl::binding level = read_by("umbrage_level_rg11(value.xy)", 2, {glsl::level_rg<11>});
+    const glsl::binding ps14 = read_by("umbrage_decode_ps14(value.xy)", 2, {glsl::decode_ps14});
+    const glsl::binding threejs_rg = read_by("unpackRGToDepth(value.xy)", 2);
+    const glsl::binding threejs_rgba = read_by("unpackRGBAToDepth(value)", 4);
+    const glsl::binding babylon_rgba = read_by("unpack(value)", 4);
+    const glsl::binding playcanvas_rgba = read_by("uint2float(value)", 4);
+    const auto filter = [](const snippet& of, const glsl::binding& map) { return bind(of, "", map); };
+    const auto by_level = [&](const snippet& of) {
+        return std::vector<glsl::bound>{glsl::receiver_rg<11>, filter(of, level)};
     };
-    const std::string ps14 = fetch("umbrage_decode_ps14(" + texel + ".xy)");
-    const std::string threejs_rg = text("three") + fetch("unpackRGToDepth(" + texel + ".xy)");
-    const std::string threejs_rgba = text("three") + fetch("unpackRGBAToDepth(" + texel + ")");
-    const std::string babylon_rgba = text("babylon") + fetch("unpack(" + texel + ")");
-    const std::string playcanvas_rgba = text("playcanvas") + fetch("uint2float(" + texel + ")");
     const std::string pcf = "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, x1.z))";
     const auto taps = [](const std::string& receiver) {
         return "vec4(umbrage_four_tap(map, map_size, x1.xy - 0.5, x1.xy + vec2(0.5, -0.5), "
@@ -62,8 +62,8 @@ std::vector<job> jobs(const std::string& folder) {
                receiver + "))";
     };
     const std::string receiver = "umbrage_receiver_rg11(x1.z, 1.0)";
-    const glsl::binding levels{
-        .gather = true, .depth = "umbrage_level_rg11(value.xy)", .channels = 2, .needs = {glsl::level_rg<11>}};
+    glsl::binding gathered = level;
+    gathered.gather = true;
 
     return {
         {"nothing", {{us, "nothing", "", {}, "x0"}}},
@@ -119,9 +119,8 @@ std::vector<job> jobs(const std::string& folder) {
          {{us, "float_bits", "", {glsl::decode_float_bits}, "vec4(umbrage_decode_float_bits(x0))"},
           {playcanvas, "uint2float", text("playcanvas"), {}, "vec4(uint2float(x0))"}}},
         {"hard, packed map",
-         {{us, "rg11 by level", level, by_level(glsl::hard),
-           "vec4(umbrage_hard(map, map_size, x1.xy, " + receiver + "))"},
-          {us, "rg11", rg11, {glsl::decode_rg<11>, glsl::hard}, "vec4(umbrage_hard(map, map_size, x1.xy, x1.z))"},
+         {{us, "rg11 by level", "", by_level(glsl::hard), "vec4(umbrage_hard(map, map_size, x1.xy, " + receiver + "))"},
+          {us, "rg11", "", {filter(glsl::hard, rg11)}, "vec4(umbrage_hard(map, map_size, x1.xy, x1.z))"},
           {babylon,
            "computeShadow",
            babylon_shadow,
@@ -135,31 +134,35 @@ std::vector<job> jobs(const std::string& folder) {
            {},
            "vec4(getShadow(map, map_size, 1.0, 0.0, 1.0, vec4(x0.xyz, 1.0)))"}}},
         {"four taps, packed map",
-         {{us, "rg11 by level", level, by_level(glsl::four_tap), taps(receiver)},
-          {us, "rg11", rg11, {glsl::decode_rg<11>, glsl::four_tap}, taps("x1.z")},
+         {{us, "rg11 by level", "", by_level(glsl::four_tap), taps(receiver)},
+          {us, "rg11", "", {filter(glsl::four_tap, rg11)}, taps("x1.z")},
           {babylon,
            "computeShadowWithPoissonSampling",
            babylon_shadow,
            {},
            "vec4(computeShadowWithPoissonSampling(vec4(x0.xyz, 1.0), x0.z, map, 1.0 / map_size.x, 0.0, 0.0))"}}},
         {"2x2 PCF, packed map",
-         {{us, "rg11 by level", level, by_level(glsl::pcf_2x2),
+         {{us, "rg11 by level", "", by_level(glsl::pcf_2x2),
            "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, " + receiver + "))"},
-          {us, "rg11", rg11, {glsl::decode_rg<11>, glsl::pcf_2x2}, pcf},
+          {us, "rg11", "", {filter(glsl::pcf_2x2, rg11)}, pcf},
           {us,
            "rg11 by level, gathered",
            "",
-           {glsl::receiver_rg<11>, bind(glsl::pcf_2x2, "gathered", levels)},
-           "vec4(umbrage_pcf_2x2_gathered(map, map_size, x1.xy, " + receiver + "))"},
+           {glsl::receiver_rg<11>, filter(glsl::pcf_2x2, gathered)},
+           "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, " + receiver + "))"},
           {us,
            "ps14",
-           ps14,
-           {glsl::decode_ps14, glsl::receiver_ps14, glsl::pcf_2x2},
+           "",
+           {glsl::receiver_ps14, filter(glsl::pcf_2x2, ps14)},
            "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, umbrage_receiver_ps14(x1.z)))"},
-          {three, "unpackRGToDepth in the same filter", threejs_rg, {glsl::pcf_2x2}, pcf},
-          {three, "unpackRGBAToDepth in the same filter", threejs_rgba, {glsl::pcf_2x2}, pcf},
-          {babylon, "unpack in the same filter", babylon_rgba, {glsl::pcf_2x2}, pcf},
-          {playcanvas, "uint2float in the same filter", playcanvas_rgba, {glsl::pcf_2x2}, pcf}}},
+          {three, "unpackRGToDepth in the same filter", text("three"), {filter(glsl::pcf_2x2, threejs_rg)}, pcf},
+          {three, "unpackRGBAToDepth in the same filter", text("three"), {filter(glsl::pcf_2x2, threejs_rgba)}, pcf},
+          {babylon, "unpack in the same filter", text("babylon"), {filter(glsl::pcf_2x2, babylon_rgba)}, pcf},
+          {playcanvas,
+           "uint2float in the same filter",
+           text("playcanvas"),
+           {filter(glsl::pcf_2x2, playcanvas_rgba)},
+           pcf}}},
         {"2x2 PCF, depth map",  // the peers leave the filter to the sampler, whose work no instruction shows
          {{us, "pcf_2x2", "", {glsl::pcf_2x2}, pcf},
           {us,
@@ -188,13 +191,9 @@ std::vector<job> jobs(const std::string& folder) {
            {},
            "vec4(getShadowPCF1x1(depth_map, x0.xyz, x1))"}}},
         {"soft, 3x3 texels and about",
-         {{us, "box, r = 1, rg11 by level", level, by_level(glsl::box),
+         {{us, "box, r = 1, rg11 by level", "", by_level(glsl::box),
            "vec4(umbrage_box(map, map_size, x1.xy, " + receiver + ", 1))"},
-          {us,
-           "box, r = 1, rg11",
-           rg11,
-           {glsl::decode_rg<11>, glsl::box},
-           "vec4(umbrage_box(map, map_size, x1.xy, x1.z, 1))"},
+          {us, "box, r = 1, rg11", "", {filter(glsl::box, rg11)}, "vec4(umbrage_box(map, map_size, x1.xy, x1.z, 1))"},
           {three,
            "getShadow, 5 taps by the sampler",
            "#define SHADOWMAP_TYPE_PCF\n" + three_shadow,
@@ -211,13 +210,9 @@ std::vector<job> jobs(const std::string& folder) {
            {},
            "vec4(getShadowPCF3x3(depth_map, x0.xyz, vec4(map_size, 0.0, 0.0)))"}}},
         {"soft, 5x5 texels",
-         {{us, "box, r = 2, rg11 by level", level, by_level(glsl::box),
+         {{us, "box, r = 2, rg11 by level", "", by_level(glsl::box),
            "vec4(umbrage_box(map, map_size, x1.xy, " + receiver + ", 2))"},
-          {us,
-           "box, r = 2, rg11",
-           rg11,
-           {glsl::decode_rg<11>, glsl::box},
-           "vec4(umbrage_box(map, map_size, x1.xy, x1.z, 2))"},
+          {us, "box, r = 2, rg11", "", {filter(glsl::box, rg11)}, "vec4(umbrage_box(map, map_size, x1.xy, x1.z, 2))"},
           {babylon,
            "computeShadowWithPCF5, by the sampler",
            babylon_shadow,

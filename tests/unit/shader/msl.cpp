@@ -41,6 +41,9 @@ TEST_CASE("msl: a filter's map is a texture, and one with a sampler where sample
     CHECK(sun.find("    float lit = umbrage_lit_sun(map, map_sampler, layer, size, texel, receiver);\n") != sun.npos);
     CHECK(sun.find("map.sample_compare(map_sampler, (texel + 0.5) / size, uint(layer), receiver, metal::level(0.0))") !=
           sun.npos);
+    const std::string lamp = msl::text({glsl::bind(glsl::hard, "lamp", {.texture = glsl::texture::cube})});
+    CHECK(lamp.find("    return map.read(uint2(texel), uint(face));\n") != lamp.npos);
+    CHECK(lamp.find("cube_direction") == lamp.npos);  // which other languages need
 }
 
 TEST_CASE("msl: columns of a matrix, and bits") {
