@@ -257,6 +257,12 @@ export const lit_2x2: Snippet;
 export const compare_dx_sdk: Snippet;
 /** current < stored + epsilon is lit */
 export const compare_exercise: Snippet;
+/** weighted count of lit texels under a window of 3 x 3 */
+export const window_sum3: Snippet;
+/** weighted count of lit texels under a window of 5 x 5 */
+export const window_sum5: Snippet;
+/** weighted count of lit texels under a window of 7 x 7 */
+export const window_sum7: Snippet;
 /** nearest texel, one test */
 export const hard: Snippet;
 /** mean of four taps with coordinates of their own */
@@ -271,6 +277,24 @@ export const box_count: Snippet;
 export const box_scale: Snippet;
 /** lit share of a box of radius 0..8 */
 export const box: Snippet;
+/** sliding window 1 1 */
+export const tent2: Snippet;
+/** sliding window 1 2 1 */
+export const tent3: Snippet;
+/** quadratic B-spline of 3 x 3 texels */
+export const quadratic_b_spline: Snippet;
+/** sliding window 1 4 6 4 1 */
+export const binomial5: Snippet;
+/** sliding window 5 16 22 16 5 */
+export const castano_dyadic5: Snippet;
+/** sliding window 1 3 4 3 1 */
+export const castano5: Snippet;
+/** sliding window 1 6 15 20 15 6 1 */
+export const binomial7: Snippet;
+/** sliding window 1 2 3 4 3 2 1 */
+export const tent7: Snippet;
+/** sliding window 1 5 12 16 12 5 1 */
+export const castano7: Snippet;
 /** 2x2 by a comparison sampler with a linear filter */
 export const pcf_2x2_hardware: Snippet;
 /** texels across a light as world units */

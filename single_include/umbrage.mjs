@@ -1093,6 +1093,129 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
     return current < limit ? 1.0 : 0.0;
 }
 `,
+            "window_sum3": `
+// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k0);
+    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
+    UMBRAGE_HIGHP vec2 w2 = floor(r * k0 + s * k1);
+    UMBRAGE_HIGHP vec2 w3 = floor(s * k0);
+    UMBRAGE_HIGHP vec2 w1 = whole - (w0 + w2 + w3);
+    UMBRAGE_HIGHP vec2 first = texel - 1.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    return compared ? n : whole * whole;
+}
+`,
+            "window_sum5": `
+// umbrage_window_sum5: weighted count of the lit texels under 5 x 5 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k1 + k0);
+    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
+    UMBRAGE_HIGHP vec2 w1 = floor(r * k1 + s * k0);
+    UMBRAGE_HIGHP vec2 w3 = floor(r * k1 + s * k2);
+    UMBRAGE_HIGHP vec2 w4 = floor(r * k0 + s * k1);
+    UMBRAGE_HIGHP vec2 w5 = floor(s * k0);
+    UMBRAGE_HIGHP vec2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
+    UMBRAGE_HIGHP vec2 first = texel - 2.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, first + vec2(4.0, 0.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    return compared ? n : whole * whole;
+}
+`,
+            "window_sum7": `
+// umbrage_window_sum7: weighted count of the lit texels under 7 x 7 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2, UMBRAGE_HIGHP float k3) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
+    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
+    UMBRAGE_HIGHP vec2 w1 = floor(r * k1 + s * k0);
+    UMBRAGE_HIGHP vec2 w2 = floor(r * k2 + s * k1);
+    UMBRAGE_HIGHP vec2 w4 = floor(r * k2 + s * k3);
+    UMBRAGE_HIGHP vec2 w5 = floor(r * k1 + s * k2);
+    UMBRAGE_HIGHP vec2 w6 = floor(r * k0 + s * k1);
+    UMBRAGE_HIGHP vec2 w7 = floor(s * k0);
+    UMBRAGE_HIGHP vec2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
+    UMBRAGE_HIGHP vec2 first = texel - 3.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, first + vec2(4.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, first + vec2(6.0, 0.0), receiver);
+    UMBRAGE_HIGHP float n = 0.0;
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 2.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 4.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 6.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 6.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 6.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 6.0), receiver);
+    n += w6.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w7.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    return compared ? n : whole * whole;
+}
+`,
             "hard": `
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -1206,6 +1329,128 @@ UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAG
                                 UMBRAGE_HIGHP float receiver, int radius) {
     UMBRAGE_HIGHP float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
     return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
+}
+`,
+            "tent2": `
+// umbrage_tent2: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_tent2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                               UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 r = 256.0 - s;
+    UMBRAGE_HIGHP vec2 w0 = r * 8.0;
+    UMBRAGE_HIGHP vec2 w2 = s * 8.0;
+    UMBRAGE_HIGHP vec2 w1 = 4096.0 - w0 - w2;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
+    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, -1.0), receiver);
+    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
+    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(-1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float e = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
+    UMBRAGE_HIGHP float f = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
+    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    return compared ? n * (1.0 / 16777216.0) : 1.0;
+}
+`,
+            "tent3": `
+// umbrage_tent3: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_tent3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "quadratic_b_spline": `
+// umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_quadratic_b_spline(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                               UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 r = 256.0 - s;
+    UMBRAGE_HIGHP vec2 w0 = floor(r * r * (1.0 / 32.0));
+    UMBRAGE_HIGHP vec2 w2 = floor(s * s * (1.0 / 32.0));
+    UMBRAGE_HIGHP vec2 w1 = 4096.0 - w0 - w2;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
+    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, -1.0), receiver);
+    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
+    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(-1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float e = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
+    UMBRAGE_HIGHP float f = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
+    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    return compared ? n * (1.0 / 16777216.0) : 1.0;
+}
+`,
+            "binomial5": `
+// umbrage_binomial5: lit share under 5 x 5 weights, 1 4 6 4 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_binomial5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 4.0, 6.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "castano_dyadic5": `
+// umbrage_castano_dyadic5: lit share under 5 x 5 weights, 5 16 22 16 5, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_castano_dyadic5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "castano5": `
+// umbrage_castano5: lit share under 5 x 5 weights, 1 3 4 3 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_castano5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 3.0, 4.0);
+    return n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0;
+}
+`,
+            "binomial7": `
+// umbrage_binomial7: lit share under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_binomial7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 0.25, 1.5, 3.75, 5.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "tent7": `
+// umbrage_tent7: lit share under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_tent7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 1.0, 2.0, 3.0, 4.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "castano7": `
+// umbrage_castano7: lit share under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_castano7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum7(map, size, coord, receiver, 64.0, 1.0, 5.0, 12.0, 16.0);
+    return n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0;
 }
 `,
             "pcf_2x2_hardware": `
@@ -2372,6 +2617,125 @@ float umbrage_compare_exercise(float current, float stored, float epsilon) {
     return current < limit ? 1.0 : 0.0;
 }
 `,
+            "window_sum3": `
+// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0, float k1) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = floor(x * (1.0 / 256.0));
+    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 r = steps - s;
+    float whole = steps * (k0 + k1 + k0);
+    float2 w0 = floor(r * k0);
+    float2 w2 = floor(r * k0 + s * k1);
+    float2 w3 = floor(s * k0);
+    float2 w1 = whole - (w0 + w2 + w3);
+    float2 first = texel - 1.0;
+    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
+    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + float2(2.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    return compared ? n : whole * whole;
+}
+`,
+            "window_sum5": `
+// umbrage_window_sum5: weighted count of the lit texels under 5 x 5 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0, float k1,
+                          float k2) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = floor(x * (1.0 / 256.0));
+    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 r = steps - s;
+    float whole = steps * (k0 + k1 + k2 + k1 + k0);
+    float2 w0 = floor(r * k0);
+    float2 w1 = floor(r * k1 + s * k0);
+    float2 w3 = floor(r * k1 + s * k2);
+    float2 w4 = floor(r * k0 + s * k1);
+    float2 w5 = floor(s * k0);
+    float2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
+    float2 first = texel - 2.0;
+    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
+    float4 c = umbrage_lit_2x2(map, size, first + float2(4.0, 0.0), receiver);
+    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + float2(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + float2(4.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    a = umbrage_lit_2x2(map, size, first + float2(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + float2(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + float2(4.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    return compared ? n : whole * whole;
+}
+`,
+            "window_sum7": `
+// umbrage_window_sum7: weighted count of the lit texels under 7 x 7 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0, float k1,
+                          float k2, float k3) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = floor(x * (1.0 / 256.0));
+    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 r = steps - s;
+    float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
+    float2 w0 = floor(r * k0);
+    float2 w1 = floor(r * k1 + s * k0);
+    float2 w2 = floor(r * k2 + s * k1);
+    float2 w4 = floor(r * k2 + s * k3);
+    float2 w5 = floor(r * k1 + s * k2);
+    float2 w6 = floor(r * k0 + s * k1);
+    float2 w7 = floor(s * k0);
+    float2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
+    float2 first = texel - 3.0;
+    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
+    float4 c = umbrage_lit_2x2(map, size, first + float2(4.0, 0.0), receiver);
+    float4 d = umbrage_lit_2x2(map, size, first + float2(6.0, 0.0), receiver);
+    float n = 0.0;
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + float2(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + float2(4.0, 2.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + float2(6.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + float2(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + float2(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + float2(4.0, 4.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + float2(6.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + float2(0.0, 6.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + float2(2.0, 6.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + float2(4.0, 6.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + float2(6.0, 6.0), receiver);
+    n += w6.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w7.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    return compared ? n : whole * whole;
+}
+`,
             "hard": `
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -2478,6 +2842,119 @@ float umbrage_box_scale(int radius) {
 float umbrage_box(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, int radius) {
     float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
     return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
+}
+`,
+            "tent2": `
+// umbrage_tent2: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+float umbrage_tent2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = floor(x * (1.0 / 256.0));
+    float2 s = x - texel * 256.0;
+    float2 r = 256.0 - s;
+    float2 w0 = r * 8.0;
+    float2 w2 = s * 8.0;
+    float2 w1 = 4096.0 - w0 - w2;
+    float4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
+    float b = umbrage_lit(map, size, texel + float2(1.0, -1.0), receiver);
+    float c = umbrage_lit(map, size, texel + float2(1.0, 0.0), receiver);
+    float d = umbrage_lit(map, size, texel + float2(-1.0, 1.0), receiver);
+    float e = umbrage_lit(map, size, texel + float2(0.0, 1.0), receiver);
+    float f = umbrage_lit(map, size, texel + float2(1.0, 1.0), receiver);
+    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
+    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    return compared ? n * (1.0 / 16777216.0) : 1.0;
+}
+`,
+            "tent3": `
+// umbrage_tent3: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+float umbrage_tent3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float n = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "quadratic_b_spline": `
+// umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+float umbrage_quadratic_b_spline(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = floor(x * (1.0 / 256.0));
+    float2 s = x - texel * 256.0;
+    float2 r = 256.0 - s;
+    float2 w0 = floor(r * r * (1.0 / 32.0));
+    float2 w2 = floor(s * s * (1.0 / 32.0));
+    float2 w1 = 4096.0 - w0 - w2;
+    float4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
+    float b = umbrage_lit(map, size, texel + float2(1.0, -1.0), receiver);
+    float c = umbrage_lit(map, size, texel + float2(1.0, 0.0), receiver);
+    float d = umbrage_lit(map, size, texel + float2(-1.0, 1.0), receiver);
+    float e = umbrage_lit(map, size, texel + float2(0.0, 1.0), receiver);
+    float f = umbrage_lit(map, size, texel + float2(1.0, 1.0), receiver);
+    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
+    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    return compared ? n * (1.0 / 16777216.0) : 1.0;
+}
+`,
+            "binomial5": `
+// umbrage_binomial5: lit share under 5 x 5 weights, 1 4 6 4 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+float umbrage_binomial5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 4.0, 6.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "castano_dyadic5": `
+// umbrage_castano_dyadic5: lit share under 5 x 5 weights, 5 16 22 16 5, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+float umbrage_castano_dyadic5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "castano5": `
+// umbrage_castano5: lit share under 5 x 5 weights, 1 3 4 3 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+float umbrage_castano5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 3.0, 4.0);
+    return n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0;
+}
+`,
+            "binomial7": `
+// umbrage_binomial7: lit share under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+float umbrage_binomial7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 0.25, 1.5, 3.75, 5.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "tent7": `
+// umbrage_tent7: lit share under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+float umbrage_tent7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 1.0, 2.0, 3.0, 4.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "castano7": `
+// umbrage_castano7: lit share under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+float umbrage_castano7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float n = umbrage_window_sum7(map, size, coord, receiver, 64.0, 1.0, 5.0, 12.0, 16.0);
+    return n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0;
 }
 `,
             "pcf_2x2_hardware": `
@@ -3614,6 +4091,126 @@ inline float umbrage_compare_exercise(float current, float stored, float epsilon
     return current < limit ? 1.0 : 0.0;
 }
 `,
+            "window_sum3": `
+// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+inline float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
+                                 float k1) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = metal::floor(x * (1.0 / 256.0));
+    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 r = steps - s;
+    float whole = steps * (k0 + k1 + k0);
+    float2 w0 = metal::floor(r * k0);
+    float2 w2 = metal::floor(r * k0 + s * k1);
+    float2 w3 = metal::floor(s * k0);
+    float2 w1 = whole - (w0 + w2 + w3);
+    float2 first = texel - 1.0;
+    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
+    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + float2(2.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    return compared ? n : whole * whole;
+}
+`,
+            "window_sum5": `
+// umbrage_window_sum5: weighted count of the lit texels under 5 x 5 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+inline float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
+                                 float k1, float k2) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = metal::floor(x * (1.0 / 256.0));
+    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 r = steps - s;
+    float whole = steps * (k0 + k1 + k2 + k1 + k0);
+    float2 w0 = metal::floor(r * k0);
+    float2 w1 = metal::floor(r * k1 + s * k0);
+    float2 w3 = metal::floor(r * k1 + s * k2);
+    float2 w4 = metal::floor(r * k0 + s * k1);
+    float2 w5 = metal::floor(s * k0);
+    float2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
+    float2 first = texel - 2.0;
+    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
+    float4 c = umbrage_lit_2x2(map, size, first + float2(4.0, 0.0), receiver);
+    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + float2(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + float2(4.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    a = umbrage_lit_2x2(map, size, first + float2(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + float2(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + float2(4.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    return compared ? n : whole * whole;
+}
+`,
+            "window_sum7": `
+// umbrage_window_sum7: weighted count of the lit texels under 7 x 7 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+inline float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
+                                 float k1, float k2, float k3) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = metal::floor(x * (1.0 / 256.0));
+    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 r = steps - s;
+    float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
+    float2 w0 = metal::floor(r * k0);
+    float2 w1 = metal::floor(r * k1 + s * k0);
+    float2 w2 = metal::floor(r * k2 + s * k1);
+    float2 w4 = metal::floor(r * k2 + s * k3);
+    float2 w5 = metal::floor(r * k1 + s * k2);
+    float2 w6 = metal::floor(r * k0 + s * k1);
+    float2 w7 = metal::floor(s * k0);
+    float2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
+    float2 first = texel - 3.0;
+    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
+    float4 c = umbrage_lit_2x2(map, size, first + float2(4.0, 0.0), receiver);
+    float4 d = umbrage_lit_2x2(map, size, first + float2(6.0, 0.0), receiver);
+    float n = 0.0;
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + float2(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + float2(4.0, 2.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + float2(6.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + float2(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + float2(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + float2(4.0, 4.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + float2(6.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + float2(0.0, 6.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + float2(2.0, 6.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + float2(4.0, 6.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + float2(6.0, 6.0), receiver);
+    n += w6.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w7.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    return compared ? n : whole * whole;
+}
+`,
             "hard": `
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -3720,6 +4317,119 @@ inline float umbrage_box_scale(int radius) {
 inline float umbrage_box(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, int radius) {
     float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
     return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
+}
+`,
+            "tent2": `
+// umbrage_tent2: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+inline float umbrage_tent2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = metal::floor(x * (1.0 / 256.0));
+    float2 s = x - texel * 256.0;
+    float2 r = 256.0 - s;
+    float2 w0 = r * 8.0;
+    float2 w2 = s * 8.0;
+    float2 w1 = 4096.0 - w0 - w2;
+    float4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
+    float b = umbrage_lit(map, size, texel + float2(1.0, -1.0), receiver);
+    float c = umbrage_lit(map, size, texel + float2(1.0, 0.0), receiver);
+    float d = umbrage_lit(map, size, texel + float2(-1.0, 1.0), receiver);
+    float e = umbrage_lit(map, size, texel + float2(0.0, 1.0), receiver);
+    float f = umbrage_lit(map, size, texel + float2(1.0, 1.0), receiver);
+    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
+    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    return compared ? n * (1.0 / 16777216.0) : 1.0;
+}
+`,
+            "tent3": `
+// umbrage_tent3: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+inline float umbrage_tent3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float n = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "quadratic_b_spline": `
+// umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+inline float umbrage_quadratic_b_spline(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = metal::floor(x * (1.0 / 256.0));
+    float2 s = x - texel * 256.0;
+    float2 r = 256.0 - s;
+    float2 w0 = metal::floor(r * r * (1.0 / 32.0));
+    float2 w2 = metal::floor(s * s * (1.0 / 32.0));
+    float2 w1 = 4096.0 - w0 - w2;
+    float4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
+    float b = umbrage_lit(map, size, texel + float2(1.0, -1.0), receiver);
+    float c = umbrage_lit(map, size, texel + float2(1.0, 0.0), receiver);
+    float d = umbrage_lit(map, size, texel + float2(-1.0, 1.0), receiver);
+    float e = umbrage_lit(map, size, texel + float2(0.0, 1.0), receiver);
+    float f = umbrage_lit(map, size, texel + float2(1.0, 1.0), receiver);
+    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
+    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    return compared ? n * (1.0 / 16777216.0) : 1.0;
+}
+`,
+            "binomial5": `
+// umbrage_binomial5: lit share under 5 x 5 weights, 1 4 6 4 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+inline float umbrage_binomial5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 4.0, 6.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "castano_dyadic5": `
+// umbrage_castano_dyadic5: lit share under 5 x 5 weights, 5 16 22 16 5, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+inline float umbrage_castano_dyadic5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "castano5": `
+// umbrage_castano5: lit share under 5 x 5 weights, 1 3 4 3 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+inline float umbrage_castano5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float n = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 3.0, 4.0);
+    return n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0;
+}
+`,
+            "binomial7": `
+// umbrage_binomial7: lit share under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+inline float umbrage_binomial7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 0.25, 1.5, 3.75, 5.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "tent7": `
+// umbrage_tent7: lit share under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+inline float umbrage_tent7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float n = umbrage_window_sum7(map, size, coord, receiver, 256.0, 1.0, 2.0, 3.0, 4.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "castano7": `
+// umbrage_castano7: lit share under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+inline float umbrage_castano7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float n = umbrage_window_sum7(map, size, coord, receiver, 64.0, 1.0, 5.0, 12.0, 16.0);
+    return n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0;
 }
 `,
             "pcf_2x2_hardware": `
@@ -4857,6 +5567,125 @@ fn umbrage_compare_exercise(current: f32, stored: f32, epsilon: f32) -> f32 {
     return select(0.0, 1.0, current < limit);
 }
 `,
+            "window_sum3": `
+// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+fn umbrage_window_sum3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let r: vec2f = steps - s;
+    let whole: f32 = steps * (k0 + k1 + k0);
+    let w0: vec2f = floor(r * k0);
+    let w2: vec2f = floor(r * k0 + s * k1);
+    let w3: vec2f = floor(s * k0);
+    let w1: vec2f = whole - (w0 + w2 + w3);
+    let first: vec2f = texel - 1.0;
+    var a: vec4f = umbrage_lit_2x2(map, size, first, receiver);
+    var b: vec4f = umbrage_lit_2x2(map, size, first + vec2f(2.0, 0.0), receiver);
+    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2f(2.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    return select(whole * whole, n, compared);
+}
+`,
+            "window_sum5": `
+// umbrage_window_sum5: weighted count of the lit texels under 5 x 5 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+fn umbrage_window_sum5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32,
+                       k2: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let r: vec2f = steps - s;
+    let whole: f32 = steps * (k0 + k1 + k2 + k1 + k0);
+    let w0: vec2f = floor(r * k0);
+    let w1: vec2f = floor(r * k1 + s * k0);
+    let w3: vec2f = floor(r * k1 + s * k2);
+    let w4: vec2f = floor(r * k0 + s * k1);
+    let w5: vec2f = floor(s * k0);
+    let w2: vec2f = whole - (w0 + w1 + w3 + w4 + w5);
+    let first: vec2f = texel - 2.0;
+    var a: vec4f = umbrage_lit_2x2(map, size, first, receiver);
+    var b: vec4f = umbrage_lit_2x2(map, size, first + vec2f(2.0, 0.0), receiver);
+    var c: vec4f = umbrage_lit_2x2(map, size, first + vec2f(4.0, 0.0), receiver);
+    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2f(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2f(4.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2f(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2f(4.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    return select(whole * whole, n, compared);
+}
+`,
+            "window_sum7": `
+// umbrage_window_sum7: weighted count of the lit texels under 7 x 7 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+fn umbrage_window_sum7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32, k2: f32,
+                       k3: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let r: vec2f = steps - s;
+    let whole: f32 = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
+    let w0: vec2f = floor(r * k0);
+    let w1: vec2f = floor(r * k1 + s * k0);
+    let w2: vec2f = floor(r * k2 + s * k1);
+    let w4: vec2f = floor(r * k2 + s * k3);
+    let w5: vec2f = floor(r * k1 + s * k2);
+    let w6: vec2f = floor(r * k0 + s * k1);
+    let w7: vec2f = floor(s * k0);
+    let w3: vec2f = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
+    let first: vec2f = texel - 3.0;
+    var a: vec4f = umbrage_lit_2x2(map, size, first, receiver);
+    var b: vec4f = umbrage_lit_2x2(map, size, first + vec2f(2.0, 0.0), receiver);
+    var c: vec4f = umbrage_lit_2x2(map, size, first + vec2f(4.0, 0.0), receiver);
+    var d: vec4f = umbrage_lit_2x2(map, size, first + vec2f(6.0, 0.0), receiver);
+    var n: f32 = 0.0;
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2f(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2f(4.0, 2.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2f(6.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2f(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2f(4.0, 4.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2f(6.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 6.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2f(2.0, 6.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2f(4.0, 6.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2f(6.0, 6.0), receiver);
+    n += w6.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w7.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    return select(whole * whole, n, compared);
+}
+`,
             "hard": `
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -4963,6 +5792,119 @@ fn umbrage_box_scale(radius: i32) -> f32 {
 fn umbrage_box(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: i32) -> f32 {
     let visibility: f32 = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
     return select(1.0, visibility, visibility < 0.999);  // 121 times the rounded 1/121 is not 1
+}
+`,
+            "tent2": `
+// umbrage_tent2: lit share of 3 x 3 texels, the window 1 1; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_tent2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let s: vec2f = x - texel * 256.0;
+    let r: vec2f = 256.0 - s;
+    let w0: vec2f = r * 8.0;
+    let w2: vec2f = s * 8.0;
+    let w1: vec2f = 4096.0 - w0 - w2;
+    let a: vec4f = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
+    let b: f32 = umbrage_lit(map, size, texel + vec2f(1.0, -1.0), receiver);
+    let c: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 0.0), receiver);
+    let d: f32 = umbrage_lit(map, size, texel + vec2f(-1.0, 1.0), receiver);
+    let e: f32 = umbrage_lit(map, size, texel + vec2f(0.0, 1.0), receiver);
+    let f: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 1.0), receiver);
+    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
+    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    return select(1.0, n * (1.0 / 16777216.0), compared);
+}
+`,
+            "tent3": `
+// umbrage_tent3: lit share under 3 x 3 weights, 1 2 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_tent3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let n: f32 = umbrage_window_sum3(map, size, coord, receiver, 256.0, 4.0, 8.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "quadratic_b_spline": `
+// umbrage_quadratic_b_spline: lit share of 3 x 3 texels, weighed by the quadratic B-spline; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_quadratic_b_spline(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let s: vec2f = x - texel * 256.0;
+    let r: vec2f = 256.0 - s;
+    let w0: vec2f = floor(r * r * (1.0 / 32.0));
+    let w2: vec2f = floor(s * s * (1.0 / 32.0));
+    let w1: vec2f = 4096.0 - w0 - w2;
+    let a: vec4f = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
+    let b: f32 = umbrage_lit(map, size, texel + vec2f(1.0, -1.0), receiver);
+    let c: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 0.0), receiver);
+    let d: f32 = umbrage_lit(map, size, texel + vec2f(-1.0, 1.0), receiver);
+    let e: f32 = umbrage_lit(map, size, texel + vec2f(0.0, 1.0), receiver);
+    let f: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 1.0), receiver);
+    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
+    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    return select(1.0, n * (1.0 / 16777216.0), compared);
+}
+`,
+            "binomial5": `
+// umbrage_binomial5: lit share under 5 x 5 weights, 1 4 6 4 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_binomial5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let n: f32 = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 4.0, 6.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "castano_dyadic5": `
+// umbrage_castano_dyadic5: lit share under 5 x 5 weights, 5 16 22 16 5, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_castano_dyadic5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let n: f32 = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.25, 4.0, 5.5);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "castano5": `
+// umbrage_castano5: lit share under 5 x 5 weights, 1 3 4 3 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_castano5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let n: f32 = umbrage_window_sum5(map, size, coord, receiver, 256.0, 1.0, 3.0, 4.0);
+    return select(1.0, n * (1.0 / 65536.0) * 0.00694444450, n < 9437184.0);
+}
+`,
+            "binomial7": `
+// umbrage_binomial7: lit share under 7 x 7 weights, 1 6 15 20 15 6 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_binomial7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let n: f32 = umbrage_window_sum7(map, size, coord, receiver, 256.0, 0.25, 1.5, 3.75, 5.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "tent7": `
+// umbrage_tent7: lit share under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_tent7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let n: f32 = umbrage_window_sum7(map, size, coord, receiver, 256.0, 1.0, 2.0, 3.0, 4.0);
+    return n * (1.0 / 16777216.0);
+}
+`,
+            "castano7": `
+// umbrage_castano7: lit share under 7 x 7 weights, 1 5 12 16 12 5 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_castano7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let n: f32 = umbrage_window_sum7(map, size, coord, receiver, 64.0, 1.0, 5.0, 12.0, 16.0);
+    return select(1.0, n * (1.0 / 4096.0) * 0.000369822490, n < 11075584.0);
 }
 `,
             "pcf_2x2_hardware": `
@@ -5432,6 +6374,9 @@ const rows = [
     ["lit_2x2", "lit_2x2", "comparisons with the 2x2 texels from one on", "a", 0, 0, "100", "lit_2x2", false, ["lit"]],
     ["compare_dx_sdk", "compare_dx_sdk", "stored + epsilon < receiver is shadow", "b", 0, 0, "100", "none", false, []],
     ["compare_exercise", "compare_exercise", "current < stored + epsilon is lit", "b", 0, 0, "100", "none", false, []],
+    ["window_sum3", "window_sum3", "weighted count of lit texels under a window of 3 x 3", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
+    ["window_sum5", "window_sum5", "weighted count of lit texels under a window of 5 x 5", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
+    ["window_sum7", "window_sum7", "weighted count of lit texels under a window of 7 x 7", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
     ["hard", "hard", "nearest texel, one test", "a", 0, 0, "100", "none", false, ["is_compared", "lit"]],
     ["four_tap", "four_tap", "mean of four taps with coordinates of their own", "a", 0, 0, "100", "none", false, ["lit", "beyond_far"]],
     ["pcf_2x2", "pcf_2x2", "bilinear 2x2, weights in steps of 1/256", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
@@ -5439,6 +6384,15 @@ const rows = [
     ["box_count", "box_count", "lit texels in a box of radius 0..8", "a", 0, 0, "100", "none", false, ["is_compared", "lit"]],
     ["box_scale", "box_scale", "1 / (2r+1)^2", "a", 0, 0, "100", "none", false, []],
     ["box", "box", "lit share of a box of radius 0..8", "b", 0, 0, "100", "none", false, ["box_count", "box_scale"]],
+    ["tent2", "tent2", "sliding window 1 1", "a", 0, 0, "100", "none", false, ["is_compared", "lit", "lit_2x2"]],
+    ["tent3", "tent3", "sliding window 1 2 1", "a", 0, 0, "100", "none", false, ["window_sum3"]],
+    ["quadratic_b_spline", "quadratic_b_spline", "quadratic B-spline of 3 x 3 texels", "a", 0, 0, "100", "none", false, ["is_compared", "lit", "lit_2x2"]],
+    ["binomial5", "binomial5", "sliding window 1 4 6 4 1", "a", 0, 0, "100", "none", false, ["window_sum5"]],
+    ["castano_dyadic5", "castano_dyadic5", "sliding window 5 16 22 16 5", "a", 0, 0, "100", "none", false, ["window_sum5"]],
+    ["castano5", "castano5", "sliding window 1 3 4 3 1", "b", 0, 0, "100", "none", false, ["window_sum5"]],
+    ["binomial7", "binomial7", "sliding window 1 6 15 20 15 6 1", "a", 0, 0, "100", "none", false, ["window_sum7"]],
+    ["tent7", "tent7", "sliding window 1 2 3 4 3 2 1", "a", 0, 0, "100", "none", false, ["window_sum7"]],
+    ["castano7", "castano7", "sliding window 1 5 12 16 12 5 1", "b", 0, 0, "100", "none", false, ["window_sum7"]],
     ["pcf_2x2_hardware", "pcf_2x2_hardware", "2x2 by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "pcf_2x2_hardware", false, ["pcf_2x2"]],
     ["texels_to_world", "texels_to_world", "texels across a light as world units", "b", 0, 0, "100", "none", false, []],
     ["clamp_bias", "clamp_bias", "clamp of a bias to [0, 1], NaN to 1", "a", 0, 0, "100", "none", false, []],
@@ -5510,4 +6464,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, inside_texel_space, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, pcf_2x2_hardware, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, inside_texel_space, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, pcf_2x2_hardware, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

@@ -17,17 +17,31 @@ template <class... Values>
 struct list_of {
     static constexpr std::size_t size = sizeof...(Values);
 
-    /// Calls use(value) with a value of each, one after the other.
+    /// Calls use(value) with a value of each, or with each of its `values`, one after the other.
     template <class Use>
     static constexpr void for_each(Use&& use) {
-        (use(Values{}), ...);
+        (each<Values>(use), ...);
     }
 
     /// Calls use(value) with the one of that name.
     /// @return   false where none is called so
     template <class Use>
     static constexpr bool with(std::string_view name, Use&& use) {
-        return ((Values::name == name ? (static_cast<void>(use(Values{})), true) : false) || ...);
+        bool found = false;
+        for_each([&](const auto& value) {
+            if (found || value.name != name) return;
+            found = true;
+            static_cast<void>(use(value));
+        });
+        return found;
+    }
+
+private:
+    template <class Value, class Use>
+    static constexpr void each(Use& use) {
+        if constexpr (requires { Value::values; })
+            for (const Value& value : Value::values) use(value);
+        else use(Value{});
     }
 };
 

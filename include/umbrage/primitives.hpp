@@ -35,6 +35,8 @@
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
+#include <umbrage/filter/pcf/window.hpp>
+#include <umbrage/filter/pcf/windows.hpp>
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/cube_map.hpp>

@@ -231,9 +231,11 @@ struct filled_text {
 struct constant {
     char key;  ///< `$key` in the text
     unsigned value;
+    std::string_view text{};  ///< in place of the value's digits
 };
 
-/// Replaces each `$key` by the decimal digits of its value. Plain arrays, for the sake of every user's compile time.
+/// Replaces each `$key` by the decimal digits of its value, or its text. Plain arrays, for the sake of every user's
+/// compile time.
 template <std::size_t Capacity, std::size_t Length>
 constexpr filled_text<Capacity> fill(const char (&text)[Length], std::initializer_list<constant> constants) {
     filled_text<Capacity> out;
@@ -246,6 +248,8 @@ constexpr filled_text<Capacity> fill(const char (&text)[Length], std::initialize
         ++i;
         for (const constant& c : constants) {
             if (c.key != text[i]) continue;
+            for (char letter : c.text) out.data[size++] = letter;
+            if (!c.text.empty()) continue;
             unsigned unit = 1;
             while (c.value / unit >= 10) unit *= 10;
             for (; unit > 0; unit /= 10) out.data[size++] = static_cast<char>('0' + c.value / unit % 10);
@@ -881,8 +885,8 @@ concept filter = std::copy_constructible<Filter> &&
 /// What a filter of the library tells of itself, for tools, tables and biases.
 template <class Filter>
 concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
-    { Filter::name } -> std::convertible_to<std::string_view>;         // a C++ identifier
-    { Filter::snippet } -> std::convertible_to<const glsl::snippet*>;  // of the same result
+    { f.name } -> std::convertible_to<std::string_view>;         // a C++ identifier
+    { f.snippet } -> std::convertible_to<const glsl::snippet*>;  // of the same result
     { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest point of its texels, an axis, in texels
     { f.is_lit(depth, depth) } -> std::same_as<bool>;  // the comparison, its direction inside
 };
@@ -3009,17 +3013,31 @@ template <class... Values>
 struct list_of {
     static constexpr std::size_t size = sizeof...(Values);
 
-    /// Calls use(value) with a value of each, one after the other.
+    /// Calls use(value) with a value of each, or with each of its `values`, one after the other.
     template <class Use>
     static constexpr void for_each(Use&& use) {
-        (use(Values{}), ...);
+        (each<Values>(use), ...);
     }
 
     /// Calls use(value) with the one of that name.
     /// @return   false where none is called so
     template <class Use>
     static constexpr bool with(std::string_view name, Use&& use) {
-        return ((Values::name == name ? (static_cast<void>(use(Values{})), true) : false) || ...);
+        bool found = false;
+        for_each([&](const auto& value) {
+            if (found || value.name != name) return;
+            found = true;
+            static_cast<void>(use(value));
+        });
+        return found;
+    }
+
+private:
+    template <class Value, class Use>
+    static constexpr void each(Use& use) {
+        if constexpr (requires { Value::values; })
+            for (const Value& value : Value::values) use(value);
+        else use(Value{});
     }
 };
 
@@ -4378,6 +4396,509 @@ inline constexpr auto pcf_2x2_hardware_snippets = list<&pcf_2x2_hardware>;
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/filter/pcf/window.hpp
+// Percentage-closer filtering under a window of weights that slides over the map in steps of 1/256 texel, so that
+// edges of shadows move as smoothly as receivers do.
+//
+//     float visibility = umbrage::tent<3>(umbrage::clamped(map), coord, depth - bias);  // 1 2 1, 4 x 4 texels
+//     constexpr umbrage::window_row row = umbrage::make_window_row(5, {1, 3, 8});
+//     float softer = umbrage::window(umbrage::clamped(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
+//
+// A window of n x n weights touches n + 1 texels an axis: each texel has its own weight and that of its neighbour, as
+// much of either as the window has moved. The library's rows of weights are in windows.hpp.
+
+namespace umbrage {
+
+inline constexpr int max_window = 15;
+
+/// A row of weights, the same along both axes, as make_window_row makes it.
+struct window_row {
+    int size;                   ///< how many weights
+    std::array<float, 8> half;  ///< from the edge to the middle one; the others mirror them
+    int steps;                  ///< of a texel
+    float whole;                ///< what the touched texels' weights along an axis add up to: steps times their sum
+    float scale;                ///< 1 / whole^2
+    double scale_of_doubles;    ///< the same
+    bool quadratic = false;     ///< of two weights, but those of the quadratic B-spline
+
+    [[nodiscard]] constexpr int touched() const { return size + 1; }  ///< texels along an axis
+    /// From a receiver to the farthest point of its texels, in texels; never attained.
+    [[nodiscard]] constexpr float reach() const { return static_cast<float>(size + 1) * 0.5f; }
+};
+
+/// A row of weights from what is to be told of it.
+/// @param size    weights, 1 .. 15
+/// @param half    from the edge to the middle one: size / 2 of them, rounded up; none is negative
+/// @param steps   of a texel, a power of two up to 256; times the sum of all weights it is a whole number up to 4096
+/// @throws std::invalid_argument  anything else
+[[nodiscard]] constexpr window_row make_window_row(int size, std::array<float, 8> half, int steps = 256) {
+    if (size < 1 || size > max_window) detail::fail("umbrage::make_window_row: size");
+    if (steps < 1 || steps > 256 || (steps & (steps - 1)) != 0) detail::fail("umbrage::make_window_row: steps");
+    float sum = 0.0f;
+    for (int i = 0; i < size; ++i) {
+        const float weight = half[static_cast<std::size_t>(i < size - 1 - i ? i : size - 1 - i)];
+        if (!(weight >= 0.0f)) detail::fail("umbrage::make_window_row: weights");
+        sum += weight;
+    }
+    const float whole = sum * static_cast<float>(steps);
+    if (!(whole >= 1.0f && whole <= 4096.0f) || whole != static_cast<float>(static_cast<int>(whole)))
+        detail::fail("umbrage::make_window_row: sum of the weights");
+    return {size, half, steps, whole, 1.0f / (whole * whole), 1.0 / (double(whole) * double(whole))};
+}
+
+/// Weights of the texels that a window touches along an axis, whole numbers that add up to row.whole.
+/// @param moved     by how much the window has moved, in 1/256 texel, 0 .. 255
+/// @param weights   row.touched() of them
+/// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the middle one has
+///                  what is left. Quadratic: floor((256 - s)^2 / 32), what is left, floor(s^2 / 32)
+template <real T>
+constexpr void window_weights(const window_row& row, int moved, T* weights) {
+    const auto k = [&](int i) {
+        const int mirrored = i < row.size - 1 - i ? i : row.size - 1 - i;
+        return mirrored < 0 ? 0.0f : row.half[static_cast<std::size_t>(mirrored)];  // beside the row
+    };
+    const int steps = row.steps, s = moved * steps / 256, middle = row.size / 2, ahead = 256 - moved;
+    int left = static_cast<int>(row.whole);
+    for (int i = 0; i <= row.size; ++i) {
+        if (i == middle) continue;
+        int weight = static_cast<int>(k(i) * static_cast<float>(steps - s) + k(i - 1) * static_cast<float>(s));
+        if (row.quadratic) weight = i == 0 ? ahead * ahead / 32 : moved * moved / 32;
+        weights[i] = static_cast<T>(weight);
+        left -= weight;
+    }
+    weights[middle] = static_cast<T>(left);
+}
+
+/// Weighted count of the lit texels under a window.
+///
+/// @param fetch      ivec2 texel -> stored depth; called row.touched()^2 times, texels may lie as far outside the map
+///                   as half of them
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: all lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param row        as make_window_row makes it
+/// @return           0 .. row.whole^2
+/// @formula          sum of w_i w_j [receiver <= fetch(first + (i, j))], w by window_weights; first = texel - size / 2,
+///                   where 256 texel + moved = floor(256 coord), less 128 for an odd size
+/// @exactness        A: whole numbers up to 2^24
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T window_sum(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
+                           Compare is_lit = {}) {
+    const T whole = static_cast<T>(row.whole);
+    if (!is_compared(coord, receiver, is_lit)) return whole * whole;
+    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(row.size % 2 ? 128 : 0);
+    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0)), moved = x - texel * T(256);
+    const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;
+    T columns[max_window + 1], rows[max_window + 1];
+    window_weights(row, static_cast<int>(moved.x), columns);
+    window_weights(row, static_cast<int>(moved.y), rows);
+    T sum(0);
+    for (int j = 0; j <= row.size; ++j) {
+        T in_row(0);
+        for (int i = 0; i <= row.size; ++i)
+            in_row += columns[i] * lit(fetch, first + glm::ivec2(i, j), receiver, is_lit);
+        sum += rows[j] * in_row;
+    }
+    return sum;
+}
+
+/// Lit share of a window; arguments as for window_sum.
+/// @return        visibility: 0 in shadow, 1 lit
+/// @formula       window_sum / row.whole^2
+/// @exactness     A where row.whole is a power of two; else B: the sum is exact, its product with row.scale rounds once
+/// @cite          Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T window(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row, Compare is_lit = {}) {
+    const T sum = window_sum(fetch, coord, receiver, row, is_lit), whole = static_cast<T>(row.whole);
+    if (!(sum < whole * whole)) return T(1);  // what a product of a rounded scale is only to nearest
+    if constexpr (std::same_as<T, double>) return sum * row.scale_of_doubles;
+    else return sum * row.scale;
+}
+
+namespace glsl {
+
+inline constexpr snippet window_sum3{
+    .name = "window_sum3",
+    .summary = "weighted count of lit texels under a window of 3 x 3",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &lit_2x2>,
+    .source = R"GLSL(
+// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k0);
+    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
+    UMBRAGE_HIGHP vec2 w2 = floor(r * k0 + s * k1);
+    UMBRAGE_HIGHP vec2 w3 = floor(s * k0);
+    UMBRAGE_HIGHP vec2 w1 = whole - (w0 + w2 + w3);
+    UMBRAGE_HIGHP vec2 first = texel - 1.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    return compared ? n : whole * whole;
+}
+)GLSL",
+};
+
+inline constexpr snippet window_sum5{
+    .name = "window_sum5",
+    .summary = "weighted count of lit texels under a window of 5 x 5",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &lit_2x2>,
+    .source = R"GLSL(
+// umbrage_window_sum5: weighted count of the lit texels under 5 x 5 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k1 + k0);
+    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
+    UMBRAGE_HIGHP vec2 w1 = floor(r * k1 + s * k0);
+    UMBRAGE_HIGHP vec2 w3 = floor(r * k1 + s * k2);
+    UMBRAGE_HIGHP vec2 w4 = floor(r * k0 + s * k1);
+    UMBRAGE_HIGHP vec2 w5 = floor(s * k0);
+    UMBRAGE_HIGHP vec2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
+    UMBRAGE_HIGHP vec2 first = texel - 2.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, first + vec2(4.0, 0.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    return compared ? n : whole * whole;
+}
+)GLSL",
+};
+
+inline constexpr snippet window_sum7{
+    .name = "window_sum7",
+    .summary = "weighted count of lit texels under a window of 7 x 7",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &lit_2x2>,
+    .source = R"GLSL(
+// umbrage_window_sum7: weighted count of the lit texels under 7 x 7 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2, UMBRAGE_HIGHP float k3) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
+    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
+    UMBRAGE_HIGHP vec2 w1 = floor(r * k1 + s * k0);
+    UMBRAGE_HIGHP vec2 w2 = floor(r * k2 + s * k1);
+    UMBRAGE_HIGHP vec2 w4 = floor(r * k2 + s * k3);
+    UMBRAGE_HIGHP vec2 w5 = floor(r * k1 + s * k2);
+    UMBRAGE_HIGHP vec2 w6 = floor(r * k0 + s * k1);
+    UMBRAGE_HIGHP vec2 w7 = floor(s * k0);
+    UMBRAGE_HIGHP vec2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
+    UMBRAGE_HIGHP vec2 first = texel - 3.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, first + vec2(4.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, first + vec2(6.0, 0.0), receiver);
+    UMBRAGE_HIGHP float n = 0.0;
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 2.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 4.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 6.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 6.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 6.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 6.0), receiver);
+    n += w6.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w7.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    return compared ? n : whole * whole;
+}
+)GLSL",
+};
+
+inline constexpr auto window_snippets = list<&window_sum3, &window_sum5, &window_sum7>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/pcf/windows.hpp
+// The library's sliding windows, as functions and as values of one filter:
+//
+//     float visibility = umbrage::binomial<5>(umbrage::clamped(map), coord, depth - bias);
+//     umbrage::visibility(map, encoding, receivers, umbrage::filters::binomial<5>, out);
+//
+//     tent<2>, tent<3>, tent<7>    1 1; 1 2 1; 1 2 3 4 3 2 1
+//     binomial<5>, binomial<7>     1 4 6 4 1; 1 6 15 20 15 6 1: near a Gaussian of 1.1 and 1.3 texels
+//     castano<5>, castano<7>       1 3 4 3 1; 1 5 12 16 12 5 1: what shaders merge into 9 and 16 filtered comparisons
+//     castano_dyadic<5>            5 16 22 16 5: within 1.7 % of castano<5>, and exact, as binomial<7> is to castano<7>
+//     quadratic_b_spline           of 3 x 3 texels: edges without a kink
+
+namespace umbrage {
+
+/// Rows with weights in sixteenths, so that what they add up to is a power of two. tent_row: each weight one step from
+/// its neighbours.
+template <int Size>
+inline constexpr window_row tent_row = [] {
+    static_assert(Size == 2 || Size == 3 || Size == 7, "of other sizes the weights add up to no power of two");
+    constexpr float step = Size == 2 ? 8.0f : (Size == 3 ? 4.0f : 1.0f);
+    return make_window_row(Size, {step, 2 * step, 3 * step, 4 * step});
+}();
+
+/// Binomial coefficients.
+template <int Size>
+inline constexpr window_row binomial_row = [] {
+    static_assert(Size == 5 || Size == 7);
+    return Size == 5 ? make_window_row(5, {1, 4, 6}) : make_window_row(7, {0.25f, 1.5f, 3.75f, 5});
+}();
+
+/// Castano's, whose sums are 12 and 52.
+template <int Size>
+inline constexpr window_row castano_row = [] {
+    static_assert(Size == 5 || Size == 7);
+    return Size == 5 ? make_window_row(5, {1, 3, 4}) : make_window_row(7, {1, 5, 12, 16}, 64);
+}();
+
+/// 5 16 22 16 5.
+template <int Size>
+inline constexpr window_row castano_dyadic_row = [] {
+    static_assert(Size == 5);
+    return make_window_row(5, {1.25f, 4, 5.5f});
+}();
+
+/// Weights (1 - f)^2 / 2, 3/4 - (f - 1/2)^2 and f^2 / 2 within 3.9e-4.
+inline constexpr window_row quadratic_b_spline_row = [] {
+    window_row row = make_window_row(2, {8});
+    row.quadratic = true;
+    return row;
+}();
+
+/// window() of the rows of that name; its arguments without the row.
+/// @exactness   A
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T tent(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, tent_row<Size>, is_lit);
+}
+/// @exactness   A
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T binomial(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, binomial_row<Size>, is_lit);
+}
+/// @exactness   B: window_sum is exact, its product with 1 / 144 or 1 / 2704 rounds once
+/// @cite        Castano: Shadow mapping summary, part 1, 2013
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T castano(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, castano_row<Size>, is_lit);
+}
+/// @exactness   A
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T castano_dyadic(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, castano_dyadic_row<Size>, is_lit);
+}
+/// @exactness   A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T quadratic_b_spline(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, quadratic_b_spline_row, is_lit);
+}
+
+namespace glsl {
+namespace detail {
+
+/// A row's text: window_sum with its numbers, and what becomes of it.
+constexpr filled_text<1024> window_text(std::string_view name, unsigned size, std::string_view weights,
+                                        std::string_view numbers, std::string_view share = "n * (1.0 / 16777216.0)") {
+    return fill<1024>(R"GLSL(
+// umbrage_$f$n: lit share under $n x $n weights, $w, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum$n(map, size, coord, receiver, $k);
+    return $s;
+}
+)GLSL",
+                      {{'f', 0, name}, {'n', size}, {'w', 0, weights}, {'k', 0, numbers}, {'s', 0, share}});
+}
+
+/// Of the windows of 3 x 3 texels: what the neighbours before and behind weigh, in 1/4096.
+constexpr filled_text<2048> text_3x3(std::string_view name, std::string_view what, std::string_view before,
+                                     std::string_view behind) {
+    return fill<2048>(R"GLSL(
+// umbrage_$f: lit share of 3 x 3 texels, $w; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                               UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 r = 256.0 - s;
+    UMBRAGE_HIGHP vec2 w0 = $b;
+    UMBRAGE_HIGHP vec2 w2 = $e;
+    UMBRAGE_HIGHP vec2 w1 = 4096.0 - w0 - w2;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
+    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, -1.0), receiver);
+    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
+    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(-1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float e = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
+    UMBRAGE_HIGHP float f = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
+    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    return compared ? n * (1.0 / 16777216.0) : 1.0;
+}
+)GLSL",
+                      {{'f', 0, name}, {'w', 0, what}, {'b', 0, before}, {'e', 0, behind}});
+}
+
+/// What a family's texts need, by the size of their window.
+template <int Size>
+inline constexpr auto window_needs = list<Size == 3 ? &window_sum3 : (Size == 5 ? &window_sum5 : &window_sum7)>;
+template <>
+inline constexpr auto window_needs<2> = list<&is_compared, &lit, &lit_2x2>;
+
+}  // namespace detail
+
+template <int Size>
+inline constexpr auto tent_text = [] {
+    if constexpr (Size == 2) return detail::text_3x3("tent2", "the window 1 1", "r * 8.0", "s * 8.0");
+    else if constexpr (Size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
+    else return detail::window_text("tent", 7, "1 2 3 4 3 2 1", "256.0, 1.0, 2.0, 3.0, 4.0");
+}();
+template <int Size>
+inline constexpr snippet tent{
+    .name = Size == 2 ? "tent2" : (Size == 3 ? "tent3" : "tent7"),
+    .summary = Size == 2 ? "sliding window 1 1" : (Size == 3 ? "sliding window 1 2 1" : "sliding window 1 2 3 4 3 2 1"),
+    .exactness = tier::a,
+    .needs = detail::window_needs<Size>,
+    .source = tent_text<Size>.view()};
+
+template <int Size>
+inline constexpr auto binomial_text = Size == 5
+                                          ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
+                                          : detail::window_text("binomial", 7, "1 6 15 20 15 6 1",
+                                                                "256.0, 0.25, 1.5, 3.75, 5.0");
+template <int Size>
+inline constexpr snippet binomial{.name = Size == 5 ? "binomial5" : "binomial7",
+                                  .summary = Size == 5 ? "sliding window 1 4 6 4 1" : "sliding window 1 6 15 20 15 6 1",
+                                  .exactness = tier::a,
+                                  .needs = detail::window_needs<Size>,
+                                  .source = binomial_text<Size>.view()};
+
+template <int Size>
+inline constexpr auto castano_text =
+    Size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
+                                    "n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0")
+              : detail::window_text("castano", 7, "1 5 12 16 12 5 1", "64.0, 1.0, 5.0, 12.0, 16.0",
+                                    "n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0");
+template <int Size>
+inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
+                                 .summary = Size == 5 ? "sliding window 1 3 4 3 1" : "sliding window 1 5 12 16 12 5 1",
+                                 .exactness = tier::b,
+                                 .needs = detail::window_needs<Size>,
+                                 .source = castano_text<Size>.view()};
+
+template <int Size>
+inline constexpr auto castano_dyadic_text = detail::window_text("castano_dyadic", 5, "5 16 22 16 5",
+                                                                "256.0, 1.25, 4.0, 5.5");
+template <int Size>
+inline constexpr snippet castano_dyadic{.name = "castano_dyadic5",
+                                        .summary = "sliding window 5 16 22 16 5",
+                                        .exactness = tier::a,
+                                        .needs = detail::window_needs<Size>,
+                                        .source = castano_dyadic_text<Size>.view()};
+
+inline constexpr auto quadratic_b_spline_text =
+    detail::text_3x3("quadratic_b_spline", "weighed by the quadratic B-spline", "floor(r * r * (1.0 / 32.0))",
+                     "floor(s * s * (1.0 / 32.0))");
+inline constexpr snippet quadratic_b_spline{.name = "quadratic_b_spline",
+                                            .summary = "quadratic B-spline of 3 x 3 texels",
+                                            .exactness = tier::a,
+                                            .needs = detail::window_needs<2>,
+                                            .source = quadratic_b_spline_text.view()};
+
+}  // namespace glsl
+
+namespace filters {
+
+/// A sliding window as a value: the library's by name below, or with a row of one's own.
+struct window {
+    window_row row = tent_row<3>;
+    comparison is_lit{};
+    std::string_view name = "window";
+    const glsl::snippet* snippet = nullptr;  ///< of the same result; none for rows of one's own
+
+    static const std::array<window, 9> values;  ///< the library's
+
+    [[nodiscard]] constexpr float reach() const { return row.reach(); }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::window(fetch, coord, receiver, row, is_lit);
+    }
+};
+
+template <int Size>
+inline constexpr window tent{tent_row<Size>, {}, glsl::tent<Size>.name, &glsl::tent<Size>};
+template <int Size>
+inline constexpr window binomial{binomial_row<Size>, {}, glsl::binomial<Size>.name, &glsl::binomial<Size>};
+template <int Size>
+inline constexpr window castano{castano_row<Size>, {}, glsl::castano<Size>.name, &glsl::castano<Size>};
+template <int Size>
+inline constexpr window castano_dyadic{
+    castano_dyadic_row<Size>, {}, glsl::castano_dyadic<Size>.name, &glsl::castano_dyadic<Size>};
+inline constexpr window quadratic_b_spline{
+    quadratic_b_spline_row, {}, glsl::quadratic_b_spline.name, &glsl::quadratic_b_spline};
+
+inline constexpr std::array<window, 9> window::values{
+    tent<2>, tent<3>, quadratic_b_spline, binomial<5>, castano_dyadic<5>, castano<5>, binomial<7>, tent<7>, castano<7>};
+
+}  // namespace filters
+}  // namespace umbrage
+
 // ---- umbrage/light/cube_map.hpp
 // Six square maps around a point light: which of them a direction meets and where, as textures of cubes have it, or as
 // six tiles of an atlas.
@@ -5287,6 +5808,26 @@ inline void sum_two_lanes(const plain_lanes<std::int32_t, Count>& first, const p
     }
 }
 
+/// Adds the weight to the lanes of a mask.
+template <int Count>
+inline void add_where(const plain_lanes<std::int32_t, Count>& mask, float weight, plain_lanes<float, Count>& sum) {
+    for (int i = 0; i < Count; ++i) sum[i] += masked(weight, mask[i]);
+}
+
+/// Adds products to a register of four, lane by lane and round about; none rounds.
+template <int Count>
+inline void add_products(const plain_lanes<float, Count>& a, const plain_lanes<float, Count>& b,
+                         plain_lanes<float, 4>& sums) {
+    for (int i = 0; i < Count; ++i) sums[i % 4] += a[i] * b[i];
+}
+
+/// The sum of the lanes of each of four registers.
+inline void sum_four_lanes(const plain_lanes<float, 4>& a, const plain_lanes<float, 4>& b,
+                           const plain_lanes<float, 4>& c, const plain_lanes<float, 4>& d,
+                           plain_lanes<float, 4>& sums) {
+    for (int k = 0; const auto* v : {&a, &b, &c, &d}) sums[k++] = (*v)[0] + (*v)[1] + (*v)[2] + (*v)[3];
+}
+
 #if defined(__GNUC__) || defined(__clang__)
 template <int... From, class Lanes>
 UMBRAGE_INLINE inline void shuffle(const Lanes& a, const Lanes& b, Lanes& result) {
@@ -5321,6 +5862,41 @@ UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count
     else lit = receiver >= stored;
     if constexpr (finite_math_only)
         lit &= (reinterpret_cast<lanes_of<std::int32_t, Count>>(stored) & 0x7FFFFFFF) <= 0x7F800000;
+}
+
+template <int Count>
+UMBRAGE_INLINE inline void add_where(const lanes_of<std::int32_t, Count>& mask, float weight,
+                                     lanes_of<float, Count>& sum) {
+    const lanes_of<std::int32_t, Count> weights = mask & detail::bit_cast<std::int32_t>(weight);
+    sum += reinterpret_cast<const lanes_of<float, Count>&>(weights);
+}
+
+template <int Count>
+UMBRAGE_INLINE inline void add_products(const lanes_of<float, Count>& a, const lanes_of<float, Count>& b,
+                                        lanes_of<float, 4>& sums) {
+    const lanes_of<float, Count> products = a * b;
+    lanes_of<float, 4> part;
+    std::memcpy(&part, &products, sizeof part);
+    sums += part;
+    if constexpr (Count == 8) {
+        std::memcpy(&part, reinterpret_cast<const char*>(&products) + sizeof part, sizeof part);
+        sums += part;
+    }
+}
+
+UMBRAGE_INLINE inline void sum_four_lanes(const lanes_of<float, 4>& a, const lanes_of<float, 4>& b,
+                                          const lanes_of<float, 4>& c, const lanes_of<float, 4>& d,
+                                          lanes_of<float, 4>& sums) {
+    lanes_of<float, 4> even, odd, first, second;
+    shuffle<0, 4, 1, 5>(a, b, even);
+    shuffle<2, 6, 3, 7>(a, b, odd);
+    first = even + odd;
+    shuffle<0, 4, 1, 5>(c, d, even);
+    shuffle<2, 6, 3, 7>(c, d, odd);
+    second = even + odd;
+    shuffle<0, 1, 4, 5>(first, second, even);
+    shuffle<2, 3, 6, 7>(first, second, odd);
+    sums = even + odd;
 }
 
 /// The nearer depth of each lane, but what is there where it is a NaN, or where `outside` is negative.
@@ -6422,6 +6998,145 @@ struct block_form<filters::pcf_2x2> {
 
 }  // namespace umbrage::detail
 
+// ---- umbrage/simd/blocks/window.hpp
+// Sliding windows over blocks of receivers, for any row of weights: a register holds a row of the window's texels, each
+// row adds its weight to the lanes that are lit, and the columns' weights are taken last.
+
+namespace umbrage::detail {
+
+/// window_weights for all that a window can have moved; 0 beside it.
+struct window_table {
+    alignas(64) float of[256][16]{};
+
+    explicit window_table(const window_row& row) {
+        for (int moved = 0; moved < 256; ++moved) window_weights(row, moved, of[moved]);
+    }
+};
+
+template <depth_direction Direction>
+struct window_blocks {
+    using test = block_test<Direction>;
+    struct placed {
+        alignas(64) std::int32_t x[block], y[block], offsets[block];  ///< first texel of the window
+        alignas(64) std::int32_t moved_x[block], moved_y[block], inside[block], compared[block];
+        alignas(64) float z[block];
+        std::int32_t all_inside;  ///< all bits if registers can be loaded for every window
+    };
+    image_view<const float> map;
+    const window_row& row;
+    const window_table& weights;
+
+    [[nodiscard]] UMBRAGE_INLINE int loaded() const { return row.touched() > 8 ? 16 : 8; }  ///< of a row of texels
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
+        const texel_bytes memory(map);
+        const int before = row.size / 2, half = row.size % 2 ? 128 : 0;
+        const int last_x = map.size.x - loaded(), last_y = map.size.y - row.touched();
+        std::int32_t all = -1;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            at.compared[i] = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
+            const std::int32_t right = floor_int(masked(receivers.x(i), at.compared[i]) * 256.0f) - half;
+            const std::int32_t up = floor_int(masked(receivers.y(i), at.compared[i]) * 256.0f) - half;
+            const std::int32_t x = (right >> 8) - before, y = (up >> 8) - before;
+            at.moved_x[i] = right & 255;
+            at.moved_y[i] = up & 255;
+            at.inside[i] = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
+            at.offsets[i] = memory.offset(x & at.inside[i], y & at.inside[i]);
+            at.x[i] = x;
+            at.y[i] = y;
+            at.z[i] = receivers.z(i);
+            all &= at.inside[i];
+        }
+        at.all_inside = all;
+        prefetch(memory, at.offsets, last_y < 0 ? 1 : row.touched());
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+        out_of_line(set,
+                    [&](auto) UMBRAGE_INLINE { weigh_all<Isa::value == isa::base ? 4 : 8>(at, count, visibility); });
+    }
+
+private:
+    template <int Lanes>
+    UMBRAGE_INLINE void weigh_all(const placed& at, int count, float* visibility) const {
+        alignas(64) float sums[block]{};
+        if (map.size.x >= loaded() && map.size.y >= row.touched()) {
+            if (row.touched() <= 8) weigh_inside<Lanes, 8 / Lanes>(at, count, sums);
+            else weigh_inside<Lanes, 16 / Lanes>(at, count, sums);
+        }
+        if (!at.all_inside)
+            for (int i = 0; i < count; ++i)
+                if (at.compared[i] & ~at.inside[i]) sums[i] = weigh_at_border(at, i);
+        const float whole = row.whole * row.whole, scale = row.scale;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const float sum = masked(sums[i], number_mask(at.z[i]));
+            visibility[i] = select(~at.compared[i] | -std::int32_t(sum == whole), 1.0f, sum * scale);
+        }
+    }
+
+    /// All of them: those that are not inside weigh the map's first texels.
+    template <int Lanes, int Registers>
+    UMBRAGE_INLINE void weigh_inside(const placed& at, int count, float* sums) const {
+        const texel_bytes memory(map);
+        const int touched = row.touched();
+        const auto weigh = [&](int i, lanes_of<float, 4>& sum) UMBRAGE_INLINE {
+            const float* rows = weights.of[at.moved_y[i]];
+            sum = lanes_of<float, 4>{};
+#pragma GCC unroll 4
+            for (int r = 0; r < Registers; ++r) {
+                const std::byte* from = memory.data + at.offsets[i] + std::size_t(r) * Lanes * sizeof(float);
+                lanes_of<float, Lanes> lit{}, texels;
+                lanes_of<std::int32_t, Lanes> mask;
+                for (int j = 0; j < touched; ++j) {
+                    load_lanes(from, texels);
+                    lit_lanes<Lanes, test::forward>(at.z[i], texels, mask);
+                    add_where<Lanes>(mask, rows[j], lit);
+                    from += memory.stride;
+                }
+                load_lanes(weights.of[at.moved_x[i]] + r * Lanes, texels);
+                add_products<Lanes>(lit, texels, sum);
+            }
+        };
+        for (int i = 0; i < count; i += 4) {  // a block is a multiple of four
+            lanes_of<float, 4> a, b, c, d, four;
+            weigh(i, a);
+            weigh(i + 1, b);
+            weigh(i + 2, c);
+            weigh(i + 3, d);
+            sum_four_lanes(a, b, c, d, four);
+            store_lanes(four, sums + i);
+        }
+    }
+
+    [[nodiscard]] float weigh_at_border(const placed& at, int i) const {
+        const float *columns = weights.of[at.moved_x[i]], *rows = weights.of[at.moved_y[i]];
+        float sum = 0.0f;
+        for (int j = 0; j < row.touched(); ++j) {
+            const float* texels = texel_at(map, 0, clamp_int(at.y[i] + j, map.size.y - 1));
+            for (int k = 0; k < row.touched(); ++k)
+                if (test::lit(at.z[i], texels[clamp_int(at.x[i] + k, map.size.x - 1)])) sum += rows[j] * columns[k];
+        }
+        return sum;
+    }
+};
+
+template <>
+struct block_form<filters::window> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::window& filter, ParallelFor&&, const Use& use) {
+        const window_table weights(filter.row);
+        use(window_blocks<Direction>{map.map, filter.row, weights});
+    }
+};
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/filter/filters.hpp
 // Every filter of the library, in one list: what tools, tables, proofs and examples walk. Each comes with its form for
 // blocks of receivers.
@@ -6431,7 +7146,7 @@ struct block_form<filters::pcf_2x2> {
 
 namespace umbrage::filters {
 
-using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box>;
+using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box, window>;
 
 }  // namespace umbrage::filters
 
@@ -10020,9 +10735,18 @@ template <class... Encodings>
 consteval auto readers_of(const list_of<Encodings...>*) {
     return std::array{Encodings::reader...};
 }
+/// One for each of the filter's values.
+template <class Filter>
+consteval auto snippets_of_filter() {
+    if constexpr (requires { Filter::values; }) {
+        std::array<const snippet*, Filter::values.size()> all{};
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = Filter::values[i].snippet;
+        return all;
+    } else return std::array{Filter::snippet};
+}
 template <class... Filters>
 consteval auto snippets_of(const list_of<Filters...>*) {
-    return std::array{Filters::snippet...};
+    return collect(snippets_of_filter<Filters>()...);
 }
 inline constexpr auto writers = writers_of(static_cast<const encodings*>(nullptr));
 inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr));
@@ -10035,7 +10759,7 @@ inline constexpr auto codes =
     collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps = collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets,
-                                     filters, pcf_2x2_hardware_snippets);
+                                     window_snippets, filters, pcf_2x2_hardware_snippets);
 inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
                                      kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);

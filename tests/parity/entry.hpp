@@ -117,6 +117,7 @@ struct entry {
     target output = target::rgba32f;
     bool bits = false;      ///< a denormal must not act as zero
     std::size_t share = 1;  ///< takes one input of so many
+    bool alike = false;     ///< the text is another entry's with other numbers: a sample of the dialects may do
 
     [[nodiscard]] std::string name() const {
         return std::string(primitive->name) + (variant.empty() ? "" : " (" + variant + ")");

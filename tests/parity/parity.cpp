@@ -47,7 +47,8 @@ struct options {
         return (only || main(d) ? count : std::min(count, other_count)) / e.share;
     }
     [[nodiscard]] bool samples(const entry& e, const backend& b, dialect d) const {
-        return b.dialects().size() == 1 || (main(d) && e.bound.empty()) || sampled(e.name() + b.label(d), other_every);
+        return b.dialects().size() == 1 || (main(d) && e.bound.empty() && !e.alike) ||
+               sampled(e.name() + b.label(d), other_every);
     }
 };
 

@@ -18,11 +18,6 @@ using glsl::texture;
 
 namespace {
 
-template <class... Filters>
-std::vector<const glsl::snippet*> snippets_of(const list_of<Filters...>*) {
-    return {Filters::snippet...};
-}
-
 /// Filters that compare on their own ask a map for depths, which a comparison sampler does not give.
 bool reads_depths(const glsl::snippet& filter) {
     return std::find(filter.needs.begin(), filter.needs.end(), &glsl::fetch_depth) != filter.needs.end();
@@ -51,9 +46,10 @@ int main(int argc, char** argv) try {
                 const std::string name = "kind" + std::to_string(static_cast<int>(kind)) + (gather ? "_gathered" : "") +
                                          (packed ? "_packed" : "");
                 const bool compares = kind == texture::shadow || kind == texture::shadow_array;
-                for (const glsl::snippet* s : snippets_of(static_cast<const filters::all*>(nullptr)))
-                    if (!compares || !reads_depths(*s))
-                        all.push_back(bind(*s, name, packed ? glsl::stored_as(rg<11>{}, plain) : plain));
+                for_each_filter([&](const auto& filter) {
+                    if (!compares || !reads_depths(*filter.snippet))
+                        all.push_back(bind(*filter.snippet, name, packed ? glsl::stored_as(rg<11>{}, plain) : plain));
+                });
             }
         }
     std::ofstream(argv[1]) << wgsl::text(all);

@@ -35,8 +35,8 @@ concept filter = std::copy_constructible<Filter> &&
 /// What a filter of the library tells of itself, for tools, tables and biases.
 template <class Filter>
 concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
-    { Filter::name } -> std::convertible_to<std::string_view>;         // a C++ identifier
-    { Filter::snippet } -> std::convertible_to<const glsl::snippet*>;  // of the same result
+    { f.name } -> std::convertible_to<std::string_view>;         // a C++ identifier
+    { f.snippet } -> std::convertible_to<const glsl::snippet*>;  // of the same result
     { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest point of its texels, an axis, in texels
     { f.is_lit(depth, depth) } -> std::same_as<bool>;  // the comparison, its direction inside
 };

@@ -14,10 +14,11 @@
 #include <umbrage/simd/blocks/hard.hpp>
 #include <umbrage/simd/blocks/hierarchical_box.hpp>
 #include <umbrage/simd/blocks/pcf_2x2.hpp>
+#include <umbrage/simd/blocks/window.hpp>
 
 namespace umbrage::filters {
 
-using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box>;
+using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box, window>;
 
 }  // namespace umbrage::filters
 

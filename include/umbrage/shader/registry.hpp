@@ -74,9 +74,18 @@ template <class... Encodings>
 consteval auto readers_of(const list_of<Encodings...>*) {
     return std::array{Encodings::reader...};
 }
+/// One for each of the filter's values.
+template <class Filter>
+consteval auto snippets_of_filter() {
+    if constexpr (requires { Filter::values; }) {
+        std::array<const snippet*, Filter::values.size()> all{};
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = Filter::values[i].snippet;
+        return all;
+    } else return std::array{Filter::snippet};
+}
 template <class... Filters>
 consteval auto snippets_of(const list_of<Filters...>*) {
-    return std::array{Filters::snippet...};
+    return collect(snippets_of_filter<Filters>()...);
 }
 inline constexpr auto writers = writers_of(static_cast<const encodings*>(nullptr));
 inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr));
@@ -89,7 +98,7 @@ inline constexpr auto codes =
     collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps = collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets,
-                                     filters, pcf_2x2_hardware_snippets);
+                                     window_snippets, filters, pcf_2x2_hardware_snippets);
 inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
                                      kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);

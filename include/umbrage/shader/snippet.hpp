@@ -116,9 +116,11 @@ struct filled_text {
 struct constant {
     char key;  ///< `$key` in the text
     unsigned value;
+    std::string_view text{};  ///< in place of the value's digits
 };
 
-/// Replaces each `$key` by the decimal digits of its value. Plain arrays, for the sake of every user's compile time.
+/// Replaces each `$key` by the decimal digits of its value, or its text. Plain arrays, for the sake of every user's
+/// compile time.
 template <std::size_t Capacity, std::size_t Length>
 constexpr filled_text<Capacity> fill(const char (&text)[Length], std::initializer_list<constant> constants) {
     filled_text<Capacity> out;
@@ -131,6 +133,8 @@ constexpr filled_text<Capacity> fill(const char (&text)[Length], std::initialize
         ++i;
         for (const constant& c : constants) {
             if (c.key != text[i]) continue;
+            for (char letter : c.text) out.data[size++] = letter;
+            if (!c.text.empty()) continue;
             unsigned unit = 1;
             while (c.value / unit >= 10) unit *= 10;
             for (; unit > 0; unit /= 10) out.data[size++] = static_cast<char>('0' + c.value / unit % 10);

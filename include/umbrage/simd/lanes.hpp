@@ -93,6 +93,26 @@ inline void sum_two_lanes(const plain_lanes<std::int32_t, Count>& first, const p
     }
 }
 
+/// Adds the weight to the lanes of a mask.
+template <int Count>
+inline void add_where(const plain_lanes<std::int32_t, Count>& mask, float weight, plain_lanes<float, Count>& sum) {
+    for (int i = 0; i < Count; ++i) sum[i] += masked(weight, mask[i]);
+}
+
+/// Adds products to a register of four, lane by lane and round about; none rounds.
+template <int Count>
+inline void add_products(const plain_lanes<float, Count>& a, const plain_lanes<float, Count>& b,
+                         plain_lanes<float, 4>& sums) {
+    for (int i = 0; i < Count; ++i) sums[i % 4] += a[i] * b[i];
+}
+
+/// The sum of the lanes of each of four registers.
+inline void sum_four_lanes(const plain_lanes<float, 4>& a, const plain_lanes<float, 4>& b,
+                           const plain_lanes<float, 4>& c, const plain_lanes<float, 4>& d,
+                           plain_lanes<float, 4>& sums) {
+    for (int k = 0; const auto* v : {&a, &b, &c, &d}) sums[k++] = (*v)[0] + (*v)[1] + (*v)[2] + (*v)[3];
+}
+
 #if defined(__GNUC__) || defined(__clang__)
 template <int... From, class Lanes>
 UMBRAGE_INLINE inline void shuffle(const Lanes& a, const Lanes& b, Lanes& result) {
@@ -127,6 +147,41 @@ UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count
     else lit = receiver >= stored;
     if constexpr (finite_math_only)
         lit &= (reinterpret_cast<lanes_of<std::int32_t, Count>>(stored) & 0x7FFFFFFF) <= 0x7F800000;
+}
+
+template <int Count>
+UMBRAGE_INLINE inline void add_where(const lanes_of<std::int32_t, Count>& mask, float weight,
+                                     lanes_of<float, Count>& sum) {
+    const lanes_of<std::int32_t, Count> weights = mask & detail::bit_cast<std::int32_t>(weight);
+    sum += reinterpret_cast<const lanes_of<float, Count>&>(weights);
+}
+
+template <int Count>
+UMBRAGE_INLINE inline void add_products(const lanes_of<float, Count>& a, const lanes_of<float, Count>& b,
+                                        lanes_of<float, 4>& sums) {
+    const lanes_of<float, Count> products = a * b;
+    lanes_of<float, 4> part;
+    std::memcpy(&part, &products, sizeof part);
+    sums += part;
+    if constexpr (Count == 8) {
+        std::memcpy(&part, reinterpret_cast<const char*>(&products) + sizeof part, sizeof part);
+        sums += part;
+    }
+}
+
+UMBRAGE_INLINE inline void sum_four_lanes(const lanes_of<float, 4>& a, const lanes_of<float, 4>& b,
+                                          const lanes_of<float, 4>& c, const lanes_of<float, 4>& d,
+                                          lanes_of<float, 4>& sums) {
+    lanes_of<float, 4> even, odd, first, second;
+    shuffle<0, 4, 1, 5>(a, b, even);
+    shuffle<2, 6, 3, 7>(a, b, odd);
+    first = even + odd;
+    shuffle<0, 4, 1, 5>(c, d, even);
+    shuffle<2, 6, 3, 7>(c, d, odd);
+    second = even + odd;
+    shuffle<0, 1, 4, 5>(first, second, even);
+    shuffle<2, 3, 6, 7>(first, second, odd);
+    sums = even + odd;
 }
 
 /// The nearer depth of each lane, but what is there where it is a NaN, or where `outside` is negative.

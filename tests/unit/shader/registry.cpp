@@ -85,7 +85,9 @@ TEST_CASE("registry: each snippet has a C++ twin of its name in its header") {
     for (const found& f : snippets_in_headers()) {
         CAPTURE(f.header);
         CAPTURE(f.name);
-        CHECK(f.cpp.find(" " + f.name + "(") != f.cpp.npos);
+        std::string twin = f.name;  // a size at the end is an argument in C++
+        if (f.cpp.find(" " + twin + "(") == f.cpp.npos) twin.erase(twin.find_last_not_of("0123456789") + 1);
+        CHECK(f.cpp.find(" " + twin + "(") != f.cpp.npos);
     }
 }
 

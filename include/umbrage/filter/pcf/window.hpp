@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+//
+// Percentage-closer filtering under a window of weights that slides over the map in steps of 1/256 texel, so that
+// edges of shadows move as smoothly as receivers do.
+//
+//     float visibility = umbrage::tent<3>(umbrage::clamped(map), coord, depth - bias);  // 1 2 1, 4 x 4 texels
+//     constexpr umbrage::window_row row = umbrage::make_window_row(5, {1, 3, 8});
+//     float softer = umbrage::window(umbrage::clamped(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
+//
+// A window of n x n weights touches n + 1 texels an axis: each texel has its own weight and that of its neighbour, as
+// much of either as the window has moved. The library's rows of weights are in windows.hpp.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include <umbrage/config.hpp>
+#include <umbrage/filter/filter.hpp>
+#include <umbrage/filter/texel_space.hpp>
+
+namespace umbrage {
+
+inline constexpr int max_window = 15;
+
+/// A row of weights, the same along both axes, as make_window_row makes it.
+struct window_row {
+    int size;                   ///< how many weights
+    std::array<float, 8> half;  ///< from the edge to the middle one; the others mirror them
+    int steps;                  ///< of a texel
+    float whole;                ///< what the touched texels' weights along an axis add up to: steps times their sum
+    float scale;                ///< 1 / whole^2
+    double scale_of_doubles;    ///< the same
+    bool quadratic = false;     ///< of two weights, but those of the quadratic B-spline
+
+    [[nodiscard]] constexpr int touched() const { return size + 1; }  ///< texels along an axis
+    /// From a receiver to the farthest point of its texels, in texels; never attained.
+    [[nodiscard]] constexpr float reach() const { return static_cast<float>(size + 1) * 0.5f; }
+};
+
+/// A row of weights from what is to be told of it.
+/// @param size    weights, 1 .. 15
+/// @param half    from the edge to the middle one: size / 2 of them, rounded up; none is negative
+/// @param steps   of a texel, a power of two up to 256; times the sum of all weights it is a whole number up to 4096
+/// @throws std::invalid_argument  anything else
+[[nodiscard]] constexpr window_row make_window_row(int size, std::array<float, 8> half, int steps = 256) {
+    if (size < 1 || size > max_window) detail::fail("umbrage::make_window_row: size");
+    if (steps < 1 || steps > 256 || (steps & (steps - 1)) != 0) detail::fail("umbrage::make_window_row: steps");
+    float sum = 0.0f;
+    for (int i = 0; i < size; ++i) {
+        const float weight = half[static_cast<std::size_t>(i < size - 1 - i ? i : size - 1 - i)];
+        if (!(weight >= 0.0f)) detail::fail("umbrage::make_window_row: weights");
+        sum += weight;
+    }
+    const float whole = sum * static_cast<float>(steps);
+    if (!(whole >= 1.0f && whole <= 4096.0f) || whole != static_cast<float>(static_cast<int>(whole)))
+        detail::fail("umbrage::make_window_row: sum of the weights");
+    return {size, half, steps, whole, 1.0f / (whole * whole), 1.0 / (double(whole) * double(whole))};
+}
+
+/// Weights of the texels that a window touches along an axis, whole numbers that add up to row.whole.
+/// @param moved     by how much the window has moved, in 1/256 texel, 0 .. 255
+/// @param weights   row.touched() of them
+/// @formula         w_i = floor(K_i r + K_(i-1) s), s = moved, in steps of the row, r = steps - s; the middle one has
+///                  what is left. Quadratic: floor((256 - s)^2 / 32), what is left, floor(s^2 / 32)
+template <real T>
+constexpr void window_weights(const window_row& row, int moved, T* weights) {
+    const auto k = [&](int i) {
+        const int mirrored = i < row.size - 1 - i ? i : row.size - 1 - i;
+        return mirrored < 0 ? 0.0f : row.half[static_cast<std::size_t>(mirrored)];  // beside the row
+    };
+    const int steps = row.steps, s = moved * steps / 256, middle = row.size / 2, ahead = 256 - moved;
+    int left = static_cast<int>(row.whole);
+    for (int i = 0; i <= row.size; ++i) {
+        if (i == middle) continue;
+        int weight = static_cast<int>(k(i) * static_cast<float>(steps - s) + k(i - 1) * static_cast<float>(s));
+        if (row.quadratic) weight = i == 0 ? ahead * ahead / 32 : moved * moved / 32;
+        weights[i] = static_cast<T>(weight);
+        left -= weight;
+    }
+    weights[middle] = static_cast<T>(left);
+}
+
+/// Weighted count of the lit texels under a window.
+///
+/// @param fetch      ivec2 texel -> stored depth; called row.touched()^2 times, texels may lie as far outside the map
+///                   as half of them
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: all lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param row        as make_window_row makes it
+/// @return           0 .. row.whole^2
+/// @formula          sum of w_i w_j [receiver <= fetch(first + (i, j))], w by window_weights; first = texel - size / 2,
+///                   where 256 texel + moved = floor(256 coord), less 128 for an odd size
+/// @exactness        A: whole numbers up to 2^24
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T window_sum(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
+                           Compare is_lit = {}) {
+    const T whole = static_cast<T>(row.whole);
+    if (!is_compared(coord, receiver, is_lit)) return whole * whole;
+    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(row.size % 2 ? 128 : 0);
+    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0)), moved = x - texel * T(256);
+    const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;
+    T columns[max_window + 1], rows[max_window + 1];
+    window_weights(row, static_cast<int>(moved.x), columns);
+    window_weights(row, static_cast<int>(moved.y), rows);
+    T sum(0);
+    for (int j = 0; j <= row.size; ++j) {
+        T in_row(0);
+        for (int i = 0; i <= row.size; ++i)
+            in_row += columns[i] * lit(fetch, first + glm::ivec2(i, j), receiver, is_lit);
+        sum += rows[j] * in_row;
+    }
+    return sum;
+}
+
+/// Lit share of a window; arguments as for window_sum.
+/// @return        visibility: 0 in shadow, 1 lit
+/// @formula       window_sum / row.whole^2
+/// @exactness     A where row.whole is a power of two; else B: the sum is exact, its product with row.scale rounds once
+/// @cite          Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T window(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row, Compare is_lit = {}) {
+    const T sum = window_sum(fetch, coord, receiver, row, is_lit), whole = static_cast<T>(row.whole);
+    if (!(sum < whole * whole)) return T(1);  // what a product of a rounded scale is only to nearest
+    if constexpr (std::same_as<T, double>) return sum * row.scale_of_doubles;
+    else return sum * row.scale;
+}
+
+namespace glsl {
+
+inline constexpr snippet window_sum3{
+    .name = "window_sum3",
+    .summary = "weighted count of lit texels under a window of 3 x 3",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &lit_2x2>,
+    .source = R"GLSL(
+// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k0);
+    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
+    UMBRAGE_HIGHP vec2 w2 = floor(r * k0 + s * k1);
+    UMBRAGE_HIGHP vec2 w3 = floor(s * k0);
+    UMBRAGE_HIGHP vec2 w1 = whole - (w0 + w2 + w3);
+    UMBRAGE_HIGHP vec2 first = texel - 1.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
+    return compared ? n : whole * whole;
+}
+)GLSL",
+};
+
+inline constexpr snippet window_sum5{
+    .name = "window_sum5",
+    .summary = "weighted count of lit texels under a window of 5 x 5",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &lit_2x2>,
+    .source = R"GLSL(
+// umbrage_window_sum5: weighted count of the lit texels under 5 x 5 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k1 + k0);
+    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
+    UMBRAGE_HIGHP vec2 w1 = floor(r * k1 + s * k0);
+    UMBRAGE_HIGHP vec2 w3 = floor(r * k1 + s * k2);
+    UMBRAGE_HIGHP vec2 w4 = floor(r * k0 + s * k1);
+    UMBRAGE_HIGHP vec2 w5 = floor(s * k0);
+    UMBRAGE_HIGHP vec2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
+    UMBRAGE_HIGHP vec2 first = texel - 2.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, first + vec2(4.0, 0.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
+    return compared ? n : whole * whole;
+}
+)GLSL",
+};
+
+inline constexpr snippet window_sum7{
+    .name = "window_sum7",
+    .summary = "weighted count of lit texels under a window of 7 x 7",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &lit_2x2>,
+    .source = R"GLSL(
+// umbrage_window_sum7: weighted count of the lit texels under 7 x 7 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2, UMBRAGE_HIGHP float k3) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
+    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
+    UMBRAGE_HIGHP vec2 w1 = floor(r * k1 + s * k0);
+    UMBRAGE_HIGHP vec2 w2 = floor(r * k2 + s * k1);
+    UMBRAGE_HIGHP vec2 w4 = floor(r * k2 + s * k3);
+    UMBRAGE_HIGHP vec2 w5 = floor(r * k1 + s * k2);
+    UMBRAGE_HIGHP vec2 w6 = floor(r * k0 + s * k1);
+    UMBRAGE_HIGHP vec2 w7 = floor(s * k0);
+    UMBRAGE_HIGHP vec2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
+    UMBRAGE_HIGHP vec2 first = texel - 3.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, first + vec2(4.0, 0.0), receiver);
+    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, first + vec2(6.0, 0.0), receiver);
+    UMBRAGE_HIGHP float n = 0.0;
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 2.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 4.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 6.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 6.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 6.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 6.0), receiver);
+    n += w6.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w7.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    return compared ? n : whole * whole;
+}
+)GLSL",
+};
+
+inline constexpr auto window_snippets = list<&window_sum3, &window_sum5, &window_sum7>;
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+//
+// The library's sliding windows, as functions and as values of one filter:
+//
+//     float visibility = umbrage::binomial<5>(umbrage::clamped(map), coord, depth - bias);
+//     umbrage::visibility(map, encoding, receivers, umbrage::filters::binomial<5>, out);
+//
+//     tent<2>, tent<3>, tent<7>    1 1; 1 2 1; 1 2 3 4 3 2 1
+//     binomial<5>, binomial<7>     1 4 6 4 1; 1 6 15 20 15 6 1: near a Gaussian of 1.1 and 1.3 texels
+//     castano<5>, castano<7>       1 3 4 3 1; 1 5 12 16 12 5 1: what shaders merge into 9 and 16 filtered comparisons
+//     castano_dyadic<5>            5 16 22 16 5: within 1.7 % of castano<5>, and exact, as binomial<7> is to castano<7>
+//     quadratic_b_spline           of 3 x 3 texels: edges without a kink
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include <umbrage/filter/pcf/window.hpp>
+
+namespace umbrage {
+
+/// Rows with weights in sixteenths, so that what they add up to is a power of two. tent_row: each weight one step from
+/// its neighbours.
+template <int Size>
+inline constexpr window_row tent_row = [] {
+    static_assert(Size == 2 || Size == 3 || Size == 7, "of other sizes the weights add up to no power of two");
+    constexpr float step = Size == 2 ? 8.0f : (Size == 3 ? 4.0f : 1.0f);
+    return make_window_row(Size, {step, 2 * step, 3 * step, 4 * step});
+}();
+
+/// Binomial coefficients.
+template <int Size>
+inline constexpr window_row binomial_row = [] {
+    static_assert(Size == 5 || Size == 7);
+    return Size == 5 ? make_window_row(5, {1, 4, 6}) : make_window_row(7, {0.25f, 1.5f, 3.75f, 5});
+}();
+
+/// Castano's, whose sums are 12 and 52.
+template <int Size>
+inline constexpr window_row castano_row = [] {
+    static_assert(Size == 5 || Size == 7);
+    return Size == 5 ? make_window_row(5, {1, 3, 4}) : make_window_row(7, {1, 5, 12, 16}, 64);
+}();
+
+/// 5 16 22 16 5.
+template <int Size>
+inline constexpr window_row castano_dyadic_row = [] {
+    static_assert(Size == 5);
+    return make_window_row(5, {1.25f, 4, 5.5f});
+}();
+
+/// Weights (1 - f)^2 / 2, 3/4 - (f - 1/2)^2 and f^2 / 2 within 3.9e-4.
+inline constexpr window_row quadratic_b_spline_row = [] {
+    window_row row = make_window_row(2, {8});
+    row.quadratic = true;
+    return row;
+}();
+
+/// window() of the rows of that name; its arguments without the row.
+/// @exactness   A
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T tent(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, tent_row<Size>, is_lit);
+}
+/// @exactness   A
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T binomial(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, binomial_row<Size>, is_lit);
+}
+/// @exactness   B: window_sum is exact, its product with 1 / 144 or 1 / 2704 rounds once
+/// @cite        Castano: Shadow mapping summary, part 1, 2013
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T castano(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, castano_row<Size>, is_lit);
+}
+/// @exactness   A
+template <int Size, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T castano_dyadic(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, castano_dyadic_row<Size>, is_lit);
+}
+/// @exactness   A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T quadratic_b_spline(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return window(fetch, coord, receiver, quadratic_b_spline_row, is_lit);
+}
+
+namespace glsl {
+namespace detail {
+
+/// A row's text: window_sum with its numbers, and what becomes of it.
+constexpr filled_text<1024> window_text(std::string_view name, unsigned size, std::string_view weights,
+                                        std::string_view numbers, std::string_view share = "n * (1.0 / 16777216.0)") {
+    return fill<1024>(R"GLSL(
+// umbrage_$f$n: lit share under $n x $n weights, $w, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                 UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float n = umbrage_window_sum$n(map, size, coord, receiver, $k);
+    return $s;
+}
+)GLSL",
+                      {{'f', 0, name}, {'n', size}, {'w', 0, weights}, {'k', 0, numbers}, {'s', 0, share}});
+}
+
+/// Of the windows of 3 x 3 texels: what the neighbours before and behind weigh, in 1/4096.
+constexpr filled_text<2048> text_3x3(std::string_view name, std::string_view what, std::string_view before,
+                                     std::string_view behind) {
+    return fill<2048>(R"GLSL(
+// umbrage_$f: lit share of 3 x 3 texels, $w; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                               UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 r = 256.0 - s;
+    UMBRAGE_HIGHP vec2 w0 = $b;
+    UMBRAGE_HIGHP vec2 w2 = $e;
+    UMBRAGE_HIGHP vec2 w1 = 4096.0 - w0 - w2;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
+    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, -1.0), receiver);
+    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
+    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(-1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float e = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
+    UMBRAGE_HIGHP float f = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
+    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    return compared ? n * (1.0 / 16777216.0) : 1.0;
+}
+)GLSL",
+                      {{'f', 0, name}, {'w', 0, what}, {'b', 0, before}, {'e', 0, behind}});
+}
+
+/// What a family's texts need, by the size of their window.
+template <int Size>
+inline constexpr auto window_needs = list<Size == 3 ? &window_sum3 : (Size == 5 ? &window_sum5 : &window_sum7)>;
+template <>
+inline constexpr auto window_needs<2> = list<&is_compared, &lit, &lit_2x2>;
+
+}  // namespace detail
+
+template <int Size>
+inline constexpr auto tent_text = [] {
+    if constexpr (Size == 2) return detail::text_3x3("tent2", "the window 1 1", "r * 8.0", "s * 8.0");
+    else if constexpr (Size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
+    else return detail::window_text("tent", 7, "1 2 3 4 3 2 1", "256.0, 1.0, 2.0, 3.0, 4.0");
+}();
+template <int Size>
+inline constexpr snippet tent{
+    .name = Size == 2 ? "tent2" : (Size == 3 ? "tent3" : "tent7"),
+    .summary = Size == 2 ? "sliding window 1 1" : (Size == 3 ? "sliding window 1 2 1" : "sliding window 1 2 3 4 3 2 1"),
+    .exactness = tier::a,
+    .needs = detail::window_needs<Size>,
+    .source = tent_text<Size>.view()};
+
+template <int Size>
+inline constexpr auto binomial_text = Size == 5
+                                          ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
+                                          : detail::window_text("binomial", 7, "1 6 15 20 15 6 1",
+                                                                "256.0, 0.25, 1.5, 3.75, 5.0");
+template <int Size>
+inline constexpr snippet binomial{.name = Size == 5 ? "binomial5" : "binomial7",
+                                  .summary = Size == 5 ? "sliding window 1 4 6 4 1" : "sliding window 1 6 15 20 15 6 1",
+                                  .exactness = tier::a,
+                                  .needs = detail::window_needs<Size>,
+                                  .source = binomial_text<Size>.view()};
+
+template <int Size>
+inline constexpr auto castano_text =
+    Size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
+                                    "n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0")
+              : detail::window_text("castano", 7, "1 5 12 16 12 5 1", "64.0, 1.0, 5.0, 12.0, 16.0",
+                                    "n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0");
+template <int Size>
+inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
+                                 .summary = Size == 5 ? "sliding window 1 3 4 3 1" : "sliding window 1 5 12 16 12 5 1",
+                                 .exactness = tier::b,
+                                 .needs = detail::window_needs<Size>,
+                                 .source = castano_text<Size>.view()};
+
+template <int Size>
+inline constexpr auto castano_dyadic_text = detail::window_text("castano_dyadic", 5, "5 16 22 16 5",
+                                                                "256.0, 1.25, 4.0, 5.5");
+template <int Size>
+inline constexpr snippet castano_dyadic{.name = "castano_dyadic5",
+                                        .summary = "sliding window 5 16 22 16 5",
+                                        .exactness = tier::a,
+                                        .needs = detail::window_needs<Size>,
+                                        .source = castano_dyadic_text<Size>.view()};
+
+inline constexpr auto quadratic_b_spline_text =
+    detail::text_3x3("quadratic_b_spline", "weighed by the quadratic B-spline", "floor(r * r * (1.0 / 32.0))",
+                     "floor(s * s * (1.0 / 32.0))");
+inline constexpr snippet quadratic_b_spline{.name = "quadratic_b_spline",
+                                            .summary = "quadratic B-spline of 3 x 3 texels",
+                                            .exactness = tier::a,
+                                            .needs = detail::window_needs<2>,
+                                            .source = quadratic_b_spline_text.view()};
+
+}  // namespace glsl
+
+namespace filters {
+
+/// A sliding window as a value: the library's by name below, or with a row of one's own.
+struct window {
+    window_row row = tent_row<3>;
+    comparison is_lit{};
+    std::string_view name = "window";
+    const glsl::snippet* snippet = nullptr;  ///< of the same result; none for rows of one's own
+
+    static const std::array<window, 9> values;  ///< the library's
+
+    [[nodiscard]] constexpr float reach() const { return row.reach(); }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::window(fetch, coord, receiver, row, is_lit);
+    }
+};
+
+template <int Size>
+inline constexpr window tent{tent_row<Size>, {}, glsl::tent<Size>.name, &glsl::tent<Size>};
+template <int Size>
+inline constexpr window binomial{binomial_row<Size>, {}, glsl::binomial<Size>.name, &glsl::binomial<Size>};
+template <int Size>
+inline constexpr window castano{castano_row<Size>, {}, glsl::castano<Size>.name, &glsl::castano<Size>};
+template <int Size>
+inline constexpr window castano_dyadic{
+    castano_dyadic_row<Size>, {}, glsl::castano_dyadic<Size>.name, &glsl::castano_dyadic<Size>};
+inline constexpr window quadratic_b_spline{
+    quadratic_b_spline_row, {}, glsl::quadratic_b_spline.name, &glsl::quadratic_b_spline};
+
+inline constexpr std::array<window, 9> window::values{
+    tent<2>, tent<3>, quadratic_b_spline, binomial<5>, castano_dyadic<5>, castano<5>, binomial<7>, tent<7>, castano<7>};
+
+}  // namespace filters
+}  // namespace umbrage

@@ -1,0 +1,10 @@
+// umbrage 0.1.0, MIT License: tent7
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, window_sum7.wgsl
+
+// umbrage_tent7: lit share under 7 x 7 weights, 1 2 3 4 3 2 1, that slide over the map; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+fn umbrage_tent7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let n: f32 = umbrage_window_sum7(map, size, coord, receiver, 256.0, 1.0, 2.0, 3.0, 4.0);
+    return n * (1.0 / 16777216.0);
+}

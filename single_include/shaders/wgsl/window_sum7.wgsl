@@ -1,0 +1,52 @@
+// umbrage 0.1.0, MIT License: window_sum7
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl
+
+// umbrage_window_sum7: weighted count of the lit texels under 7 x 7 weights that slide over the map; a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+fn umbrage_window_sum7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32,
+                       k2: f32, k3: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let r: vec2f = steps - s;
+    let whole: f32 = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
+    let w0: vec2f = floor(r * k0);
+    let w1: vec2f = floor(r * k1 + s * k0);
+    let w2: vec2f = floor(r * k2 + s * k1);
+    let w4: vec2f = floor(r * k2 + s * k3);
+    let w5: vec2f = floor(r * k1 + s * k2);
+    let w6: vec2f = floor(r * k0 + s * k1);
+    let w7: vec2f = floor(s * k0);
+    let w3: vec2f = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
+    let first: vec2f = texel - 3.0;
+    var a: vec4f = umbrage_lit_2x2(map, size, first, receiver);
+    var b: vec4f = umbrage_lit_2x2(map, size, first + vec2f(2.0, 0.0), receiver);
+    var c: vec4f = umbrage_lit_2x2(map, size, first + vec2f(4.0, 0.0), receiver);
+    var d: vec4f = umbrage_lit_2x2(map, size, first + vec2f(6.0, 0.0), receiver);
+    var n: f32 = 0.0;
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 2.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2f(2.0, 2.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2f(4.0, 2.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2f(6.0, 2.0), receiver);
+    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 4.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2f(2.0, 4.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2f(4.0, 4.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2f(6.0, 4.0), receiver);
+    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 6.0), receiver);
+    b = umbrage_lit_2x2(map, size, first + vec2f(2.0, 6.0), receiver);
+    c = umbrage_lit_2x2(map, size, first + vec2f(4.0, 6.0), receiver);
+    d = umbrage_lit_2x2(map, size, first + vec2f(6.0, 6.0), receiver);
+    n += w6.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
+    n += w7.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
+    return select(whole * whole, n, compared);
+}
