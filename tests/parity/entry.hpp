@@ -85,10 +85,12 @@ enum class target { rgba32f, rgba8 };
 struct bound_map {
     static constexpr ivec2 origin{5, 3}, margin{9, 7};  ///< of a region; what its texture has besides, either side
     static constexpr float whole = 65536.0f;            ///< which whole numbers are 1.0
+    static constexpr float most_short = 65535.0f;       ///< and depths of 16 bits
 
     std::string name{};
     umbrage::glsl::binding as{};  ///< its texts are GLSL's
     bool linear = false;          ///< the sampler's filter; else the nearest texel
+    bool short_depths = false;    ///< a depth texture of 16 bits; else of floats
 
     [[nodiscard]] bool is_region() const { return umbrage::glsl::detail::has_region(as); }
     [[nodiscard]] bool compares() const { return umbrage::glsl::detail::compares(as.texture); }

@@ -155,7 +155,8 @@ private:
         const GLenum targets[] = {GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_CUBE_MAP};
         const names formats[] = {{0, GL_RGBA32F, GL_RGBA, GL_FLOAT},
                                  {0, GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT},
-                                 {0, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT}};
+                                 {0, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT},
+                                 {0, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT}};
         names n = formats[t.format];
         n.target = targets[t.shape];
         return n;

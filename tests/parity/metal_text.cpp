@@ -24,10 +24,11 @@ public:
         const auto call = function_of(static_cast<std::size_t>(j.what - entries().data()));
         std::array<metal_text::memory, max_bindings> units;
         std::vector<std::string> bytes_of;  // each lies where it is put
-        const std::vector<filled_texture> all = textures(j);
+        std::vector<filled_texture> all = textures(j);
         bytes_of.reserve(all.size());
-        for (const filled_texture& t : all) {
+        for (filled_texture& t : all) {
             if (t.unit < max_inputs) continue;
+            if (t.image.has_depths()) t.image.format = texture_image::depths;
             const glm::uvec2 size(t.image.size);
             bytes_of.push_back(t.bytes());
             units[t.unit] = units[sampler_binding(t.unit)] = {bytes_of.back().data(), size.x, size.y, t.image.compare,

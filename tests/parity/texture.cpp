@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "texture.hpp"
 
-#include <cstring>
+#include <cmath>
+#include <cstdint>
 
 #include <glm/common.hpp>
 
@@ -26,7 +27,8 @@ filled_texture bound_texture(const bound_map& b, int number, const texels& map) 
         t.image.shape = texture_image::array, t.image.layers = 2;
     if (kind == texture::cube) t.image.shape = texture_image::cube, t.image.layers = 6;
     if (kind == texture::integer) t.image.format = texture_image::whole_numbers;
-    if (compared || kind == texture::depth || kind == texture::depth_array) t.image.format = texture_image::depths;
+    if (compared || kind == texture::depth || kind == texture::depth_array)
+        t.image.format = b.short_depths ? texture_image::short_depths : texture_image::depths;
     if (compared)
         t.image.compare = b.as.direction == umbrage::depth_direction::forward ? texture_image::less_equal
                                                                               : texture_image::greater_equal;
@@ -54,6 +56,8 @@ std::string filled_texture::bytes() const {
     std::string all;
     for (const vec4& t : texels) {
         if (image.format == texture_image::depths) append(all, t.x);
+        else if (image.format == texture_image::short_depths)
+            append(all, static_cast<std::uint16_t>(std::round(t.x * bound_map::most_short)));
         else append(all, glm::uvec4(t * bound_map::whole));
     }
     return all;

@@ -15,7 +15,8 @@ inline constexpr int width = 1024;
 /// One texture without mipmaps, clamped to its edges.
 struct texture_image {
     enum shapes { flat, array, cube };
-    enum formats { floats, whole_numbers, depths };  ///< RGBA32F, RGBA32UI, DEPTH_COMPONENT32F
+    /// RGBA32F, RGBA32UI, DEPTH_COMPONENT32F, DEPTH_COMPONENT16
+    enum formats { floats, whole_numbers, depths, short_depths };
     enum comparisons { none, less_equal, greater_equal };
 
     shapes shape = flat;
@@ -24,6 +25,7 @@ struct texture_image {
     bool linear = false;         ///< its sampler's filter; else the nearest texel
     ivec2 size{0, 0};
     int layers = 1;
+    [[nodiscard]] bool has_depths() const { return format == depths || format == short_depths; }
     bool operator==(const texture_image&) const = default;
 };
 
@@ -33,7 +35,7 @@ struct filled_texture {
     texture_image image{};
     std::vector<vec4> texels{};
 
-    /// As the format has them: four floats, four whole numbers, one float a texel.
+    /// As the format has them: four floats, four whole numbers, one float, one short a texel.
     [[nodiscard]] std::string bytes() const;
 };
 

@@ -152,7 +152,7 @@ private:
         const texture_image& image = t.image;
         if (p.what != image) {
             constexpr std::array formats{vk::Format::eR32G32B32A32Sfloat, vk::Format::eR32G32B32A32Uint,
-                                         vk::Format::eD32Sfloat};
+                                         vk::Format::eD32Sfloat, vk::Format::eD16Unorm};
             p = make_picture(formats[image.format], image,
                              vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst);
             const vk::Filter filter = image.linear ? vk::Filter::eLinear : vk::Filter::eNearest;

@@ -77,7 +77,7 @@ protected:
     }
 
     static vk::ImageAspectFlagBits aspect(const texture_image& what) {
-        return what.format == texture_image::depths ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
+        return what.has_depths() ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
     }
 
     static vk::BufferImageCopy whole(const texture_image& what) {

@@ -24,6 +24,7 @@ async function draw() {
         const wanted = version === 1 ? ['OES_texture_float', 'WEBGL_color_buffer_float'] : ['EXT_color_buffer_float'];
         for (const name of wanted) if (!gl.getExtension(name)) throw new Error('no ' + name);
         gl.disable(gl.DITHER);
+        gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
         gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
         gl.bufferData(gl.ARRAY_BUFFER, new Float32Array([-1, -1, 3, -1, -1, 3]), gl.STATIC_DRAW);
         gl.enableVertexAttribArray(0);
@@ -50,8 +51,10 @@ async function draw() {
         }
         const [internal, format, type] = c.version === 1 ? [gl.RGBA, gl.RGBA, gl.FLOAT] : [
             [gl.RGBA32F, gl.RGBA, gl.FLOAT], [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT],
-            [gl.DEPTH_COMPONENT32F, gl.DEPTH_COMPONENT, gl.FLOAT]][t.format];
-        const pixels = type === gl.FLOAT ? new Float32Array(t.bytes) : new Uint32Array(t.bytes);
+            [gl.DEPTH_COMPONENT32F, gl.DEPTH_COMPONENT, gl.FLOAT],
+            [gl.DEPTH_COMPONENT16, gl.DEPTH_COMPONENT, gl.UNSIGNED_SHORT]][t.format];
+        const arrays = { [gl.FLOAT]: Float32Array, [gl.UNSIGNED_INT]: Uint32Array, [gl.UNSIGNED_SHORT]: Uint16Array };
+        const pixels = new arrays[type](t.bytes);
         if (target === gl.TEXTURE_2D_ARRAY) {
             gl.texImage3D(target, 0, internal, width, height, t.layers, 0, format, type, pixels);
             return id;

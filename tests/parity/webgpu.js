@@ -22,6 +22,7 @@ const formats = [
     { format: 'rgba32float', bytes: 16, sampleType: 'unfilterable-float' },
     { format: 'rgba32uint', bytes: 16, sampleType: 'uint' },
     { format: 'depth32float', bytes: 4, sampleType: 'depth' },
+    { format: 'depth16unorm', bytes: 2, sampleType: 'depth' },
 ];
 const shapes = ['2d', '2d-array', 'cube'], comparisons = [undefined, 'less-equal', 'greater-equal'];
 
@@ -62,7 +63,7 @@ async function draw({ adapter, device }) {
         device.queue.writeTexture({ texture }, values, layout, [width, height, t.layers]);
     }
 
-    // Depths cannot be written: they are drawn.
+    // Depths that are floats cannot be written: they are drawn.
     function draw_depths(texture, t, values) {
         depth_pipeline ||= device.createRenderPipeline({
             layout: 'auto',
@@ -86,10 +87,10 @@ async function draw({ adapter, device }) {
     }
 
     function upload(t, values) {
-        const { format } = formats[t.format], depths = format === 'depth32float', key = JSON.stringify(t);
+        const { format } = formats[t.format], drawn = format === 'depth32float', key = JSON.stringify(t);
         if (textures[t.unit]?.key !== key) {
             textures[t.unit]?.texture.destroy();
-            const texture = create(t, depths ? GPUTextureUsage.RENDER_ATTACHMENT : GPUTextureUsage.COPY_DST, format);
+            const texture = create(t, drawn ? GPUTextureUsage.RENDER_ATTACHMENT : GPUTextureUsage.COPY_DST, format);
             const filter = t.linear ? 'linear' : 'nearest';
             const compare = comparisons[t.compare];
             const sampler = device.createSampler({ magFilter: filter, minFilter: filter, compare });
@@ -98,7 +99,7 @@ async function draw({ adapter, device }) {
             if (t.sampler) resources.push({ binding: t.sampler, resource: sampler });
             textures[t.unit] = { key, what: t, texture, resources };
         }
-        (depths ? draw_depths : write)(textures[t.unit].texture, t, values);
+        (drawn ? draw_depths : write)(textures[t.unit].texture, t, values);
         return textures[t.unit];
     }
 

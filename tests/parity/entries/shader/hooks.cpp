@@ -4,6 +4,7 @@
 #include <umbrage/shader/hooks.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -155,6 +156,39 @@ void add_levels(std::vector<entry>& all) {
     }
 }
 
+/// Depths of 16 bits, and receivers between two of them: implementations may compare floats or whole numbers. Filters
+/// alone, which light what is beyond the far plane before any sampler compares.
+void add_short_depths(std::vector<entry>& all) {
+    constexpr float most = bound_map::most_short;
+    auto maps = plain_maps({{64, 64}, {37, 21}, {1, 1}});
+    for (texels& map : maps)
+        for (vec4& t : map.texels()) t = glm::round(t * most) / most;
+    auto classes = receivers();
+    for (input_class& c : classes)
+        c.fill = [fill = c.fill](std::uint64_t i, random& r, sample& s) {
+            fill(i, r, s);
+            float& depth = s.x[0].z;
+            if (depth > 0.0f && depth < 1.0f) depth = (std::floor(depth * most) + 0.5f) / most;
+        };
+    for (const auto direction : {depth_direction::forward, depth_direction::reversed})
+        for (const bool gather : {false, true}) {
+            const binding as{
+                .texture = texture::shadow, .direction = direction, .outside_lit = gather, .gather = gather};
+            entry e = bound("shadow of 16 bits", as, maps, [](vec4 value) { return value.x; });
+            e.bound.front().short_depths = true;
+            e.classes = classes;
+            e.also = {&glsl::hard};
+            const std::string arguments = "(map, map_size, vec2(x0.x, x0.y), x0.z)";
+            e.call = "vec4(umbrage_pcf_2x2" + arguments + ", umbrage_hard" + arguments + ", 0.0, 1.0)";
+            e.twin = [as](const sample& s) {
+                const auto fetch = fetch_as(as, s, [](vec4 value) { return value.x; });
+                const comparison is_lit{as.direction};
+                return vec4(pcf_2x2(fetch, at(s), s.x[0].z, is_lit), hard(fetch, at(s), s.x[0].z, is_lit), 0.0f, 1.0f);
+            };
+            all.push_back(std::move(e));
+        }
+}
+
 /// An 11-bit packed spot map, a cascade with reversed depth, a tile of an atlas, a cube: one shader.
 void add_four_maps(std::vector<entry>& all) {
     const rg<11> packed{};
@@ -206,6 +240,7 @@ void add_shader_hooks(std::vector<entry>& all) {
     add_kinds(all);
     add_packed(all);
     add_levels(all);
+    add_short_depths(all);
     add_four_maps(all);
     expect_all(all);
 }
