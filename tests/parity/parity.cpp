@@ -6,7 +6,7 @@
 //            [--count N] [--other-count N] [--other-every N] [--whole N] [--versions "100,300 es,450"]
 //            [--filter TEXT] [--out FOLDER]
 //
-// --other-every: one in N of the other dialects, by a hash of its name and the entry's.
+// --other-every: one in N of the other dialects, and of entries with bound maps or alike, by a hash of both names.
 // --whole: as many of each enumeration, in one dialect; 16777216 is all of every one.
 //
 // --mistake "FROM=TO": printers write TO for FROM; the exit status is 0 when results differ for it.
@@ -47,8 +47,8 @@ struct options {
         return (only || main(d) ? count : std::min(count, other_count)) / e.share;
     }
     [[nodiscard]] bool samples(const entry& e, const backend& b, dialect d) const {
-        return b.dialects().size() == 1 || (main(d) && e.bound.empty() && !e.alike) ||
-               sampled(e.name() + b.label(d), other_every);
+        const bool own = e.bound.empty() && !e.alike;
+        return (own && (main(d) || b.dialects().size() == 1)) || sampled(e.name() + b.label(d), other_every);
     }
 };
 

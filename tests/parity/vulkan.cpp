@@ -266,6 +266,7 @@ std::unique_ptr<child> start_naga() {
 backends vulkan_backends(std::string_view driver) {
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     backends all;
+    if (!spirv_compiler::is_here()) return all;
     if (driver == "naga" && !all_exist({UMBRAGE_NODE, UMBRAGE_NODE_MODULES "/naga-wasm"})) return all;
     if (driver == "swiftshader_vulkan") {
         if (!all_exist({UMBRAGE_SWIFTSHADER})) return all;
