@@ -153,7 +153,7 @@ template <int Count>
 UMBRAGE_INLINE inline void add_where(const lanes_of<std::int32_t, Count>& mask, float weight,
                                      lanes_of<float, Count>& sum) {
     const lanes_of<std::int32_t, Count> weights = mask & detail::bit_cast<std::int32_t>(weight);
-    sum += reinterpret_cast<const lanes_of<float, Count>&>(weights);
+    sum += reinterpret_cast<lanes_of<float, Count>>(weights);
 }
 
 template <int Count>

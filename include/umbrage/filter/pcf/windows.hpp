@@ -221,6 +221,12 @@ struct window {
     }
 };
 
+/// The same result; for images of receivers it first asks, for all texels of the window, whether they are all lit or
+/// all in shadow. Pays off for large windows, and where shadows have more inside than border.
+///
+///     umbrage::filters::hierarchical_window filter{umbrage::filters::binomial<7>};
+struct hierarchical_window : window {};
+
 template <int Size>
 inline constexpr window tent{tent_row<Size>, {}, glsl::tent<Size>.name, &glsl::tent<Size>};
 template <int Size>

@@ -124,6 +124,9 @@ struct box_blocks {
     image_view<const float> map;
     int radius;  ///< 0 .. max_box_radius
 
+    /// Of the texels that a receiver there asks for, along an axis.
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t first(float coord) const { return floor_int(coord) - radius; }
+
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const texel_bytes memory(map);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The box filter for receivers most of which are wholly lit or wholly in shadow: those ask one number for the whole
-// box. visibility() does it for filters::hierarchical_box; bit for bit what filters::box gives.
+// Filters over squares of texels for receivers most of which are wholly lit or wholly in shadow: those ask one number
+// for the whole square. visibility() does it for filters::hierarchical_box and filters::hierarchical_window; bit for bit
+// what filters::box and filters::window give.
 //
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out);
 //
@@ -16,19 +17,21 @@
 
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/blocks/box.hpp>
+#include <umbrage/simd/blocks/window.hpp>
 
 namespace umbrage::detail {
 
-/// For every place where a box may start, the bounds of the squares of texels that the box touches. A box of 2r + 1
-/// texels touches at most `cells` squares of 2^level texels in a row.
+/// For every place where a box may start, the bounds of the squares of texels that the box touches: at most `cells`
+/// squares of 2^level texels in a row.
 struct box_bounds {
     int level, cells;
     glm::ivec2 last;          ///< of the starts, which begin cells - 1 squares in front of the map
     image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
 
+    /// @param width   of the box
     template <class ParallelFor>
-    box_bounds(image_view<const float> map, int radius, ParallelFor&& parallel)
-        : level(radius < 4 ? 1 : 2), cells(((1 << level) - 1 + 2 * radius) / (1 << level) + 1) {
+    box_bounds(image_view<const float> map, int width, ParallelFor&& parallel)
+        : level(width < 9 ? 1 : 2), cells(((1 << level) + width - 2) / (1 << level) + 1) {
         const glm::ivec2 squares = (map.size + ((1 << level) - 1)) >> level;
         last = squares + (cells - 2);
         bounds = image<glm::vec2>({(last.x + block) / block * block, last.y + 1});
@@ -122,27 +125,27 @@ private:
     }
 };
 
-template <depth_direction Direction>
-struct hierarchical_box_blocks {
-    using test = block_test<Direction>;
+/// @tparam Blocks   of the filter that reads every texel of its box
+template <class Blocks>
+struct hierarchical_blocks {
+    using test = typename Blocks::test;
     struct placed {
         receiver_block r;
         alignas(64) std::int32_t offsets[block], compared[block];
     };
     const box_bounds& tree;
-    box_blocks<Direction> every_texel;
+    Blocks every_texel;
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        const int radius = every_texel.radius;
         const texel_bytes memory(tree.bounds.view());
         const int before = tree.cells - 1, level = tree.level;
         const glm::ivec2 last = tree.last;
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
             const std::int32_t compared = test::compared(receivers.x(i), receivers.y(i), receivers.z(i));
-            const std::int32_t x = floor_int(masked(receivers.x(i), compared)) - radius;
-            const std::int32_t y = floor_int(masked(receivers.y(i), compared)) - radius;
+            const std::int32_t x = every_texel.first(masked(receivers.x(i), compared));
+            const std::int32_t y = every_texel.first(masked(receivers.y(i), compared));
             at.r.set(i, receivers.x(i), receivers.y(i), receivers.z(i));
             at.offsets[i] =
                 memory.offset(clamp_int((x >> level) + before, last.x), clamp_int((y >> level) + before, last.y));
@@ -184,7 +187,7 @@ private:
         }
         // Copies behind them: if all 64 boxes are in the map, none needs care.
         for (int i = found; i < block; ++i) rest.set(i, rest.xs[0], rest.ys[0], rest.zs[0]);
-        typename box_blocks<Direction>::placed boxes;
+        typename Blocks::placed boxes;
         every_texel.place(rest, boxes);
         every_texel(boxes, found, shares, set);
         for (int i = 0; i < found; ++i) visibility[indices[i]] = shares[i];
@@ -200,8 +203,23 @@ struct block_form<filters::hierarchical_box> {
                             const Use& use) {
         const box_blocks<Direction> every_texel{map.map, clamp_int(filter.radius, max_box_radius)};
         if (map.map.size.x < block) return use(every_texel);  // bounds come in whole blocks: they would outgrow the map
-        const box_bounds tree(map.map, every_texel.radius, parallel);
-        use(hierarchical_box_blocks<Direction>{tree, every_texel});
+        const box_bounds tree(map.map, 2 * every_texel.radius + 1, parallel);
+        use(hierarchical_blocks<box_blocks<Direction>>{tree, every_texel});
+    }
+};
+
+template <>
+struct block_form<filters::hierarchical_window> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::hierarchical_window& filter, ParallelFor&& parallel,
+                            const Use& use) {
+        const window_table weights(filter.row);
+        const window_blocks<Direction> every_texel{map.map, filter.row, weights};
+        if (map.map.size.x < block) return use(every_texel);
+        const box_bounds tree(map.map, filter.row.touched(), parallel);
+        use(hierarchical_blocks<window_blocks<Direction>>{tree, every_texel});
     }
 };
 

@@ -41,6 +41,11 @@ struct window_blocks {
 
     [[nodiscard]] UMBRAGE_INLINE int loaded() const { return row.touched() > 8 ? 16 : 8; }  ///< of a row of texels
 
+    /// Of the texels that a receiver there asks for, along an axis.
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t first(float coord) const {
+        return ((floor_int(coord * 256.0f) - (row.size % 2 ? 128 : 0)) >> 8) - row.size / 2;
+    }
+
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
         const texel_bytes memory(map);

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+//
+// Filters that ask for all their texels at once first, against those that ask for each, which form.cpp holds against
+// the filters themselves.
+#include "paths.hpp"
+
+#include <umbrage/images/visibility.hpp>
+
+namespace {
+
+using namespace paths;
+
+/// Differing pixels, over every path and rounding mode.
+template <class Filter, class Hierarchical>
+int differing(const Filter& filter, const Hierarchical& hierarchical, const image<float>& map,
+              const image<glm::vec3>& receivers, umbrage::outside_map outside) {
+    int differ = 0;
+    for_each_path([&] {
+        image<float> each(receivers.size()), at_once(receivers.size());
+        umbrage::visibility(map, umbrage::depth32f{}, receivers, filter, each, bands{3}, outside);
+        umbrage::visibility(map, umbrage::depth32f{}, receivers, hierarchical, at_once, bands{7}, outside);
+        for (std::size_t i = 0; i < each.texels().size(); ++i)
+            differ += visibility_bits(each.texels()[i]) != visibility_bits(at_once.texels()[i]);
+    });
+    return differ;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "hierarchical filters: the bits of those that ask for each texel, maps of anything and shadows with more inside "
+    "than border") {
+    values v;
+    for (const glm::ivec2 map_size : {glm::ivec2(1, 1), glm::ivec2(63, 9), glm::ivec2(67, 45), glm::ivec2(200, 130)}) {
+        image<float> any(map_size), shapes(map_size);
+        for (float& texel : any.texels()) texel = v.depth();
+        for (int y = 0; y < map_size.y; ++y)
+            for (int x = 0; x < map_size.x; ++x)
+                shapes[{x, y}] = (x / 40 + y / 30) % 2 ? 0.25f : 0.75f + 0.01f * v.unit();
+        image<glm::vec3> scattered({131, 9}), walk({192, 60});
+        for (glm::vec3& r : scattered.texels()) r = {v.coord(map_size.x), v.coord(map_size.y), v.depth()};
+        for (int y = 0; y < walk.size().y; ++y)
+            for (int x = 0; x < walk.size().x; ++x)
+                walk[{x, y}] = {static_cast<float>(x) * 1.03f - 4.0f, static_cast<float>(y) * 2.1f - 3.0f,
+                                y % 7 ? 0.5f : 0.755f};
+        const auto check = [&](const auto& filter, const auto& hierarchical) {
+            CAPTURE(map_size.x);
+            CAPTURE(filter.reach());
+            CHECK(differing(filter, hierarchical, any, scattered, umbrage::outside_map::clamped) == 0);
+            CHECK(differing(filter, hierarchical, shapes, walk, umbrage::outside_map::clamped) == 0);
+            CHECK(differing(filter, hierarchical, shapes, walk, umbrage::outside_map::lit) == 0);
+        };
+        for (const auto direction : {umbrage::depth_direction::forward, umbrage::depth_direction::reversed}) {
+            for (umbrage::filters::window filter :
+                 {umbrage::filters::tent<2>, umbrage::filters::binomial<7>, umbrage::filters::castano<7>,
+                  umbrage::filters::window{umbrage::make_window_row(15, {1, 1, 1, 1, 1, 1, 1, 1})}}) {
+                filter.is_lit = {direction};
+                check(filter, umbrage::filters::hierarchical_window{filter});
+            }
+            for (const int radius : {0, 3, 4, 8})
+                check(umbrage::filters::box{radius, {direction}},
+                      umbrage::filters::hierarchical_box{radius, {direction}});
+        }
+    }
+}
