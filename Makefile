@@ -156,7 +156,7 @@ readme:
 compile-time:
 	$(call install,$(test_packages))
 	cmake --preset dev
-	ctest --preset dev -L compile-time --verbose
+	cmake --build --preset dev --target compile_time
 
 clean:
 	rm -rf build
