@@ -37,8 +37,10 @@ namespace parity {
     X(DELETEPROGRAM, DeleteProgram)                     \
     X(DELETESHADER, DeleteShader)                       \
     X(DELETETEXTURES, DeleteTextures)                   \
+    X(DEPTHFUNC, DepthFunc)                             \
     X(DISABLE, Disable)                                 \
     X(DRAWARRAYS, DrawArrays)                           \
+    X(ENABLE, Enable)                                   \
     X(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
     X(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)       \
     X(GENBUFFERS, GenBuffers)                           \
@@ -83,6 +85,8 @@ public:
         gl_ = functions();
         constexpr GLenum dither = 0x0BD0;  // on by default, would change bytes
         gl_.Disable(dither);
+        gl_.Enable(GL_DEPTH_TEST);  // all pass; without one, llvmpipe compiles each program once more, for whole tiles
+        gl_.DepthFunc(GL_ALWAYS);
         gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
         GLuint array = 0, buffer = 0;
         gl_.GenVertexArrays(1, &array);
@@ -94,6 +98,7 @@ public:
         gl_.EnableVertexAttribArray(0);
         gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
         gl_.GenTextures(2, target_textures_.data());
+        gl_.GenTextures(2, target_depths_.data());
         gl_.GenFramebuffers(2, targets_.data());
         gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_size_);
     }
@@ -227,10 +232,17 @@ private:
         gl_.BindFramebuffer(GL_FRAMEBUFFER, targets_[kind]);
         if (heights_[kind] == height) return;
         gl_.ActiveTexture(GL_TEXTURE0 + max_textures);
-        gl_.BindTexture(GL_TEXTURE_2D, target_textures_[kind]);
-        gl_.TexImage2D(GL_TEXTURE_2D, 0, bytes ? GL_RGBA8 : GL_RGBA32F, width, height, 0, GL_RGBA,
-                       bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, nullptr);
-        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target_textures_[kind], 0);
+        const auto attach = [&](GLenum where, GLuint texture, const names& n) {
+            gl_.BindTexture(GL_TEXTURE_2D, texture);
+            gl_.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(n.internal), width, height, 0, n.format, n.type,
+                           nullptr);
+            gl_.FramebufferTexture2D(GL_FRAMEBUFFER, where, GL_TEXTURE_2D, texture, 0);
+        };
+        const names floats{GL_TEXTURE_2D, GL_RGBA32F, GL_RGBA, GL_FLOAT};
+        attach(GL_COLOR_ATTACHMENT0, target_textures_[kind],
+               bytes ? names{GL_TEXTURE_2D, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE} : floats);
+        attach(GL_DEPTH_ATTACHMENT, target_depths_[kind],
+               {GL_TEXTURE_2D, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT});
         if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
             throw std::runtime_error("the render target is incomplete");
         heights_[kind] = height;
@@ -270,7 +282,7 @@ private:
     EGLContext handle_;
     functions gl_;
     std::array<GLuint, max_textures> textures_{};
-    std::array<GLuint, 2> target_textures_{}, targets_{};
+    std::array<GLuint, 2> target_textures_{}, target_depths_{}, targets_{};
     std::array<int, 2> heights_{};
     GLint max_size_ = 0;
     std::vector<program> programs_;
