@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 #     make demo    makes pictures in build/demo
-#     make gallery   every system, encoding and filter on one page: build/gallery/index.html
+#     make gallery   every system, encoding, bias and filter on one page: build/gallery/index.html
 #     make test    builds and runs every test
 #     make unit T=filter/pcf/box   builds and runs one header's unit tests; without T all of them
 #     make prove   every float and every code, on every implementation here: about an hour on two cores

@@ -24,4 +24,10 @@ const std::vector<std::string>& filter_names() {
     return names;
 }
 
+float reach_of(std::string_view filter) {
+    float reach = 0;
+    umbrage::with_filter(filter, [&](const auto& f) { reach = f.reach(); });
+    return reach;
+}
+
 }  // namespace example

@@ -53,7 +53,7 @@ light make_light(const shadow_system& s, const scene& scene, float azimuth, floa
                                                                 .clip = clip});
             break;
     }
-    out.spread = 2 / std::min(out.space.projection[0][0], out.space.projection[1][1]);
+    out.units = umbrage::make_light_units(out.space, {1, 1});
     return out;
 }
 

@@ -6,7 +6,7 @@
 //     example::shadow_system system = example::radeon_8500;
 //     example::scene scene = example::make_scene(system);
 //     example::light light = example::make_light(system, scene, 60, 40, system.map_size);
-//     glm::vec3 point = example::lifted(system, light, position, normal, system.map_size);  // what to look up
+//     glm::vec3 point = example::lifted(system, light, position, face_normal, map_size);  // what to look up
 //
 #pragma once
 
@@ -20,7 +20,13 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <umbrage/bias/acne_free.hpp>
+#include <umbrage/bias/light_units.hpp>
+#include <umbrage/bias/normal_offset.hpp>
 #include <umbrage/depth/kinds.hpp>
+#include <umbrage/filter/pcf/four_tap.hpp>
+#include <umbrage/filter/pcf/hard.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/shade/lighting.hpp>
 
@@ -52,6 +58,11 @@ enum class shading_kind {
     darken,           ///< shadow multiplies the lit picture by `ambient`, and so does turning away from the light
 };
 
+/// Texels along the normal that keep a surface from shadowing itself at any angle, under a filter of that reach.
+[[nodiscard]] constexpr float lift_for(float reach) {
+    return umbrage::offset_width(reach + umbrage::snapping_reach<float>, 1.0f);
+}
+
 struct shadow_system {
     std::string_view name;   ///< of its program
     std::string_view title;  ///< for people
@@ -70,7 +81,7 @@ struct shadow_system {
     std::string_view filter = "hard";  ///< one of umbrage::filters; pcf_2x2_dx_sdk adds the bias on the map's side
     test_kind test = test_kind::less_equal;
     float bias = 0x1p-18f;  ///< in the map's depth; epsilon where the original says so
-    float lift = 1;         ///< texels along the normal, see lifted(); the originals had none
+    float lift = lift_for(umbrage::filters::hard{}.reach());  ///< texels, see lifted(); the originals had none
 
     shading_kind shading = shading_kind::diffuse_ambient;
     float ambient = 0.22f;
@@ -87,7 +98,7 @@ inline constexpr shadow_system radeon_8500{
     .receiver = receiver_kind::scaled,
     .filter = "four_tap",
     .bias = 1.5f / 2048,  // the look-up rounds down by up to one code
-    .lift = 2,
+    .lift = lift_for(umbrage::filters::four_tap{}.reach()),
 };
 
 /// Microsoft DirectX SDK, ShadowMap: a spot light, z/w in a float map, 2x2 percentage-closer filtering.
@@ -101,7 +112,7 @@ inline constexpr shadow_system dx_sdk{
     .depth = depth_kind::projected,
     .filter = "pcf_2x2_dx_sdk",
     .bias = 0.00005f,
-    .lift = 2,
+    .lift = lift_for(umbrage::filters::pcf_2x2_dx_sdk{}.reach()),
     .textured = true,
 };
 
@@ -114,7 +125,6 @@ inline constexpr shadow_system exercise{
     .filter = "hard",
     .test = test_kind::exercise,
     .bias = 0.0005f,
-    .lift = 1,
     .scene_scale = 2.5f,
 };
 
@@ -128,7 +138,6 @@ inline constexpr shadow_system self_shadowing{
     .receiver = receiver_kind::encoded,
     .filter = "hard",
     .bias = 0.5f / 2048,  // both sides round down alike
-    .lift = 1,
     .shading = shading_kind::darken,
     .ambient = 0.4f,
 };
@@ -151,7 +160,7 @@ struct light {
     bool spot = true;
     glm::vec3 position{0}, direction{0, -1, 0};  ///< of length one; a directional light has no position
     float cos_outer = 0, z_near = 0, z_far = 1;
-    float spread = 1;  ///< width of the map at distance 1 (spot) or everywhere, world units
+    glm::vec2 units{1};  ///< umbrage::make_light_units of a map of one texel
     umbrage::light_space<float> space{};
 
     [[nodiscard]] glm::mat4 world_to_clip() const { return space.projection * space.view; }
@@ -162,10 +171,12 @@ struct light {
         return spot ? umbrage::spot_cone(direction, p - position, cos_outer) : 1.0f;
     }
 
+    /// Distance along the axis of a spot: w of its shadow coordinates.
+    [[nodiscard]] float w(glm::vec3 p) const { return spot ? glm::dot(p - position, direction) : 1.0f; }
+
     /// Edge of a texel's footprint at a point, across the light, in world units.
     [[nodiscard]] float texel_world(glm::vec3 p, int map_size) const {
-        return spread * (spot ? std::max(glm::dot(p - position, direction), 0.0f) : 1.0f) /
-               static_cast<float>(map_size);
+        return umbrage::texels_to_world(1.0f / static_cast<float>(map_size), units, w(p));
     }
 
     /// The system's kind of depth from the depth pass's z/w in [0, 1].
@@ -181,14 +192,14 @@ struct light {
 [[nodiscard]] light make_light(const shadow_system& s, const scene& scene, float azimuth, float elevation, int map_size,
                                umbrage::clip_space clip = picture_clip);
 
-/// The point to look up instead of the surface itself: off it by so many texels that the surface cannot shadow
-/// itself at any angle. Without it (lift = 0) a system has the bias in depth alone, as the originals had.
-/// @param normal  of length one, on the camera's side
+/// The point to look up instead of the surface itself. Without a lift a system has the bias in depth alone, as the
+/// originals had.
+/// @param normal  of the flat triangle, which is what the map holds; of length one, on the camera's side
 [[nodiscard]] inline glm::vec3 lifted(const shadow_system& s, const light& l, glm::vec3 position, glm::vec3 normal,
                                       int map_size) {
-    const float cosine = glm::dot(normal, l.direction);
-    const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-    return position + normal * (s.lift * sine * l.texel_world(position, map_size));
+    const glm::vec3 way = l.spot ? (position - l.position) / l.w(position) : l.direction;
+    return position +
+           umbrage::normal_offset(normal, l.direction, way, s.lift * l.texel_world(position, map_size), 0.0f);
 }
 
 /// Procedural texture of `textured` systems, a chequered solid that things are cut from: a factor for the colour.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cctype>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <umbrage/bias/constant.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/images/visibility.hpp>
 #include <umbrage/shader/registry.hpp>
@@ -25,7 +25,8 @@ void add_filter(page& page, const settings& o, const std::filesystem::path& fold
                 const std::vector<glsl::snippet>& snippets) {
     shadow_system system = radeon_8500;
     system.map_size = 256;
-    system.lift = std::numbers::sqrt2_v<float> * (reach + 1.0f / 128);  // to the corner of what the filter reads
+    system.lift = lift_for(reach);
+    system.bias = 0x1p-18f;  // floats, rounded twice
     stage stage(system, {.output = folder, .size = 3});
     const glm::ivec2 size(o.size * 2 / 3);
     stage.camera = make_camera({.target = {-1.75f, 0, 0.35f}, .elevation = 55, .distance = 7.5f, .fov = 10});
@@ -36,9 +37,9 @@ void add_filter(page& page, const settings& o, const std::filesystem::path& fold
     const glm::mat4 to_texels = umbrage::texture_matrix(light.space, map.size());
     umbrage::image<glm::vec3> receivers(size, umbrage::project_coordinate(glm::vec4(0)));
     stage.for_each_surface([&](glm::ivec2 pixel, const surface& s) {
-        const glm::vec3 point = lifted(system, light, s.position, s.normal, system.map_size);
+        const glm::vec3 point = lifted(system, light, s.position, s.face_normal, system.map_size);
         const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, point));
-        receivers[pixel] = {p.x, p.y, light.depth(system, p.z) - 0x1p-18f};
+        receivers[pixel] = {p.x, p.y, umbrage::biased(light.depth(system, p.z), system.bias)};
     });
 
     umbrage::image<float> visibility(size);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Renders the systems, the encodings and the filters of the library into one page.
+// Renders the systems, encodings, biases and filters of the library into one page.
 //
 //     gallery --output build/gallery/index.html
 //
@@ -32,6 +32,7 @@ void run(const settings& o) {
     page page(folder);
     add_systems(page, o, folder);
     add_encodings(page, o, folder);
+    add_biases(page, o, folder);
     add_filters(page, o, folder);
     page.write(o.output, "Times are of one run on one thread of " + processor() + " unless said otherwise.");
     std::filesystem::remove_all(folder);
@@ -44,7 +45,7 @@ void run(const settings& o) {
 int main(int argc, char** argv) {
     return example::run("gallery", [&] {
         gallery::settings o;
-        CLI::App app{"Makes one page of every system, encoding and filter.", "gallery"};
+        CLI::App app{"Makes one page of every system, encoding, bias and filter.", "gallery"};
         app.option_defaults()->always_capture_default();
         app.add_option("-o,--output", o.output, "the page; its folder is made when missing");
         app.add_option("--viewer", o.viewer, "the viewer, for pictures by OpenGL; left out where it cannot run");

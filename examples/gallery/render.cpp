@@ -7,6 +7,7 @@
 #include <cstring>
 #include <utility>
 
+#include <umbrage/bias/constant.hpp>
 #include <umbrage/compare.hpp>
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
@@ -88,18 +89,20 @@ umbrage::image<float> visibility_of(const example::shadow_system& s, const examp
     const auto fetch = umbrage::clamped(map);
     const auto outside_lit = umbrage::bordered(map, 1.0f);
     return stage.visibility([&](const example::surface& at) {
-        const glm::vec3 point = example::lifted(s, light, at.position, at.normal, map.size().x);
+        const glm::vec3 point = example::lifted(s, light, at.position, at.face_normal, map.size().x);
         const glm::vec3 p = project_coordinate(shadow_coordinate(to_texels, point));
         const float depth = light.depth(s, p.z);
         if (s.test == example::test_kind::exercise)
             return umbrage::compare_exercise(depth, outside_lit(glm::ivec2(glm::floor(glm::vec2(p)))), s.bias);
         const float cone = light.cone(at.position);
         if (s.filter == "pcf_2x2_dx_sdk") return cone * umbrage::pcf_2x2_dx_sdk(fetch, glm::vec2(p), depth, s.bias);
-        if (s.filter == "hard") return cone * umbrage::hard(fetch, glm::vec2(p), receiver_of(s, depth - s.bias));
+        if (s.filter == "hard")
+            return cone * umbrage::hard(fetch, glm::vec2(p), receiver_of(s, umbrage::biased(depth, s.bias)));
         std::array<glm::vec3, 4> tap;
         for (std::size_t i = 0; i < 4; ++i) tap[i] = project_coordinate(shadow_coordinate(taps[i], point));
         return cone * umbrage::four_tap(fetch, glm::vec2(tap[0]), glm::vec2(tap[1]), glm::vec2(tap[2]),
-                                        glm::vec2(tap[3]), receiver_of(s, light.depth(s, tap[0].z) - s.bias));
+                                        glm::vec2(tap[3]),
+                                        receiver_of(s, umbrage::biased(light.depth(s, tap[0].z), s.bias)));
     });
 }
 

@@ -26,6 +26,7 @@ struct settings {
 /// @param folder  for pictures on their way into the page
 void add_systems(page& page, const settings& o, const std::filesystem::path& folder);
 void add_encodings(page& page, const settings& o, const std::filesystem::path& folder);
+void add_biases(page& page, const settings& o, const std::filesystem::path& folder);
 void add_filters(page& page, const settings& o, const std::filesystem::path& folder);
 
 template <class... Values>

@@ -4,6 +4,7 @@
 // bilinear mean, on diffuse and ambient light.
 //
 //     light -> depth pass -> [map] -> fetch -> compare -> filter -> visibility -> shade
+#include <umbrage/bias/constant.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
@@ -28,11 +29,11 @@ void run(const options& o) {
 
     // Visibility: within the cone, compare and filter.
     const umbrage::image<float> visibility = stage.visibility([&](const surface& s) {
-        const glm::vec3 point = lifted(system, light, s.position, s.normal, o.map_size);
+        const glm::vec3 point = lifted(system, light, s.position, s.face_normal, o.map_size);
         const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
         const float lit = system.filter == dx_sdk.filter
                               ? umbrage::pcf_2x2_dx_sdk(fetch, glm::vec2(p), p.z, system.bias)
-                              : filtered(system, fetch, glm::vec2(p), p.z - system.bias);
+                              : filtered(system, fetch, glm::vec2(p), umbrage::biased(p.z, system.bias));
         return light.cone(s.position) * lit;
     });
 

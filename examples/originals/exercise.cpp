@@ -7,6 +7,7 @@
 //     light -> depth pass -> [map] -> fetch -> compare -> visibility -> shade
 #include <vector>
 
+#include <umbrage/bias/constant.hpp>
 #include <umbrage/compare.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
@@ -36,10 +37,11 @@ frame render(const shadow_system& system, const stage& stage, float azimuth, flo
 
     // Visibility: one texel, one comparison.
     umbrage::image<float> visibility = stage.visibility([&](const surface& s) {
-        const glm::vec3 point = lifted(system, light, s.position, s.normal, map_size);
+        const glm::vec3 point = lifted(system, light, s.position, s.face_normal, map_size);
         const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
         const float current = light.depth(system, p.z);
-        if (system.filter != exercise.filter) return filtered(system, fetch, glm::vec2(p), current - system.bias);
+        if (system.filter != exercise.filter)
+            return filtered(system, fetch, glm::vec2(p), umbrage::biased(current, system.bias));
         return umbrage::compare_exercise(current, fetch(glm::ivec2(glm::floor(glm::vec2(p)))), system.bias);
     });
 

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <umbrage/bias/constant.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
@@ -60,13 +61,13 @@ void run(const options& o) {
     // fetch: texel -> what the map holds, decoded;  scale: the depth on decode's scale
     const auto visibility_with = [&](auto fetch, auto scale) {
         return stage.visibility([&](const surface& s) {
-            const glm::vec3 point = lifted(system, light, s.position, s.normal, o.map_size);
+            const glm::vec3 point = lifted(system, light, s.position, s.face_normal, o.map_size);
             const auto project = [&](const glm::mat4& m) {
                 return umbrage::project_coordinate(umbrage::shadow_coordinate(m, point));
             };
             std::array<glm::vec3, 4> at;
             for (std::size_t tap = 0; tap < 4; ++tap) at[tap] = project(taps[tap]);
-            const float receiver = scale(light.depth(system, at[0].z) - system.bias);
+            const float receiver = scale(umbrage::biased(light.depth(system, at[0].z), system.bias));
             const auto xy = [](glm::vec3 p) { return glm::vec2(p.x, p.y); };
             const float lit = system.filter == radeon_8500.filter
                                   ? umbrage::four_tap(fetch, xy(at[0]), xy(at[1]), xy(at[2]), xy(at[3]), receiver)

@@ -9,6 +9,7 @@
 // Texel 256 of that texture is (0, 32, 0, 0) by the article's own formula, not (255, 32, 0, 0) as its text has it.
 #include <algorithm>
 
+#include <umbrage/bias/constant.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -48,9 +49,9 @@ void run(const options& o) {
     // fetch: texel -> what the map holds, decoded;  scale: a depth, decoded likewise
     const auto visibility_with = [&](auto fetch, auto scale) {
         return stage.visibility([&](const surface& s) {
-            const glm::vec3 point = lifted(system, light, s.position, s.normal, o.map_size);
+            const glm::vec3 point = lifted(system, light, s.position, s.face_normal, o.map_size);
             const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
-            return filtered(system, fetch, glm::vec2(p), scale(p.z - system.bias));
+            return filtered(system, fetch, glm::vec2(p), scale(umbrage::biased(p.z, system.bias)));
         });
     };
     const bool own = system.encoding == self_shadowing.encoding;

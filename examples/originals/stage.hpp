@@ -15,6 +15,7 @@
 
 #include <umbrage/image.hpp>
 
+#include <names.hpp>
 #include <surface.hpp>
 #include <systems.hpp>
 
@@ -28,13 +29,14 @@ struct options {
     std::filesystem::path output = "out", mesh{};
     float azimuth = 0, elevation = 0;
     int size = 960, map_size = 0;
-    float lift = 0, bias = 0;
+    std::optional<float> lift{};  ///< unset: what the filter's reach asks for
+    float bias = 0;
     std::string encoding{}, filter{};
     bool rays = false;
 
     /// The system as these options want it.
     [[nodiscard]] shadow_system of(shadow_system s) const {
-        s.lift = lift;
+        s.lift = lift.value_or(lift_for(reach_of(filter)));
         s.bias = bias;
         s.encoding = encoding;
         s.filter = filter;

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <umbrage/bias/light_units.hpp>
 #include <umbrage/depth/kinds.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/spot_light.hpp>
@@ -24,6 +25,7 @@ struct light {
     glm::vec3 position, direction;
     float cos_outer = 0, z_near = 0, z_far = 1;  ///< a directional light has 0, 0 and 1
     umbrage::light_space<float> space{};
+    glm::vec2 units{1};  ///< umbrage::make_light_units
 
     [[nodiscard]] glm::mat4 world_to_clip() const { return space.projection * space.view; }
 
@@ -46,11 +48,16 @@ struct light {
         return spot() ? inside : 1.0f;
     }
 
-    /// Edge of a texel's footprint at a point, across the light, in world units.
-    [[nodiscard]] float texel_world(glm::vec3 p, int map_size) const {
-        const float along = glm::dot(p - position, direction), distance = spot() ? along : 1.0f;
-        const float half = 1 / std::min(space.projection[0][0], space.projection[1][1]);
-        return 2 * half * std::max(distance, 0.0f) / static_cast<float>(map_size);
+    /// Distance along the axis of a spot: w of its shadow coordinates.
+    [[nodiscard]] float w(glm::vec3 p) const {
+        const float along = glm::dot(p - position, direction);
+        return spot() ? along : 1.0f;
+    }
+
+    /// From the light to the point over w.
+    [[nodiscard]] glm::vec3 way(glm::vec3 p, float w) const {
+        const glm::vec3 from = (p - position) / w;
+        return {spot() ? from.x : direction.x, spot() ? from.y : direction.y, spot() ? from.z : direction.z};
     }
 };
 
@@ -64,6 +71,7 @@ struct light {
                                                            .low = scene.low,
                                                            .high = scene.high,
                                                            .clip = example::picture_clip});
+        out.units = umbrage::make_light_units(out.space, glm::ivec2(o.map_size));
         return out;
     }
 
@@ -82,6 +90,7 @@ struct light {
                                                  .z_near = out.z_near,
                                                  .z_far = out.z_far,
                                                  .clip = example::picture_clip});
+    out.units = umbrage::make_light_units(out.space, glm::ivec2(o.map_size));
     return out;
 }
 

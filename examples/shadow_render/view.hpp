@@ -4,14 +4,15 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <numbers>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/bias/acne_free.hpp>
+#include <umbrage/bias/light_units.hpp>
+#include <umbrage/bias/normal_offset.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/visibility.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -48,20 +49,18 @@ struct view {
     }
 };
 
-/// The point to look up instead of the surface itself, moved off it so that no texel the filter reads can shadow a
-/// plane through it. With t the angle between normal and light axis, a texel's step across the map changes the depth
-/// of the plane by as much as a move of sin(t) texels along its normal wins: so sin(t) times the farthest texel.
-[[nodiscard]] inline glm::vec3 biased(glm::vec3 position, glm::vec3 face_normal, const light& l, float texels,
-                                      int map_size) {
-    const float cosine = glm::dot(face_normal, l.direction);
-    const float sine = std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-    return position + face_normal * (texels * sine * l.texel_world(position, map_size));
+/// The point to look up instead of the surface itself, so that no plane shadows itself.
+/// @param texels  along the normal where light grazes
+[[nodiscard]] inline glm::vec3 lifted(glm::vec3 position, glm::vec3 face_normal, const light& l, float texels) {
+    const float w = l.w(position);
+    const glm::vec3 way = l.way(position, w);
+    return position +
+           umbrage::normal_offset(face_normal, l.direction, way, umbrage::texels_to_world(texels, l.units, w), 0.0f);
 }
 
-/// What `biased` needs so that no plane shadows itself: the way to the corner of the filter's footprint.
+/// What `lifted` needs for a filter.
 [[nodiscard]] inline float automatic_bias(float reach) {
-    constexpr float snapping = 1.0f / 128;  // the depth pass moves vertices by up to 1/512 texel
-    return std::numbers::sqrt2_v<float> * (reach + snapping);
+    return umbrage::offset_width(reach + umbrage::snapping_reach<float>, 1.0f);
 }
 
 /// Where each sample looks into the map, in texels, and the depth that it compares with; the bias is part of both.
@@ -74,7 +73,7 @@ struct receivers {
     [[nodiscard]] umbrage::receiver_planes planes() const { return {x, y, depth}; }
 };
 
-/// @param texels    what `biased` takes
+/// @param texels    what `lifted` takes
 /// @param below     how far the encoding may answer below the depth it was given
 /// @param parallel  as the library's functions take it
 template <class ParallelFor>
@@ -90,11 +89,10 @@ template <class ParallelFor>
             for (int x = first; x < last; x += lanes) {
                 example::vectors weights, at;
                 on.locate({x, y}, weights, at);
-                for (int i = 0; i < lanes; ++i)
-                    at.set(i, biased(at[i], on.face_normal(at[i]), v.lamp, texels, map_size));
+                for (int i = 0; i < lanes; ++i) at.set(i, lifted(at[i], on.face_normal(at[i]), v.lamp, texels));
                 for (int i = 0; i < lanes; ++i)
                     at.set(i, umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, at[i])));
-                for (int i = 0; i < lanes; ++i) at.z[i] = v.lamp.even_depth(at.z[i]) - rounding - below;
+                for (int i = 0; i < lanes; ++i) at.z[i] = umbrage::biased(v.lamp.even_depth(at.z[i]), rounding + below);
                 const int count = std::min(lanes, last - x);
                 std::copy_n(at.x, count, to_x + x);
                 std::copy_n(at.y, count, to_y + x);

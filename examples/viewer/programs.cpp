@@ -5,6 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include <umbrage/bias/constant.hpp>
+#include <umbrage/bias/light_units.hpp>
+#include <umbrage/bias/normal_offset.hpp>
 #include <umbrage/compare.hpp>
 #include <umbrage/depth/kinds.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
@@ -167,26 +170,28 @@ void main() {
                                     filter.uses,
                                     depth_snippets,
                                     {glsl::receiver_ps14, glsl::shadow_coordinate, glsl::project_coordinate,
-                                     glsl::spot_cone, glsl::diffuse_ambient}},
+                                     glsl::texels_to_world, glsl::normal_offset, glsl::biased, glsl::spot_cone,
+                                     glsl::diffuse_ambient}},
                                    how.map),
                             R"GLSL(
 varying vec3 world, world_normal, world_face;
 varying vec4 surface_colour;  // alpha: 1 on the floor
 uniform vec3 eye, light_direction;
 uniform vec4 light_position;  // w: 1 for a spot, 0 for a directional light
-uniform float cos_outer, spread, lift, bias, ambient;
+uniform float cos_outer, lift, bias, ambient;
 uniform mat4 world_to_texels, taps[4];
 uniform sampler2D map, table;
-uniform vec2 map_size;
+uniform vec2 map_size, units;
 )GLSL" + map_depth(s) + R"GLSL(
 vec3 unit(vec3 a, vec3 otherwise) { return length(a) > 0.0 ? a / length(a) : otherwise; }
 vec3 towards(vec3 a, vec3 side) { return dot(a, side) < 0.0 ? -a : a; }
 
 // Off the surface by so many texels that it cannot shadow itself.
 vec3 lifted(vec3 point, vec3 normal) {
-    float cosine = dot(normal, light_direction);
-    float distance = light_position.w > 0.0 ? max(dot(point - light_position.xyz, light_direction), 0.0) : 1.0;
-    return point + normal * (lift * sqrt(max(0.0, 1.0 - cosine * cosine)) * spread * distance / map_size.x);
+    float w = umbrage_shadow_coordinate(world_to_texels, point).w;
+    vec3 way = light_position.w > 0.0 ? (point - light_position.xyz) / w : light_direction;
+    float width = umbrage_texels_to_world(lift, units, w);
+    return point + umbrage_normal_offset(normal, light_direction, way, width, 0.0);
 }
 
 vec3 floor_colour(vec3 point) {
@@ -210,12 +215,12 @@ void main() {
     vec3 normal = towards(unit(world_normal, face), face);
 
     // Light, and where in its map the surface lies.
-    looked_up = lifted(world, normal);
+    looked_up = lifted(world, face);
     vec3 p = umbrage_project_coordinate(umbrage_shadow_coordinate(world_to_texels, looked_up));
     float depth = map_depth(p.z);
 
     // Fetch, decode, compare, filter.
-    float biased = depth - bias;
+    float biased = umbrage_biased(depth, bias);
     float receiver = )GLSL" + receiver_of(s) +
                                 R"GLSL(;
     float visibility = )GLSL" + filter.visibility +

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <umbrage/bias/light_units.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -148,7 +149,7 @@ void renderer::camera_pass(const session& s, const example::light& l, glm::ivec2
         .set("light_direction", l.direction)
         .set("light_position", glm::vec4(l.position, l.spot ? 1 : 0))
         .set("cos_outer", l.cos_outer)
-        .set("spread", l.spread)
+        .set("units", umbrage::make_light_units(l.space, map_->size))
         .set("lift", s.system.lift)
         .set("bias", bias_of(s.system))
         .set("ambient", s.system.ambient)

@@ -40,7 +40,7 @@ session::session(const options& o) : es2(o.es2), mask(o.mask), text(o.text), map
     if (o.azimuth) system.azimuth = *o.azimuth;
     if (o.elevation) system.elevation = *o.elevation;
     if (o.encoding) encode(*o.encoding);
-    if (o.filter) system.filter = listed(example::filter_names(), *o.filter);
+    if (o.filter) filter(*o.filter);
     if (o.map_size) system.map_size = *o.map_size;
     if (o.bias) system.bias = *o.bias;
     if (o.lift) system.lift = *o.lift;
@@ -66,6 +66,11 @@ void session::encode(std::string_view name) {
     system.receiver = name == original.encoding ? original.receiver : example::receiver_kind::plain;
 }
 
+void session::filter(std::string_view name) {
+    system.filter = listed(example::filter_names(), name);
+    system.lift = example::lift_for(example::reach_of(name));
+}
+
 void session::next_encoding() {
     std::string_view next = system.encoding;
     do { next = after(example::encoding_names(), next); } while (es2 && !encoding_called(next).on_es2());
@@ -84,7 +89,7 @@ void session::press(int pressed) {
             break;
         }
         case 'E': next_encoding(); break;
-        case 'F': system.filter = after(example::filter_names(), system.filter); break;
+        case 'F': filter(after(example::filter_names(), system.filter)); break;
         case '+': system.bias *= 1.25f; break;
         case '-': system.bias *= 0.8f; break;
         case 'M': system.map_size = std::min(system.map_size * 2, largest_map / 2); break;

@@ -52,6 +52,8 @@ public:
     /// @param name  one of example::encoding_names()
     /// @throws example::usage_error  it does not run on OpenGL ES 2
     void encode(std::string_view name);
+    /// @param name  one of example::filter_names(); the lift follows its reach
+    void filter(std::string_view name);
 
     /// A letter, a digit, '+', '-' or one of viewer::key. Others are ignored.
     void press(int pressed);

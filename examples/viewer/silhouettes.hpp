@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <umbrage/bias/constant.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/rasterize.hpp>
@@ -59,9 +60,9 @@ public:
 
 private:
     [[nodiscard]] bool lit(const example::surface& s, glm::vec3 position) const {
-        const glm::vec3 point = example::lifted(system_, light_, position, s.normal, system_.map_size);
+        const glm::vec3 point = example::lifted(system_, light_, position, s.face_normal, system_.map_size);
         const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels_, point));
-        const float receiver = light_.depth(system_, p.z) - system_.bias;
+        const float receiver = umbrage::biased(light_.depth(system_, p.z), system_.bias);
         return light_.cone(position) * umbrage::hard(umbrage::clamped(map_), glm::vec2(p), receiver) > 0;
     }
 

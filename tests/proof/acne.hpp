@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Planes in a map against receivers on them: with acne_free_bias none is dark, with 9/10 of it some are. A sample in the
-// tests, all of it in `make prove`.
+// Planes in a map against receivers on them: with acne_free_bias none is dark, with 9/10 of it some are. A sample in
+// the tests, all of it in `make prove`.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <random>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <umbrage/bias/acne_free.hpp>
 #include <umbrage/depth/encodings.hpp>
@@ -21,14 +22,14 @@ namespace proof {
 
 /// Tilted against the light by up to 89 degrees, turned every way, before maps whose depth spans 2^11 to 2^17 texels.
 inline constexpr double tilts[]{0, 1, 5, 15, 30, 45, 60, 75, 80, 85, 87, 88, 89};
-inline constexpr std::uint64_t planes = std::size(tilts) * 3 * 8;
+inline constexpr std::uint64_t plane_count = std::size(tilts) * 3 * 4;
 
 /// Change of the n-th plane's depth from one texel to the next.
 [[nodiscard]] inline glm::vec2 nth_slope(std::uint64_t n) {
     constexpr double degree = std::numbers::pi / 180;
     const double tilt = std::tan(tilts[n % std::size(tilts)] * degree);
     const double texels = std::exp2(11.0 + 3.0 * double(n / std::size(tilts) % 3));
-    const double turn = 45.0 * double(n / std::size(tilts) / 3) + (n % 2 ? 0.0 : 17.0);
+    const double turn = 90.0 * double(n / std::size(tilts) / 3) + (n % 2 ? 0.0 : 17.0);
     return glm::vec2(glm::dvec2(std::cos(turn * degree), std::sin(turn * degree)) * (tilt / texels));
 }
 
@@ -73,27 +74,43 @@ struct plane {
     }
 };
 
-struct acne {
-    std::uint64_t dark = 0;   ///< receivers under the whole bias
-    std::uint64_t loose = 0;  ///< planes of which 9/10 of the bias leaves none dark, though they are owed one
-    std::uint64_t tight = 0;  ///< planes that were owed one
+/// The n-th plane, moved to and fro in depth.
+class moved_plane {
+public:
+    moved_plane(std::uint64_t n, float reach)
+        : slope(nth_slope(n)), reach_(reach), random_(static_cast<std::uint32_t>(n)) {}
+
+    const glm::vec2 slope;
+
+    [[nodiscard]] const plane& operator[](std::size_t move) {
+        while (made_.size() <= move) made_.emplace_back(slope, reach_, random_);
+        return made_[move];
+    }
+
+private:
+    float reach_;
+    std::mt19937 random_;
+    std::vector<plane> made_;
 };
 
-/// The n-th plane, moved to and fro in depth until 9/10 of the bias is too little, or 64 times.
+struct acne {
+    std::uint64_t dark = 0;  ///< receivers under the whole bias
+    bool owed = false;       ///< 9/10 of the bias is to leave one dark
+    bool loose = false;      ///< and does not
+};
+
+/// Looks at moves of a plane until 9/10 of the bias is too little. Of a plane that faces the light all receivers have one
+/// error of the encoding, and few moves have nearly the greatest.
 template <class Filter, class Encoding>
-[[nodiscard]] acne look_for_acne(const Filter& filter, const Encoding& encoding, std::uint64_t n) {
-    const glm::vec2 slope = nth_slope(n);
-    const float bias = umbrage::acne_free_bias(slope, filter, encoding);
-    const bool owed = bias - 0x1p-23f > 0x1p-16f;
-    std::mt19937 random(static_cast<std::uint32_t>(n));
-    acne seen{.tight = owed};
-    bool tight = !owed;
-    for (int move = 0; move < 64 && (move == 0 || !tight); ++move) {
-        const plane p(slope, filter.reach(), random);
-        seen.dark += static_cast<std::uint64_t>(p.dark(filter, encoding, bias));
-        tight = tight || p.dark(filter, encoding, bias * 0.9f) > 0;
+[[nodiscard]] acne look_for_acne(const Filter& filter, const Encoding& encoding, moved_plane& moved) {
+    const float bias = umbrage::acne_free_bias(moved.slope, filter, encoding);
+    acne seen{.owed = bias - 0x1p-23f > 0x1p-16f};
+    bool tight = false;
+    for (std::size_t move = 0; move == 0 || (seen.owed && !tight && move < 512); ++move) {
+        seen.dark += static_cast<std::uint64_t>(moved[move].dark(filter, encoding, bias));
+        tight = seen.owed && moved[move].dark(filter, encoding, bias * 0.9f) > 0;
     }
-    seen.loose = !tight;
+    seen.loose = seen.owed && !tight;
     return seen;
 }
 

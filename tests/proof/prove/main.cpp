@@ -162,13 +162,15 @@ line acne_under(const Filter& filter, umbrage::depth_direction direction) {
     std::snprintf(reach, sizeof reach, ", reach %g", double(filter.reach()));
     const bool forward = direction == umbrage::depth_direction::forward;
     return {umbrage::glsl::acne_free_bias, std::string(filter.name) + reach + (forward ? "" : ", reversed"), 0,
-            proof::planes, [=](count first, count last) {
+            proof::plane_count, [=](count first, count last) {
                 seen s;
-                for (count n = first; n < last; ++n)
+                for (count n = first; n < last; ++n) {
+                    proof::moved_plane moved(n, filter.reach());
                     proof::for_each_decoder(direction, [&](const auto& encoding) {
-                        const proof::acne found = proof::look_for_acne(filter, encoding, n);
+                        const proof::acne found = proof::look_for_acne(filter, encoding, moved);
                         s.failures += found.dark + found.loose;
                     });
+                }
                 return s;
             }};
 }
