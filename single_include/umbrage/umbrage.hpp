@@ -1549,7 +1549,7 @@ namespace detail {
 }  // namespace umbrage
 
 // ---- umbrage/bias/slope.hpp
-// How depth changes from texel to texel of a map where it sees a plane, and the slope-scaled bias that rasterizers have.
+// How depth changes from texel to texel where a map sees a plane, and the slope-scaled bias that rasterizers have.
 //
 //     glm::mat4 planes = umbrage::plane_matrix(umbrage::texture_matrix(light, map.size()));  // for planes, not points
 //     glm::vec2 slope = umbrage::plane_slope(planes, normal, world);

@@ -99,8 +99,8 @@ struct acne {
     bool loose = false;      ///< and does not
 };
 
-/// Looks at moves of a plane until 9/10 of the bias is too little. Of a plane that faces the light all receivers have one
-/// error of the encoding, and few moves have nearly the greatest.
+/// Looks at moves of a plane until 9/10 of the bias is too little. Of a plane that faces the light all receivers have
+/// one error of the encoding, and few moves have nearly the greatest.
 template <class Filter, class Encoding>
 [[nodiscard]] acne look_for_acne(const Filter& filter, const Encoding& encoding, moved_plane& moved) {
     const float bias = umbrage::acne_free_bias(moved.slope, filter, encoding);
