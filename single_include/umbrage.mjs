@@ -1725,7 +1725,7 @@ UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                       UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_TEXEL;
-    return receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+    return (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
 }
 `,
             "hooks/lit, clamped": `
@@ -1749,7 +1749,8 @@ UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                       UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP vec4 lit = UMBRAGE_GATHER_LIT;
-    return receiver > 0.0 || receiver <= 0.0 ? vec4(lit.w, lit.z, lit.x, lit.y) : vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return vec4(lit.w, lit.z, lit.x, lit.y) * number;
 }
 `,
             "hooks/gather_lit, one channel": `
@@ -1830,7 +1831,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(coord, vec2(0.5, 0.5), size - 0.5) : vec2(0.5, 0.5);
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP float visibility = receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+    UMBRAGE_HIGHP float visibility = (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
     return compared ? visibility : 1.0;
 }
 `,
@@ -1846,7 +1847,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
     UMBRAGE_HIGHP float sum = outside + inside.x * inside.y * (lit - outside);
-    UMBRAGE_HIGHP float visibility = receiver > 0.0 || receiver <= 0.0 ? sum : 0.0;
+    UMBRAGE_HIGHP float visibility = (receiver > 0.0 ? sum : 0.0) + (receiver <= 0.0 ? sum : 0.0);
     return compared ? visibility : 1.0;
 }
 `,
@@ -3210,7 +3211,7 @@ float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
 float umbrage_lit_texel(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 at = texel + UMBRAGE_ORIGIN;
     float lit = UMBRAGE_LIT_TEXEL;
-    return receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+    return (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
 }
 `,
             "hooks/lit, clamped": `
@@ -3231,7 +3232,8 @@ float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
 float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 at = texel + UMBRAGE_ORIGIN;
     float4 lit = UMBRAGE_GATHER_LIT;
-    return receiver > 0.0 || receiver <= 0.0 ? float4(lit.w, lit.z, lit.x, lit.y) : float4(0.0, 0.0, 0.0, 0.0);
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return float4(lit.w, lit.z, lit.x, lit.y) * number;
 }
 `,
             "hooks/gather_lit, one channel": `
@@ -3306,7 +3308,7 @@ float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float
     float2 texel = compared ? clamp(coord, float2(0.5, 0.5), size - 0.5) : float2(0.5, 0.5);
     float2 at = texel + UMBRAGE_ORIGIN;
     float lit = UMBRAGE_LIT_FILTERED;
-    float visibility = receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+    float visibility = (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
     return compared ? visibility : 1.0;
 }
 `,
@@ -3321,7 +3323,7 @@ float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float
     float2 inside = clamp(min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
     float outside = umbrage_compare(receiver, umbrage_cleared_depth());
     float sum = outside + inside.x * inside.y * (lit - outside);
-    float visibility = receiver > 0.0 || receiver <= 0.0 ? sum : 0.0;
+    float visibility = (receiver > 0.0 ? sum : 0.0) + (receiver <= 0.0 ? sum : 0.0);
     return compared ? visibility : 1.0;
 }
 `,
@@ -4686,7 +4688,7 @@ inline float umbrage_fetch_depth(UMBRAGE_MAP map, float2 size, float2 texel) {
 inline float umbrage_lit_texel(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 at = texel + UMBRAGE_ORIGIN;
     float lit = UMBRAGE_LIT_TEXEL;
-    return receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+    return (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
 }
 `,
             "hooks/lit, clamped": `
@@ -4707,7 +4709,8 @@ inline float umbrage_lit(UMBRAGE_MAP map, float2 size, float2 texel, float recei
 inline float4 umbrage_gather_lit(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
     float2 at = texel + UMBRAGE_ORIGIN;
     float4 lit = UMBRAGE_GATHER_LIT;
-    return receiver > 0.0 || receiver <= 0.0 ? float4(lit.w, lit.z, lit.x, lit.y) : float4(0.0, 0.0, 0.0, 0.0);
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return float4(lit.w, lit.z, lit.x, lit.y) * number;
 }
 `,
             "hooks/gather_lit, one channel": `
@@ -4782,7 +4785,7 @@ inline float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord
     float2 texel = compared ? metal::clamp(coord, float2(0.5, 0.5), size - 0.5) : float2(0.5, 0.5);
     float2 at = texel + UMBRAGE_ORIGIN;
     float lit = UMBRAGE_LIT_FILTERED;
-    float visibility = receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+    float visibility = (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
     return compared ? visibility : 1.0;
 }
 `,
@@ -4797,7 +4800,7 @@ inline float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord
     float2 inside = metal::clamp(metal::min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
     float outside = umbrage_compare(receiver, umbrage_cleared_depth());
     float sum = outside + inside.x * inside.y * (lit - outside);
-    float visibility = receiver > 0.0 || receiver <= 0.0 ? sum : 0.0;
+    float visibility = (receiver > 0.0 ? sum : 0.0) + (receiver <= 0.0 ? sum : 0.0);
     return compared ? visibility : 1.0;
 }
 `,
@@ -6160,7 +6163,7 @@ fn umbrage_fetch_depth(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> f32 {
 fn umbrage_lit_texel(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32 {
     let at: vec2f = texel + UMBRAGE_ORIGIN;
     let lit: f32 = UMBRAGE_LIT_TEXEL;
-    return select(0.0, lit, receiver > 0.0 || receiver <= 0.0);
+    return select(0.0, lit, receiver > 0.0) + select(0.0, lit, receiver <= 0.0);
 }
 `,
             "hooks/lit, clamped": `
@@ -6181,7 +6184,8 @@ fn umbrage_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> f32
 fn umbrage_gather_lit(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec4f {
     let at: vec2f = texel + UMBRAGE_ORIGIN;
     let lit: vec4f = UMBRAGE_GATHER_LIT;
-    return select(vec4f(0.0, 0.0, 0.0, 0.0), vec4f(lit.w, lit.z, lit.x, lit.y), receiver > 0.0 || receiver <= 0.0);
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return vec4f(lit.w, lit.z, lit.x, lit.y) * number;
 }
 `,
             "hooks/gather_lit, one channel": `
@@ -6256,7 +6260,7 @@ fn umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     let texel: vec2f = select(vec2f(0.5, 0.5), clamp(coord, vec2f(0.5, 0.5), size - 0.5), compared);
     let at: vec2f = texel + UMBRAGE_ORIGIN;
     let lit: f32 = UMBRAGE_LIT_FILTERED;
-    let visibility: f32 = select(0.0, lit, receiver > 0.0 || receiver <= 0.0);
+    let visibility: f32 = select(0.0, lit, receiver > 0.0) + select(0.0, lit, receiver <= 0.0);
     return select(1.0, visibility, compared);
 }
 `,
@@ -6271,7 +6275,7 @@ fn umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     let inside: vec2f = clamp(min(coord, size - coord) + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
     let outside: f32 = umbrage_compare(receiver, umbrage_cleared_depth());
     let sum: f32 = outside + inside.x * inside.y * (lit - outside);
-    let visibility: f32 = select(0.0, sum, receiver > 0.0 || receiver <= 0.0);
+    let visibility: f32 = select(0.0, sum, receiver > 0.0) + select(0.0, sum, receiver <= 0.0);
     return select(1.0, visibility, compared);
 }
 `,

@@ -9479,7 +9479,7 @@ UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                       UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_TEXEL;
-    return receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+    return (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
 }
 )GLSL"};
 
@@ -9514,7 +9514,8 @@ UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                       UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP vec4 lit = UMBRAGE_GATHER_LIT;
-    return receiver > 0.0 || receiver <= 0.0 ? vec4(lit.w, lit.z, lit.x, lit.y) : vec4(0.0, 0.0, 0.0, 0.0);
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return vec4(lit.w, lit.z, lit.x, lit.y) * number;
 }
 )GLSL"};
 
@@ -9627,7 +9628,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     UMBRAGE_HIGHP vec2 texel = compared ? clamp(coord, vec2(0.5, 0.5), size - 0.5) : vec2(0.5, 0.5);
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP float visibility = receiver > 0.0 || receiver <= 0.0 ? lit : 0.0;
+    UMBRAGE_HIGHP float visibility = (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
     return compared ? visibility : 1.0;
 }
 )GLSL"};
@@ -9648,7 +9649,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
     UMBRAGE_HIGHP float sum = outside + inside.x * inside.y * (lit - outside);
-    UMBRAGE_HIGHP float visibility = receiver > 0.0 || receiver <= 0.0 ? sum : 0.0;
+    UMBRAGE_HIGHP float visibility = (receiver > 0.0 ? sum : 0.0) + (receiver <= 0.0 ? sum : 0.0);
     return compared ? visibility : 1.0;
 }
 )GLSL"};
