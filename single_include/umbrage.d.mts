@@ -263,6 +263,18 @@ export const window_sum3: Snippet;
 export const window_sum5: Snippet;
 /** weighted count of lit texels under a window of 7 x 7 */
 export const window_sum7: Snippet;
+/** one of 16 turns for a pixel */
+export const disc_turn: Snippet;
+/** the texel that a point of a disc falls on */
+export const disc_tap: Snippet;
+/** radius of a disc, down to 1/16 texel */
+export const disc_radius: Snippet;
+/** disc of 8 points, turned by the pixel */
+export const disc8: Snippet;
+/** disc of 16 points, turned by the pixel */
+export const disc16: Snippet;
+/** disc of 32 points, turned by the pixel */
+export const disc32: Snippet;
 /** nearest texel, one test */
 export const hard: Snippet;
 /** mean of four taps with coordinates of their own */

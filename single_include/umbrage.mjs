@@ -1216,6 +1216,134 @@ UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     return compared ? n : whole * whole;
 }
 `,
+            "disc_turn": `
+// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+UMBRAGE_HIGHP vec2 umbrage_disc_turn(UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float v = whole.x * 4.0 + whole.y;
+    v = v - floor(v * (1.0 / 16.0)) * 16.0;
+    UMBRAGE_HIGHP float quarter = floor(v * 0.25);
+    UMBRAGE_HIGHP float base = v - quarter * 4.0;
+    UMBRAGE_HIGHP vec2 low = base < 0.5 ? vec2(64.0, 0.0) : vec2(59.0, 24.0);
+    UMBRAGE_HIGHP vec2 high = base < 2.5 ? vec2(45.0, 45.0) : vec2(24.0, 59.0);
+    UMBRAGE_HIGHP vec2 turn = base < 1.5 ? low : high;
+    UMBRAGE_HIGHP vec2 once = quarter < 0.5 ? turn : vec2(0.0 - turn.y, turn.x);
+    UMBRAGE_HIGHP vec2 twice = quarter < 2.5 ? vec2(0.0 - turn.x, 0.0 - turn.y) : vec2(turn.y, 0.0 - turn.x);
+    return quarter < 1.5 ? once : twice;
+}
+`,
+            "disc_tap": `
+// umbrage_disc_tap: the texel that a point of a disc falls on
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   radius    in 1/16 texel, a whole number from 0 to 4095
+UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 turn,
+                                    UMBRAGE_HIGHP float radius) {
+    UMBRAGE_HIGHP vec2 turned = vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+    return floor((position + floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+}
+`,
+            "disc_radius": `
+// umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
+UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
+    UMBRAGE_HIGHP float inside = radius > 0.0 && radius < 255.9375 ? floor(radius * 16.0) : 0.0;
+    return radius >= 255.9375 ? 4095.0 : inside;
+}
+`,
+            "disc8": `
+// umbrage_disc8: lit share of 8 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_disc8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, -8.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-12.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, 6.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, -7.0), turn, rho), receiver);
+    return compared ? n * (1.0 / 8.0) : 1.0;
+}
+`,
+            "disc16": `
+// umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_disc16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-5.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-6.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(8.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, -11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-12.0, 4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-1.0, 13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, 10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-7.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), turn, rho), receiver);
+    return compared ? n * (1.0 / 16.0) : 1.0;
+}
+`,
+            "disc32": `
+// umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_disc32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-2.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 6.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-5.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-8.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(8.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, 7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -9.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(6.0, -7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-8.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-3.0, -10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-6.0, 10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, -8.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(5.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(7.0, 11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(13.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, 4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(10.0, -10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(14.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-11.0, 9.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, 14.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-13.0, -6.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(12.0, 8.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 14.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-7.0, -13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, -15.0), turn, rho), receiver);
+    return compared ? n * (1.0 / 32.0) : 1.0;
+}
+`,
             "hard": `
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -2737,6 +2865,130 @@ float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, float rece
     return compared ? n : whole * whole;
 }
 `,
+            "disc_turn": `
+// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+float2 umbrage_disc_turn(float2 pixel) {
+    float2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : float2(0.0, 0.0);
+    float v = whole.x * 4.0 + whole.y;
+    v = v - floor(v * (1.0 / 16.0)) * 16.0;
+    float quarter = floor(v * 0.25);
+    float base = v - quarter * 4.0;
+    float2 low = base < 0.5 ? float2(64.0, 0.0) : float2(59.0, 24.0);
+    float2 high = base < 2.5 ? float2(45.0, 45.0) : float2(24.0, 59.0);
+    float2 turn = base < 1.5 ? low : high;
+    float2 once = quarter < 0.5 ? turn : float2(0.0 - turn.y, turn.x);
+    float2 twice = quarter < 2.5 ? float2(0.0 - turn.x, 0.0 - turn.y) : float2(turn.y, 0.0 - turn.x);
+    return quarter < 1.5 ? once : twice;
+}
+`,
+            "disc_tap": `
+// umbrage_disc_tap: the texel that a point of a disc falls on
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   radius    in 1/16 texel, a whole number from 0 to 4095
+float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
+    float2 turned = float2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+    return floor((position + floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+}
+`,
+            "disc_radius": `
+// umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
+float umbrage_disc_radius(float radius) {
+    float inside = radius > 0.0 && radius < 255.9375 ? floor(radius * 16.0) : 0.0;
+    return radius >= 255.9375 ? 4095.0 : inside;
+}
+`,
+            "disc8": `
+// umbrage_disc8: lit share of 8 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+float umbrage_disc8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float rho = umbrage_disc_radius(radius);
+    float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 6.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -7.0), turn, rho), receiver);
+    return compared ? n * (1.0 / 8.0) : 1.0;
+}
+`,
+            "disc16": `
+// umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+float umbrage_disc16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float rho = umbrage_disc_radius(radius);
+    float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-1.0, 13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, 10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), turn, rho), receiver);
+    return compared ? n * (1.0 / 16.0) : 1.0;
+}
+`,
+            "disc32": `
+// umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+float umbrage_disc32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float rho = umbrage_disc_radius(radius);
+    float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-2.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 6.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -9.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(6.0, -7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-3.0, -10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, 10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(13.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, 4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(10.0, -10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-11.0, 9.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 14.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -6.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(12.0, 8.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 14.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -15.0), turn, rho), receiver);
+    return compared ? n * (1.0 / 32.0) : 1.0;
+}
+`,
             "hard": `
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -4211,6 +4463,130 @@ inline float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, flo
     n += w6.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
     n += w7.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
     return compared ? n : whole * whole;
+}
+`,
+            "disc_turn": `
+// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+inline float2 umbrage_disc_turn(float2 pixel) {
+    float2 whole = umbrage_inside_texel_space(pixel) ? metal::floor(pixel) : float2(0.0, 0.0);
+    float v = whole.x * 4.0 + whole.y;
+    v = v - metal::floor(v * (1.0 / 16.0)) * 16.0;
+    float quarter = metal::floor(v * 0.25);
+    float base = v - quarter * 4.0;
+    float2 low = base < 0.5 ? float2(64.0, 0.0) : float2(59.0, 24.0);
+    float2 high = base < 2.5 ? float2(45.0, 45.0) : float2(24.0, 59.0);
+    float2 turn = base < 1.5 ? low : high;
+    float2 once = quarter < 0.5 ? turn : float2(0.0 - turn.y, turn.x);
+    float2 twice = quarter < 2.5 ? float2(0.0 - turn.x, 0.0 - turn.y) : float2(turn.y, 0.0 - turn.x);
+    return quarter < 1.5 ? once : twice;
+}
+`,
+            "disc_tap": `
+// umbrage_disc_tap: the texel that a point of a disc falls on
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   radius    in 1/16 texel, a whole number from 0 to 4095
+inline float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
+    float2 turned = float2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+    return metal::floor((position + metal::floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+}
+`,
+            "disc_radius": `
+// umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
+inline float umbrage_disc_radius(float radius) {
+    float inside = radius > 0.0 && radius < 255.9375 ? metal::floor(radius * 16.0) : 0.0;
+    return radius >= 255.9375 ? 4095.0 : inside;
+}
+`,
+            "disc8": `
+// umbrage_disc8: lit share of 8 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_disc8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float rho = umbrage_disc_radius(radius);
+    float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 6.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -7.0), turn, rho), receiver);
+    return compared ? n * (1.0 / 8.0) : 1.0;
+}
+`,
+            "disc16": `
+// umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_disc16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float rho = umbrage_disc_radius(radius);
+    float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-1.0, 13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, 10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), turn, rho), receiver);
+    return compared ? n * (1.0 / 16.0) : 1.0;
+}
+`,
+            "disc32": `
+// umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_disc32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float rho = umbrage_disc_radius(radius);
+    float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-2.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 6.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -9.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(6.0, -7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-8.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-3.0, -10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, 10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, -8.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(13.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, 4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(10.0, -10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-11.0, 9.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(3.0, 14.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -6.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(12.0, 8.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-4.0, 14.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -15.0), turn, rho), receiver);
+    return compared ? n * (1.0 / 32.0) : 1.0;
 }
 `,
             "hard": `
@@ -5689,6 +6065,130 @@ fn umbrage_window_sum7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
     return select(whole * whole, n, compared);
 }
 `,
+            "disc_turn": `
+// umbrage_disc_turn: (cos, sin) in 1/64 of one of 16 turns for a pixel, such as gl_FragCoord.xy: each once in 4 x 4
+fn umbrage_disc_turn(pixel: vec2f) -> vec2f {
+    let whole: vec2f = select(vec2f(0.0, 0.0), floor(pixel), umbrage_inside_texel_space(pixel));
+    var v: f32 = whole.x * 4.0 + whole.y;
+    v = v - floor(v * (1.0 / 16.0)) * 16.0;
+    let quarter: f32 = floor(v * 0.25);
+    let base: f32 = v - quarter * 4.0;
+    let low: vec2f = select(vec2f(59.0, 24.0), vec2f(64.0, 0.0), base < 0.5);
+    let high: vec2f = select(vec2f(24.0, 59.0), vec2f(45.0, 45.0), base < 2.5);
+    let turn: vec2f = select(high, low, base < 1.5);
+    let once: vec2f = select(vec2f(0.0 - turn.y, turn.x), turn, quarter < 0.5);
+    let twice: vec2f = select(vec2f(turn.y, 0.0 - turn.x), vec2f(0.0 - turn.x, 0.0 - turn.y), quarter < 2.5);
+    return select(twice, once, quarter < 1.5);
+}
+`,
+            "disc_tap": `
+// umbrage_disc_tap: the texel that a point of a disc falls on
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   radius    in 1/16 texel, a whole number from 0 to 4095
+fn umbrage_disc_tap(position: vec2f, p: vec2f, turn: vec2f, radius: f32) -> vec2f {
+    let turned: vec2f = vec2f(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+    return floor((position + floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+}
+`,
+            "disc_radius": `
+// umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
+fn umbrage_disc_radius(radius: f32) -> f32 {
+    let inside: f32 = select(0.0, floor(radius * 16.0), radius > 0.0 && radius < 255.9375);
+    return select(inside, 4095.0, radius >= 255.9375);
+}
+`,
+            "disc8": `
+// umbrage_disc8: lit share of 8 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+fn umbrage_disc8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
+    let rho: f32 = umbrage_disc_radius(radius);
+    var n: f32 = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 6.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -7.0), turn, rho), receiver);
+    return select(1.0, n * (1.0 / 8.0), compared);
+}
+`,
+            "disc16": `
+// umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+fn umbrage_disc16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
+    let rho: f32 = umbrage_disc_radius(radius);
+    var n: f32 = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-12.0, 4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-1.0, 13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, 10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), turn, rho), receiver);
+    return select(1.0, n * (1.0 / 16.0), compared);
+}
+`,
+            "disc32": `
+// umbrage_disc32: lit share of 32 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+fn umbrage_disc32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);  // no branch: fetches overlap
+    let rho: f32 = umbrage_disc_radius(radius);
+    var n: f32 = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-2.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 6.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-5.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-8.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(8.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, 7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(1.0, -9.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(6.0, -7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-8.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, 10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-3.0, -10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-6.0, 10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-9.0, -8.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(11.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(5.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(7.0, 11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(13.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, 4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(10.0, -10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(14.0, -2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-11.0, 9.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(3.0, 14.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-13.0, -6.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(12.0, 8.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-4.0, 14.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(-7.0, -13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2f(0.0, -15.0), turn, rho), receiver);
+    return select(1.0, n * (1.0 / 32.0), compared);
+}
+`,
             "hard": `
 // umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -6381,6 +6881,12 @@ const rows = [
     ["window_sum3", "window_sum3", "weighted count of lit texels under a window of 3 x 3", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
     ["window_sum5", "window_sum5", "weighted count of lit texels under a window of 5 x 5", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
     ["window_sum7", "window_sum7", "weighted count of lit texels under a window of 7 x 7", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
+    ["disc_turn", "disc_turn", "one of 16 turns for a pixel", "a", 0, 0, "100", "none", false, ["inside_texel_space"]],
+    ["disc_tap", "disc_tap", "the texel that a point of a disc falls on", "a", 0, 0, "100", "none", false, []],
+    ["disc_radius", "disc_radius", "radius of a disc, down to 1/16 texel", "a", 0, 0, "100", "none", false, []],
+    ["disc8", "disc8", "disc of 8 points, turned by the pixel", "a", 0, 0, "100", "none", false, ["is_compared", "disc_radius", "disc_tap", "lit"]],
+    ["disc16", "disc16", "disc of 16 points, turned by the pixel", "a", 0, 0, "100", "none", false, ["is_compared", "disc_radius", "disc_tap", "lit"]],
+    ["disc32", "disc32", "disc of 32 points, turned by the pixel", "a", 0, 0, "100", "none", false, ["is_compared", "disc_radius", "disc_tap", "lit"]],
     ["hard", "hard", "nearest texel, one test", "a", 0, 0, "100", "none", false, ["is_compared", "lit"]],
     ["four_tap", "four_tap", "mean of four taps with coordinates of their own", "a", 0, 0, "100", "none", false, ["lit", "beyond_far"]],
     ["pcf_2x2", "pcf_2x2", "bilinear 2x2, weights in steps of 1/256", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
@@ -6468,4 +6974,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, inside_texel_space, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, pcf_2x2_hardware, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, inside_texel_space, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, pcf_2x2_hardware, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

@@ -31,6 +31,7 @@
 #include <umbrage/depth/rgb24.hpp>
 #include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/pcf/box.hpp>
+#include <umbrage/filter/pcf/disc.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>

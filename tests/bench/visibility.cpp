@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <umbrage/images/visibility.hpp>
@@ -73,6 +75,52 @@ const bench::registration rows([] {
                 .ours = on_floats(s->coherent, box{2}),
                 .theirs = glm_5x5,
                 .agree = [s] { return s->close(1e-7); }});
+    struct window_peer {
+        const char* size;
+        umbrage::filters::window filter;
+        decltype(&peers::glm_code::window_3x3) with_glm;
+    };
+    const window_peer windows[]{{"3x3", umbrage::filters::tent<3>, &peers::glm_code::window_3x3},
+                                {"5x5", umbrage::filters::castano<5>, &peers::glm_code::window_5x5},
+                                {"7x7", umbrage::filters::castano<7>, &peers::glm_code::window_7x7}};
+    for (const auto& [size, filter, with_glm] : windows) {
+        const auto theirs = [s, with_glm] { with_glm(s->glm_map, s->glm_receivers, s->theirs); };
+        bench::add({.work = std::string("window ") + size + ", float map, coherent 1920 x 1080",
+                    .peer = "GLM code",
+                    .at_least = 10,
+                    .items = bench::pixels,
+                    .ours = on_floats(s->coherent, filter),
+                    .theirs = theirs,
+                    .agree = close});
+        bench::add({.work = std::string("window ") + size + ", 11-bit map, coherent 1920 x 1080",
+                    .peer = "GLM code, float map",
+                    .at_least = 10,
+                    .items = bench::pixels,
+                    .ours = on_packed(s->coherent, filter),
+                    .theirs = theirs,
+                    .agree = close});
+    }
+    umbrage::filters::rotated_disc disc = umbrage::filters::disc<16>;
+    disc.radius_texels = 3.0f;
+    std::array<glm::vec2, 16> points;
+    std::ranges::transform(umbrage::disc_points<16>, points.begin(), [](glm::ivec2 p) { return glm::vec2(p) / 16.0f; });
+    const auto glm_disc = [=] {
+        peers::glm_code::disc_16(s->glm_map, s->glm_receivers, bench::screen.x, disc.radius_texels, points, s->theirs);
+    };
+    bench::add({.work = "disc of 16, turned, float map, coherent 1920 x 1080",
+                .peer = "GLM code",
+                .at_least = 6,
+                .items = bench::pixels,
+                .ours = on_floats(s->coherent, disc),
+                .theirs = glm_disc,
+                .agree = [s] { return s->close(2e-3); }});
+    bench::add({.work = "disc of 16, turned, 11-bit map, coherent 1920 x 1080",
+                .peer = "GLM code, float map",
+                .at_least = 6,
+                .items = bench::pixels,
+                .ours = on_packed(s->coherent, disc),
+                .theirs = glm_disc,
+                .agree = [s] { return s->close(2e-3); }});
     bench::add({.work = "PCF 2x2, 11-bit map, random 1920 x 1080",
                 .peer = "ours, float map",
                 .at_least = 1.5,
@@ -98,20 +146,25 @@ const bench::registration rows([] {
             pipe->read(s->theirs);
             return std::ranges::equal(s->ours.texels(), s->theirs);
         };
-        bench::add({.work = "PCF 2x2, float map, coherent 1920 x 1080",
-                    .peer = "llvmpipe, one thread",
-                    .at_least = 8,
-                    .items = bench::pixels,
-                    .ours = on_floats(s->coherent, pcf_2x2{}),
-                    .theirs = [pipe] { pipe->draw(false); },
-                    .agree = same});
-        bench::add({.work = "PCF 2x2, 11-bit map, coherent 1920 x 1080",
-                    .peer = "llvmpipe, one thread",
-                    .at_least = 8,
-                    .items = bench::pixels,
-                    .ours = on_packed(s->coherent, pcf_2x2{}),
-                    .theirs = [pipe] { pipe->draw(true); },
-                    .agree = same});
+        namespace glsl = umbrage::glsl;
+        const auto against_pipe = [&](const std::string& what, const auto& filter, double at_least,
+                                      const std::vector<glsl::snippet>& snippets, const std::string& arguments) {
+            for (const bool packed : {false, true})
+                bench::add(
+                    {.work = what + (packed ? ", 11-bit map" : ", float map") + ", coherent 1920 x 1080",
+                     .peer = "llvmpipe, one thread",
+                     .at_least = at_least,
+                     .items = bench::pixels,
+                     .ours = packed ? std::function<void()>(on_packed(s->coherent, filter))
+                                    : std::function<void()>(on_floats(s->coherent, filter)),
+                     .theirs = [pipe, program = pipe->compile(snippets, arguments, packed)] { pipe->draw(program); },
+                     .agree = same});
+        };
+        against_pipe("PCF 2x2", pcf_2x2{}, 8, {glsl::pcf_2x2}, "");
+        for (const auto& [size, filter, with_glm] : windows)
+            against_pipe(std::string("window ") + size, filter, 6, {*filter.snippet}, "");
+        against_pipe("disc of 16, turned", disc, 6, {*disc.snippet, glsl::disc_turn},
+                     ", 3.0, umbrage_disc_turn(gl_FragCoord.xy)");
     }
 #endif
 });

@@ -46,15 +46,6 @@ template <real T>
     return clamp_bias(reach * sum + (error + T(0x1p-23)));
 }
 
-/// The same for a filter over a map of an encoding, whose direction of depth says which of its errors counts.
-/// @param more   what the reach is to grow by, texels: snapping_reach, rounding of coordinates
-[[nodiscard]] constexpr float acne_free_bias(glm::vec2 slope, const known_filter auto& filter,
-                                             const known_encoding auto& encoding, float more = 0.0f) {
-    const decoding_error error = encoding.error();
-    return acne_free_bias(slope, filter.reach() + more,
-                          float(encoding.direction == depth_direction::forward ? error.below : error.above));
-}
-
 /// The smallest bias in depth without acne, for filters that read a disc.
 ///
 /// @param slope, error   as for acne_free_bias
@@ -68,6 +59,17 @@ template <real T>
     const T sum = std::abs(slope.x) + std::abs(slope.y);
     const T length = std::sqrt(slope.x * slope.x + slope.y * slope.y);
     return clamp_bias(radius * length + (sum * T(0.5078125) + (error + T(0x1p-23))));
+}
+
+/// The smallest bias for a filter over a map of an encoding, whose direction of depth says which of its errors counts.
+/// @param more   what the reach is to grow by, texels: snapping_reach, rounding of coordinates
+[[nodiscard]] constexpr float acne_free_bias(glm::vec2 slope, const known_filter auto& filter,
+                                             const known_encoding auto& encoding, float more = 0.0f) {
+    const decoding_error both = encoding.error();
+    const auto error = float(encoding.direction == depth_direction::forward ? both.below : both.above);
+    if constexpr (requires { filter.farthest_point(); })
+        return acne_free_disc_bias(slope, filter.farthest_point() + more, error);
+    else return acne_free_bias(slope, filter.reach() + more, error);
 }
 
 /// Depth before a receiver within which a caster's shadow is lost, wholly or in part.

@@ -10,6 +10,7 @@
 #include <umbrage/filter/filter.hpp>
 #include <umbrage/list.hpp>
 #include <umbrage/simd/blocks/box.hpp>
+#include <umbrage/simd/blocks/disc.hpp>
 #include <umbrage/simd/blocks/four_tap.hpp>
 #include <umbrage/simd/blocks/hard.hpp>
 #include <umbrage/simd/blocks/hierarchical_box.hpp>
@@ -18,7 +19,7 @@
 
 namespace umbrage::filters {
 
-using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box, window>;
+using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box, window, rotated_disc>;
 
 }  // namespace umbrage::filters
 

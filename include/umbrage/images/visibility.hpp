@@ -12,6 +12,8 @@
 // Bit for bit what the filter gives for each receiver alone.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <type_traits>
 
 #include <umbrage/clip_space.hpp>
@@ -46,8 +48,11 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
         for (unsigned n = 0; at.y < last; ++n) {
             if (ahead.y < last) {
                 prefetch(receivers, ahead);
-                use_receivers(receivers, ahead, set,
-                              [&](const auto& of_block) UMBRAGE_INLINE { blocks.place(of_block, placed[n % ring]); });
+                use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE {
+                    if constexpr (requires { blocks.place(of_block, placed[0], 0); })
+                        blocks.place(of_block, placed[n % ring], ahead.y);
+                    else blocks.place(of_block, placed[n % ring]);
+                });
                 ahead.step();
             }
             if (n + 1 < ring) continue;
@@ -61,14 +66,24 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
     if (large) finish_streaming();
 }
 
-/// Calls use(visibility, coord, receiver) for one receiver after the other.
+/// Visibility of a receiver, by a filter that may want to know its pixel, too.
+template <class Filter, class Fetch>
+[[nodiscard]] float filtered(const Filter& filter, const Fetch& fetch, glm::vec2 coord, float receiver,
+                             [[maybe_unused]] glm::ivec2 pixel) {
+    if constexpr (requires { filter(fetch, coord, receiver, pixel); })
+        return static_cast<float>(filter(fetch, coord, receiver, pixel));
+    else return static_cast<float>(filter(fetch, coord, receiver));
+}
+
+/// Calls use(visibility, coord, receiver, pixel) for one receiver after the other.
 template <class Receivers, class ParallelFor, class Use>
 void for_each_receiver(const Receivers& receivers, image_view<float> out, ParallelFor&& parallel, const Use& use) {
     parallel(out.size.y, [&](int first, int last) {
         for (block_walk at{0, first, out.size.x}; at.y < last; at.step())
             use_receivers(receivers, at, isa_constant<isa::base>{}, [&](const auto& r) {
                 float* const to = out.row(at.y) + at.x;
-                for (int i = 0; i < at.count(); ++i) use(to[i], glm::vec2(r.x(i), r.y(i)), r.z(i));
+                for (int i = 0; i < at.count(); ++i)
+                    use(to[i], glm::vec2(r.x(i), r.y(i)), r.z(i), glm::ivec2(at.x + i, at.y));
             });
     });
 }
@@ -77,9 +92,10 @@ void for_each_receiver(const Receivers& receivers, image_view<float> out, Parall
 template <class Receivers, class Filter, class Fetch, class ParallelFor>
 void filter_each(const Receivers& receivers, const Filter& filter, const Fetch& fetch, image_view<float> out,
                  ParallelFor&& parallel) {
-    for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 coord, float receiver) {
-        visibility = static_cast<float>(filter(fetch, coord, receiver));
-    });
+    for_each_receiver(receivers, out, parallel,
+                      [&](float& visibility, glm::vec2 coord, float receiver, glm::ivec2 pixel) {
+                          visibility = filtered(filter, fetch, coord, receiver, pixel);
+                      });
 }
 
 /// Once more the receivers whose texels may lie outside the map, now with a border that lights them.
@@ -88,10 +104,10 @@ void light_outside(const Receivers& receivers, glm::vec2 map_size, const Filter&
                    image_view<float> out, ParallelFor&& parallel) {
     const float margin = filter.reach() + 0.5f;  // weights are in steps of 1/256
     const glm::vec2 last = map_size - margin, beyond = map_size + margin;
-    for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 c, float receiver) {
+    for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 c, float receiver, glm::ivec2 pixel) {
         if (c.x >= margin && c.y >= margin && c.x <= last.x && c.y <= last.y) return;
         const bool apart = c.x < -margin || c.y < -margin || c.x > beyond.x || c.y > beyond.y;
-        visibility = apart && !is_nan(receiver) ? 1.0f : static_cast<float>(filter(bordered_map, c, receiver));
+        visibility = apart && !is_nan(receiver) ? 1.0f : filtered(filter, bordered_map, c, receiver, pixel);
     });
 }
 
@@ -139,8 +155,10 @@ bool with_map(image_view<const typename Encoding::texel> map, const Encoding& en
     } else {
         const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
         if (area(map.size) >= 16.0 * area(receivers)) return false;
-        image<float> depths(map.size);
-        if (!texel_bytes<const float>::fits(depths.view())) return false;
+        const auto texels = static_cast<std::size_t>(map.size.x) * static_cast<std::size_t>(map.size.y);
+        const auto memory = std::make_unique_for_overwrite<float[]>(texels);  // an image would be zeroed first
+        const image_view<float> depths(memory.get(), map.size);
+        if (!texel_bytes<const float>::fits(depths)) return false;
         decode(map, depths, encoding, parallel);
         use(float_texels{depths});
     }
@@ -184,7 +202,7 @@ void filter_image(image_view<const typename Encoding::texel> map, const Encoding
 /// @param encoding    how the map's texels hold depth; its edge decides ties
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable
-///                    (fetch, coord, receiver) -> visibility
+///                    (fetch, coord, receiver) -> visibility, or one that takes the receiver's pixel besides, an ivec2
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
 /// @param outside     what counts outside the map

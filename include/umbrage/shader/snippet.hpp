@@ -111,11 +111,14 @@ struct filled_text {
     char data[Capacity]{};
     std::size_t size = 0;
     [[nodiscard]] constexpr std::string_view view() const { return {data, size}; }
+    constexpr void append(std::string_view text) {
+        for (char letter : text) data[size++] = letter;
+    }
 };
 
 struct constant {
     char key;  ///< `$key` in the text
-    unsigned value;
+    int value;
     std::string_view text{};  ///< in place of the value's digits
 };
 
@@ -135,9 +138,11 @@ constexpr filled_text<Capacity> fill(const char (&text)[Length], std::initialize
             if (c.key != text[i]) continue;
             for (char letter : c.text) out.data[size++] = letter;
             if (!c.text.empty()) continue;
-            unsigned unit = 1;
-            while (c.value / unit >= 10) unit *= 10;
-            for (; unit > 0; unit /= 10) out.data[size++] = static_cast<char>('0' + c.value / unit % 10);
+            if (c.value < 0) out.data[size++] = '-';
+            const int digits = c.value < 0 ? -c.value : c.value;
+            int unit = 1;
+            while (digits / unit >= 10) unit *= 10;
+            for (; unit > 0; unit /= 10) out.data[size++] = static_cast<char>('0' + digits / unit % 10);
         }
     }
     out.size = size;

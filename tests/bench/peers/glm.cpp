@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace peers::glm_code {
 namespace {
@@ -26,6 +27,28 @@ void box(const float_map& map, const std::vector<glm::vec3>& receivers, std::vec
         for (int y = -Radius; y <= Radius; ++y)
             for (int x = -Radius; x <= Radius; ++x) sum += lit(map, texel + glm::ivec2(x, y), receivers[i].z);
         visibility[i] = sum / static_cast<float>((2 * Radius + 1) * (2 * Radius + 1));
+    }
+}
+
+/// Castano's windows as sums over texels: a row of weights, each texel's blended with its neighbour's.
+template <int Size>
+void window(const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility,
+            const std::array<float, Size>& row) {
+    float norm = 0.0f;
+    for (float k : row) norm += k;
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+        const glm::vec2 position = glm::vec2(receivers[i]) - 0.5f;
+        const glm::vec2 base = glm::floor(position), s = position - base;
+        const glm::ivec2 first = glm::ivec2(base) - Size / 2;
+        glm::vec2 weights[Size + 1];
+        for (int k = 0; k <= Size; ++k)
+            weights[k] = (k < Size ? row[std::size_t(k)] * (1.0f - s) : glm::vec2(0.0f)) +
+                         (k > 0 ? row[std::size_t(k) - 1] * s : glm::vec2(0.0f));
+        float sum = 0.0f;
+        for (int y = 0; y <= Size; ++y)
+            for (int x = 0; x <= Size; ++x)
+                sum += weights[y].y * weights[x].x * lit(map, first + glm::ivec2(x, y), receivers[i].z);
+        visibility[i] = sum / (norm * norm);
     }
 }
 
@@ -67,6 +90,35 @@ void pcf_box(int radius, const float_map& map, const std::vector<glm::vec3>& rec
 
 void pcf_5x5(const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility) {
     box<2>(map, receivers, visibility);
+}
+
+void window_3x3(const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility) {
+    window<3>(map, receivers, visibility, {1, 2, 1});
+}
+void window_5x5(const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility) {
+    window<5>(map, receivers, visibility, {1, 3, 4, 3, 1});
+}
+void window_7x7(const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility) {
+    window<7>(map, receivers, visibility, {1, 5, 12, 16, 12, 5, 1});
+}
+
+void disc_16(const float_map& map, const std::vector<glm::vec3>& receivers, int width, float radius,
+             const std::array<glm::vec2, 16>& points, std::vector<float>& visibility) {
+    std::array<glm::vec2, 16> turns;
+    for (std::size_t k = 0; k < turns.size(); ++k) {
+        const float angle = glm::radians(22.5f * static_cast<float>(k % 4) + 90.0f * static_cast<float>(k / 4));
+        turns[k] = radius * glm::vec2(glm::cos(angle), glm::sin(angle));
+    }
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+        const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
+        const glm::vec2 turn = turns[static_cast<std::size_t>((4 * x + y) % 16)];
+        float sum = 0.0f;
+        for (const glm::vec2 p : points) {
+            const glm::vec2 offset(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+            sum += lit(map, glm::ivec2(glm::floor(glm::vec2(receivers[i]) + offset)), receivers[i].z);
+        }
+        visibility[i] = sum / 16.0f;
+    }
 }
 
 }  // namespace peers::glm_code

@@ -3,6 +3,7 @@
 // The code that a user would write with GLM, one texel after the other.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <glm/gtc/type_precision.hpp>
@@ -25,5 +26,13 @@ void pcf_2x2(const float_map& map, const std::vector<glm::vec3>& receivers, std:
 /// Visibility by comparisons of equal weight, 2 radius + 1 in a row, radius 0 .. 8; one function for each radius.
 void pcf_box(int radius, const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility);
 void pcf_5x5(const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility);
+/// Visibility by comparisons of texels under weights 1 2 1, 1 3 4 3 1 and 1 5 12 16 12 5 1, which slide over the map.
+void window_3x3(const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility);
+void window_5x5(const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility);
+void window_7x7(const float_map& map, const std::vector<glm::vec3>& receivers, std::vector<float>& visibility);
+/// Visibility by comparisons with points of a disc, which turns by 22.5 degrees from pixel to pixel of a 4 x 4 block.
+/// @param width   of the image that the receivers are one of;   points  in radii
+void disc_16(const float_map& map, const std::vector<glm::vec3>& receivers, int width, float radius,
+             const std::array<glm::vec2, 16>& points, std::vector<float>& visibility);
 
 }  // namespace peers::glm_code

@@ -12,7 +12,6 @@
 #include <string>
 
 #include <umbrage/depth/rg.hpp>
-#include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/shader/glsl.hpp>
 
 namespace peers::llvmpipe {
@@ -32,17 +31,21 @@ GLuint stage(GLenum kind, const std::string& text) {
     std::exit(1);
 }
 
-GLuint program(bool packed) {
+GLuint program(const std::vector<umbrage::glsl::snippet>& snippets, const std::string& arguments, bool packed) {
     using namespace umbrage;
     const glsl::binding map = packed ? glsl::stored_as(rg<11>{.edge = lower_edge<float>}) : glsl::binding();
-    const std::string fragment =
-        glsl::source(glsl::version::v300_es, {bind(glsl::pcf_2x2, "", map)}) +
-        "uniform highp sampler2D map, receivers;\n"
-        "out highp vec4 visibility;\n"
-        "void main() {\n"
-        "    highp vec3 r = texelFetch(receivers, ivec2(gl_FragCoord.xy), 0).xyz;\n"
-        "    visibility = vec4(umbrage_pcf_2x2(map, vec2(textureSize(map, 0)), r.xy, r.z), 0.0, 0.0, 1.0);\n"
-        "}\n";
+    std::vector<glsl::bound> bound;
+    for (const glsl::snippet& s : snippets) bound.push_back(bind(s, "", map));
+    const std::string filter = "umbrage_" + std::string(snippets.front().name);
+    const std::string fragment = glsl::source(glsl::version::v300_es, bound) +
+                                 "uniform highp sampler2D map, receivers;\n"
+                                 "out highp vec4 visibility;\n"
+                                 "void main() {\n"
+                                 "    highp vec3 r = texelFetch(receivers, ivec2(gl_FragCoord.xy), 0).xyz;\n"
+                                 "    visibility = vec4(" +
+                                 filter + "(map, vec2(textureSize(map, 0)), r.xy, r.z" + arguments +
+                                 "), 0.0, 0.0, 1.0);\n"
+                                 "}\n";
     const GLuint id = glCreateProgram();
     glAttachShader(id, stage(GL_VERTEX_SHADER,
                              "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, "
@@ -82,12 +85,15 @@ public:
         texture(2, GL_RGB32F, GL_RGB, GL_FLOAT, size_, receivers.texels().data());
         texture(3, GL_R32F, GL_RED, GL_FLOAT, size_, nullptr);
         glViewport(0, 0, size_.x, size_.y);
-        float_program_ = program(false);
-        packed_program_ = program(true);
     }
 
-    void draw(bool packed) override {
-        glUseProgram(packed ? packed_program_ : float_program_);
+    unsigned compile(const std::vector<umbrage::glsl::snippet>& snippets, const std::string& arguments,
+                     bool packed) override {
+        return program(snippets, arguments, packed);
+    }
+
+    void draw(unsigned filter) override {
+        glUseProgram(filter);
         glDrawArrays(GL_TRIANGLES, 0, 3);
         glFinish();
     }
@@ -100,7 +106,6 @@ public:
 
 private:
     glm::ivec2 size_;
-    GLuint float_program_ = 0, packed_program_ = 0;
 };
 
 }  // namespace

@@ -4,19 +4,24 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <glm/gtc/type_precision.hpp>
 
 #include <umbrage/image.hpp>
+#include <umbrage/shader/snippet.hpp>
 
 namespace peers::llvmpipe {
 
 class pass {
 public:
     virtual ~pass() = default;
-    /// 2x2 PCF of every receiver, finished on return.
-    virtual void draw(bool packed) = 0;
+    /// A filter for draw(): `arguments` are those behind coordinate and receiver, as ", 2.0".
+    [[nodiscard]] virtual unsigned compile(const std::vector<umbrage::glsl::snippet>& snippets,
+                                           const std::string& arguments, bool packed) = 0;
+    /// The filter of every receiver, finished on return.
+    virtual void draw(unsigned filter) = 0;
     virtual void read(std::vector<float>& visibility) = 0;
 };
 

@@ -58,7 +58,9 @@ TEST_CASE("filters: no texel lies farther from a receiver than reach, and one co
                     farthest = std::max(farthest, std::abs(double(texel[axis]) + 0.5 - double(coord[axis])));
                 return 1.0f;
             };
-            CHECK(filter(fetch, coord, 0.5f) == 1.0f);
+            if constexpr (requires { filter(fetch, coord, 0.5f, glm::ivec2()); })
+                CHECK(filter(fetch, coord, 0.5f, glm::ivec2(i % 4, i / 4 % 4)) == 1.0f);
+            else CHECK(filter(fetch, coord, 0.5f) == 1.0f);
         }
         CHECK(farthest <= double(filter.reach()) + 1.0 / 256);  // weights are in steps of 1/256
         CHECK(farthest > double(filter.reach()) - 0.02);

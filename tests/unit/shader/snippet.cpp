@@ -12,6 +12,14 @@ TEST_CASE("fill: keys become decimal digits") {
     constexpr auto filled = detail::fill<64>("a$b, $n.0 $b$b", {{'b', 9}, {'n', 65536}});
     static_assert(filled.view() == "a9, 65536.0 99");
     static_assert(detail::fill<8>("$z", {{'z', 0}}).view() == "0");
+    static_assert(detail::fill<8>("$z", {{'z', -12}}).view() == "-12");
+    static_assert(detail::fill<16>("$z.$z", {{'z', 7, "one"}}).view() == "one.one");
+    constexpr auto both = [] {
+        auto text = detail::fill<16>("a$b", {{'b', 1}});
+        text.append("c");
+        return text;
+    }();
+    static_assert(both.view() == "a1c");
     static_assert(detail::fill<16>("$z", {{'z', 100}}).view() == "100");
 }
 

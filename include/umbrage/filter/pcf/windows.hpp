@@ -88,7 +88,7 @@ namespace glsl {
 namespace detail {
 
 /// A row's text: window_sum with its numbers, and what becomes of it.
-constexpr filled_text<1024> window_text(std::string_view name, unsigned size, std::string_view weights,
+constexpr filled_text<1024> window_text(std::string_view name, int size, std::string_view weights,
                                         std::string_view numbers, std::string_view share = "n * (1.0 / 16777216.0)") {
     return fill<1024>(R"GLSL(
 // umbrage_$f$n: lit share under $n x $n weights, $w, that slide over the map; visibility, 1.0 is lit

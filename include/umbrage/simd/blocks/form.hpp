@@ -6,6 +6,7 @@
 // A form says what it needs of a map, the least side of a map that it can take, and makes its blocks, for a map of
 // floats or of rg and a direction. Blocks work in two steps, some blocks apart, so that texels have come from memory
 // when they are needed: place() says where to look and prefetches it; the second step loads it, compares and weighs.
+// A place() with a third argument gets the row of pixels that the block lies in; its column is a multiple of 64.
 //
 //     template <>
 //     struct block_form<filters::pcf_2x2> {

@@ -18,6 +18,14 @@ using namespace paths;
 /// Any map's texel as its depth: what is compiled for it need not be compiled for each encoding.
 using any_fetch = std::function<float(glm::ivec2)>;
 
+/// The filter called for a receiver, with its pixel if it asks for one.
+template <class Filter>
+float at_pixel(const Filter& filter, const any_fetch& fetch, glm::vec3 receiver, glm::ivec2 pixel) {
+    if constexpr (requires { filter(fetch, glm::vec2(), 0.0f, pixel); })
+        return filter(fetch, glm::vec2(receiver), receiver.z, pixel);
+    else return filter(fetch, glm::vec2(receiver), receiver.z);
+}
+
 /// What the filter gives for each receiver alone, in each rounding mode.
 class one_by_one {
 public:
@@ -25,8 +33,11 @@ public:
     one_by_one(const Filter& filter, const any_fetch& fetch, const image<glm::vec3>& receivers) {
         each_rounding([&](int mode) {
             image<float>& out = wanted_.emplace(mode, receivers.size()).first->second;
-            std::ranges::transform(receivers.texels(), out.texels().begin(),
-                                   [&](glm::vec3 r) { return filter(fetch, glm::vec2(r), r.z); });
+            std::ranges::transform(receivers.texels(), out.texels().begin(), [&, i = 0](glm::vec3 r) mutable {
+                const glm::ivec2 pixel(i % receivers.size().x, i / receivers.size().x);
+                ++i;
+                return at_pixel(filter, fetch, r, pixel);
+            });
         });
     }
     /// Pixels that have other bits, in the rounding mode of now.
@@ -96,7 +107,7 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
             for (int y = 0; y < size.y; ++y)
                 for (int x = 0; x < size.x; ++x) {
                     const glm::vec3 r = umbrage::receiver_at(seen, {x, y});
-                    differ += visibility_bits(filter(fetch, glm::vec2(r), r.z)) != visibility_bits(out[{x, y}]);
+                    differ += visibility_bits(at_pixel(filter, fetch, r, {x, y})) != visibility_bits(out[{x, y}]);
                 }
             CHECK(differ == 0);  // receiver_at is of tier C: wants -ffp-contract=off
         }
@@ -155,9 +166,10 @@ void check_filters(Encoding encoding, std::initializer_list<int> radii) {
     for (const glm::ivec2 map_size :
          {glm::ivec2(1, 1), glm::ivec2(1, 9), glm::ivec2(2, 2), glm::ivec2(9, 4), glm::ivec2(67, 45)})
         for_each_setting(radii, [&]<class Filter>(const Filter& filter) {
-            constexpr bool floats = std::is_same_v<Encoding, umbrage::depth32f>;  // as which windows read any map
-            if constexpr (floats || !std::is_same_v<Filter, umbrage::filters::window>)
-                check_filter(encoding, filter, map_size);
+            constexpr bool floats = std::is_same_v<Encoding, umbrage::depth32f>;  // as which these read any map
+            constexpr bool needs_floats = std::is_same_v<Filter, umbrage::filters::window> ||
+                                          std::is_same_v<Filter, umbrage::filters::rotated_disc>;
+            if constexpr (floats || !needs_floats) check_filter(encoding, filter, map_size);
         });
 }
 
@@ -191,7 +203,7 @@ TEST_CASE("visibility: whole blocks inside the map, and rows that collide in the
     }
 }
 
-TEST_CASE("visibility: windows of one's own, of all sizes, and whole blocks inside the map") {
+TEST_CASE("visibility: windows of one's own, of all sizes, discs of all radii, and whole blocks inside the map") {
     for (const int size : {1, 4, 8, 9, 15}) {
         umbrage::filters::window filter{umbrage::make_window_row(size, {1, 0.75f, 1, 0.5f, 1, 1.25f, 1, 1})};
         for (const glm::ivec2 map_size : {glm::ivec2(9, 4), glm::ivec2(67, 45)})
@@ -199,6 +211,11 @@ TEST_CASE("visibility: windows of one's own, of all sizes, and whole blocks insi
     }
     for (const umbrage::filters::window& filter : umbrage::filters::window::values)
         check_coherent(umbrage::depth32f{}, filter, {600, 61});
+    for (umbrage::filters::rotated_disc filter : umbrage::filters::rotated_disc::values)
+        for (const float radius : {0.0f, 0.4f, 5.3f, 300.0f}) {
+            filter.radius_texels = radius;
+            check_coherent(umbrage::depth32f{}, filter, {600, 61});
+        }
 }
 
 TEST_CASE("encode, visibility: large images, which bypass the cache, rows on and off multiples of 16 bytes") {

@@ -1,0 +1,25 @@
+// umbrage 0.1.0, MIT License: disc_radius
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_RADIUS
+#define UMBRAGE_HAS_DISC_RADIUS
+// umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
+UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
+    UMBRAGE_HIGHP float inside = radius > 0.0 && radius < 255.9375 ? floor(radius * 16.0) : 0.0;
+    return radius >= 255.9375 ? 4095.0 : inside;
+}
+#endif
