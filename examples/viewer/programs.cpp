@@ -80,12 +80,20 @@ filter filter_of(const shadow_system& s) {
         return {{glsl::compare_exercise, glsl::fetch_depth},
                 "umbrage_compare_exercise(depth, umbrage_fetch_depth(map, map_size, floor(p.xy)), bias)"};
     const glsl::snippet* snippet = nullptr;
-    umbrage::with_filter(s.filter, [&](const auto& of) { snippet = of.snippet; });
     std::string arguments = "p.xy, receiver";
+    snippets uses;
+    umbrage::with_filter(s.filter, [&](const auto& of) {
+        snippet = of.snippet;
+        if constexpr (requires { of.radius_texels; }) {
+            arguments += ", " + std::to_string(of.radius_texels) + ", umbrage_disc_turn(gl_FragCoord.xy)";
+            uses.push_back(glsl::disc_turn);
+        }
+    });
+    uses.push_back(*snippet);
     if (snippet == &glsl::four_tap) arguments = "tap(0), tap(1), tap(2), tap(3), receiver";
     if (snippet == &glsl::box) arguments += ", 1";
     if (snippet == &glsl::pcf_2x2_dx_sdk) arguments = "p.xy, depth, bias";
-    return {{*snippet}, "umbrage_" + std::string(snippet->name) + "(map, map_size, " + arguments + ")"};
+    return {uses, "umbrage_" + std::string(snippet->name) + "(map, map_size, " + arguments + ")"};
 }
 
 /// The side that is compared with the map, an expression of `depth`, biased.
