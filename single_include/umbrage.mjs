@@ -1245,7 +1245,7 @@ UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP v
             "disc_radius": `
 // umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
 UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
-    UMBRAGE_HIGHP float inside = radius > 0.0 && radius < 255.9375 ? floor(radius * 16.0) : 0.0;
+    UMBRAGE_HIGHP float inside = radius > 0.0 ? floor(radius * 16.0) : 0.0;
     return radius >= 255.9375 ? 4095.0 : inside;
 }
 `,
@@ -2893,7 +2893,7 @@ float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
             "disc_radius": `
 // umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
 float umbrage_disc_radius(float radius) {
-    float inside = radius > 0.0 && radius < 255.9375 ? floor(radius * 16.0) : 0.0;
+    float inside = radius > 0.0 ? floor(radius * 16.0) : 0.0;
     return radius >= 255.9375 ? 4095.0 : inside;
 }
 `,
@@ -4493,7 +4493,7 @@ inline float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float rad
             "disc_radius": `
 // umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
 inline float umbrage_disc_radius(float radius) {
-    float inside = radius > 0.0 && radius < 255.9375 ? metal::floor(radius * 16.0) : 0.0;
+    float inside = radius > 0.0 ? metal::floor(radius * 16.0) : 0.0;
     return radius >= 255.9375 ? 4095.0 : inside;
 }
 `,
@@ -6093,7 +6093,7 @@ fn umbrage_disc_tap(position: vec2f, p: vec2f, turn: vec2f, radius: f32) -> vec2
             "disc_radius": `
 // umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
 fn umbrage_disc_radius(radius: f32) -> f32 {
-    let inside: f32 = select(0.0, floor(radius * 16.0), radius > 0.0 && radius < 255.9375);
+    let inside: f32 = select(0.0, floor(radius * 16.0), radius > 0.0);
     return select(inside, 4095.0, radius >= 255.9375);
 }
 `,

@@ -52,7 +52,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <memory>
 #include <new>
 #include <numbers>
 #include <set>
@@ -3924,14 +3923,19 @@ namespace umbrage {
 
 inline constexpr float max_disc_radius = 4095.0f / 16.0f;
 
+struct disc_point {
+    int x, y;
+    [[nodiscard]] operator glm::ivec2() const { return {x, y}; }
+};
+
 /// A disc's points, in 1/16 of its radius.
 template <int Points>
-inline constexpr std::array<glm::ivec2, Points> disc_points = [] {
+inline constexpr std::array<disc_point, Points> disc_points = [] {
     static_assert(Points == 8 || Points == 16 || Points == 32);
     if constexpr (Points == 8)
-        return std::array<glm::ivec2, 8>{{{3, -1}, {-4, 5}, {1, -11}, {-9, -8}, {-12, 3}, {11, 6}, {0, 13}, {11, -7}}};
+        return std::array<disc_point, 8>{{{3, -1}, {-4, 5}, {1, -11}, {-9, -8}, {-12, 3}, {11, 6}, {0, 13}, {11, -7}}};
     else if constexpr (Points == 16)
-        return std::array<glm::ivec2, 16>{{{1, -3},
+        return std::array<disc_point, 16>{{{1, -3},
                                            {5, 2},
                                            {-5, 2},
                                            {0, 7},
@@ -3948,7 +3952,7 @@ inline constexpr std::array<glm::ivec2, Points> disc_points = [] {
                                            {-7, -12},
                                            {14, -2}}};
     else
-        return std::array<glm::ivec2, 32>{{{-2, -1},  {3, 2},   {1, -4},   {-4, 3},  {0, 6},   {-5, -5},  {7, -2},
+        return std::array<disc_point, 32>{{{-2, -1},  {3, 2},   {1, -4},   {-4, 3},  {0, 6},   {-5, -5},  {7, -2},
                                            {-8, -1},  {8, 3},   {5, 7},    {1, -9},  {6, -7},  {-8, 5},   {0, 10},
                                            {-3, -10}, {-6, 10}, {-9, -8},  {11, -5}, {5, -12}, {-13, -1}, {7, 11},
                                            {13, 3},   {-13, 4}, {10, -10}, {14, -2}, {-11, 9}, {3, 14},   {-13, -6},
@@ -4069,7 +4073,7 @@ inline constexpr snippet disc_radius{
     .source = R"GLSL(
 // umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
 UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
-    UMBRAGE_HIGHP float inside = radius > 0.0 && radius < 255.9375 ? floor(radius * 16.0) : 0.0;
+    UMBRAGE_HIGHP float inside = radius > 0.0 ? floor(radius * 16.0) : 0.0;
     return radius >= 255.9375 ? 4095.0 : inside;
 }
 )GLSL",
@@ -4092,7 +4096,7 @@ UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float n = 0.0;
 )GLSL",
                                                                      {{'n', Points}});
-    for (const glm::ivec2 p : disc_points<Points>)
+    for (const disc_point p : disc_points<Points>)
         text.append(
             fill<128>("    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), turn, rho), receiver);\n",
                       {{'x', p.x}, {'y', p.y}})
@@ -6864,18 +6868,19 @@ struct disc_table {
     struct tap {
         alignas(64) std::int32_t x[block], y[block];
     };
-    tap of[16][32];
+    std::vector<std::array<tap, 32>> of;
 
-    disc_table(const glm::ivec2* points, int count, float radius) {
+    disc_table(const disc_point* points, int count, float radius) : of(16) {
         const auto rho = static_cast<int>(disc_radius(radius));
         for (int y = 0; y < 16; ++y)
             for (int x = 0; x < 4; ++x) {
                 const glm::ivec2 turn(disc_turn(glm::vec2(static_cast<float>(x), static_cast<float>(y))));
                 for (int p = 0; p < count; ++p) {
-                    const glm::ivec2 point = points[p];
+                    const disc_point point = points[p];
+                    tap& taps = of[static_cast<std::size_t>(y)][static_cast<std::size_t>(p)];
                     for (int i = x; i < block; i += 4) {
-                        of[y][p].x[i] = (turn.x * point.x - turn.y * point.y) * rho >> 6;
-                        of[y][p].y[i] = (turn.y * point.x + turn.x * point.y) * rho >> 6;
+                        taps.x[i] = (turn.x * point.x - turn.y * point.y) * rho >> 6;
+                        taps.y[i] = (turn.y * point.x + turn.x * point.y) * rho >> 6;
                     }
                 }
             }
@@ -6924,7 +6929,7 @@ private:
         loaded_texels<float_texels> texels(of_map);
         alignas(64) std::int32_t offsets[block], lit[block]{};
         for (int p = 0; p < points; ++p) {
-            const disc_table::tap& tap = taps.of[at.row][p];
+            const disc_table::tap& tap = taps.of[static_cast<std::size_t>(at.row)][static_cast<std::size_t>(p)];
             for (int i = 0; i < block; ++i)
                 offsets[i] = memory.offset(clamp_int((at.x[i] + tap.x[i]) >> 8, last_x),
                                            clamp_int((at.y[i] + tap.y[i]) >> 8, last_y));
@@ -6945,11 +6950,11 @@ struct block_form<filters::rotated_disc> {
     template <depth_direction Direction, class ParallelFor, class Use>
     static void with_blocks(const float_texels& map, const filters::rotated_disc& filter, ParallelFor&&,
                             const Use& use) {
-        const glm::ivec2* points = filter.points == 8    ? disc_points<8>.data()
+        const disc_point* points = filter.points == 8    ? disc_points<8>.data()
                                    : filter.points == 16 ? disc_points<16>.data()
                                                          : disc_points<32>.data();
-        const auto taps = std::make_unique<disc_table>(points, filter.points, filter.radius_texels);
-        use(disc_blocks<Direction>{map.map, *taps, filter.points, static_cast<int>(filter.reach())});
+        const disc_table taps(points, filter.points, filter.radius_texels);
+        use(disc_blocks<Direction>{map.map, taps, filter.points, static_cast<int>(filter.reach())});
     }
 };
 
@@ -7244,8 +7249,8 @@ struct block_form<filters::window> {
 
 // ---- umbrage/simd/blocks/hierarchical_box.hpp
 // Filters over squares of texels for receivers most of which are wholly lit or wholly in shadow: those ask one number
-// for the whole square. visibility() does it for filters::hierarchical_box and filters::hierarchical_window; bit for bit
-// what filters::box and filters::window give.
+// for the whole square. visibility() does it for filters::hierarchical_box and filters::hierarchical_window, which give
+// bit for bit what filters::box and filters::window do.
 //
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out);
 //
@@ -9552,6 +9557,16 @@ concept has_texels_form = requires(image_view<const typename Encoding::texel> ma
     texels_of(map, e);
 };
 
+/// Memory for a map, which an image would fill with zeros first.
+struct unset_floats {
+    explicit unset_floats(std::size_t count) : texels(new float[count]) {}
+    ~unset_floats() { delete[] texels; }
+    unset_floats(const unset_floats&) = delete;
+    unset_floats& operator=(const unset_floats&) = delete;
+
+    float* const texels;
+};
+
 /// Calls use(map) with the map as a form wants it. The map is decoded where that is less work than the receivers.
 /// @return   false where it is not, or where the form cannot take such a map
 template <class Form, class Encoding, class ParallelFor, class Use>
@@ -9567,8 +9582,8 @@ bool with_map(image_view<const typename Encoding::texel> map, const Encoding& en
         const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
         if (area(map.size) >= 16.0 * area(receivers)) return false;
         const auto texels = static_cast<std::size_t>(map.size.x) * static_cast<std::size_t>(map.size.y);
-        const auto memory = std::make_unique_for_overwrite<float[]>(texels);  // an image would be zeroed first
-        const image_view<float> depths(memory.get(), map.size);
+        const unset_floats memory(texels);
+        const image_view<float> depths(memory.texels, map.size);
         if (!texel_bytes<const float>::fits(depths)) return false;
         decode(map, depths, encoding, parallel);
         use(float_texels{depths});

@@ -28,7 +28,7 @@ bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
 #define UMBRAGE_HAS_DISC_RADIUS
 // umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
 UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
-    UMBRAGE_HIGHP float inside = radius > 0.0 && radius < 255.9375 ? floor(radius * 16.0) : 0.0;
+    UMBRAGE_HIGHP float inside = radius > 0.0 ? floor(radius * 16.0) : 0.0;
     return radius >= 255.9375 ? 4095.0 : inside;
 }
 #endif

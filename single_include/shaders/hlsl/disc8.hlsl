@@ -13,7 +13,7 @@ precise bool umbrage_inside_texel_space(float2 coord) {
 #define UMBRAGE_HAS_DISC_RADIUS
 // umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
 float umbrage_disc_radius(float radius) {
-    float inside = radius > 0.0 && radius < 255.9375 ? floor(radius * 16.0) : 0.0;
+    float inside = radius > 0.0 ? floor(radius * 16.0) : 0.0;
     return radius >= 255.9375 ? 4095.0 : inside;
 }
 #endif

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <umbrage/bias/slope.hpp>
 #include <umbrage/depth/float_bits.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/depth/rgb24.hpp>
@@ -28,7 +29,7 @@ using namespace hostile;
 
 constexpr int block = 64;
 constexpr int inputs = 1 << 15;      // of each primitive, for each class and mode
-constexpr int few_inputs = 1 << 11;  // of those that take hundreds of texels each
+constexpr int few_inputs = 1 << 11;  // of those that take many texels each
 
 struct look_up {  // what a filter is called with
     glm::vec2 a, b, c, d;
@@ -170,14 +171,37 @@ void suite::all() const {
         if constexpr (requires { filter.is_lit.direction; }) {
             if (filter.snippet->exactness != glsl::tier::a) return;
             const std::string name(filter.name);
+            const int count = filter.reach() > 1.0f ? few_inputs : inputs;
             const auto filtered = [&](const look_up& l) { return filter(fetch, l.a, l.receiver); };
-            run(name.c_str(), inputs, draw, filtered);
+            run(name.c_str(), count, draw, filtered);
             filter.is_lit.direction = depth_direction::reversed;
-            run((name + "_reversed").c_str(), inputs, draw, filtered);
+            run((name + "_reversed").c_str(), count, draw, filtered);
         }
     });
     run("four_tap_apart", inputs, draw,
         [&](const look_up& l) { return four_tap(fetch, l.a, l.b, l.c, l.d, l.receiver); });
+    const auto window = [&](const char* name, const window_row& row) {
+        run(name, few_inputs, draw, [&](const look_up& l) { return window_sum(fetch, l.a, l.receiver, row); });
+    };
+    window("window_sum3", tent_row<3>);
+    window("window_sum5", castano_row<5>);
+    window("window_sum7", castano_row<7>);
+    run(  // whole numbers: a zero may have either sign
+        "disc_turn", inputs, [](source& s) { return s.coords(); },
+        [](glm::vec2 pixel) { return glm::uvec2(glm::ivec2(disc_turn(pixel))); });
+    run(
+        "disc_tap", inputs,
+        [](source& s) {
+            const int x = int(s.below(1 << 24)) - (1 << 23), y = int(s.below(1 << 24)) - (1 << 23);
+            const float radius = float(s.below(4096));
+            const glm::vec2 turn = disc_turn(glm::vec2(float(s.below(16)), 0.0f));
+            return std::array{glm::vec2(x, y), glm::vec2(glm::ivec2(disc_points<32>[s.below(32)])), turn,
+                              glm::vec2(radius)};
+        },
+        [](const auto& in) { return disc_tap(in[0], in[1], in[2], in[3].x); });
+    run("disc_radius", inputs, any, [](float v) { return disc_radius(v); });
+    run("clamp_bias", inputs, any, [](float v) { return clamp_bias(v); });
+    run("clamp_slope", inputs, any, [](float v) { return clamp_slope(v); });
     run("box_count", few_inputs, draw, [&](const look_up& l) { return box_count(fetch, l.a, l.receiver, l.radius); });
     run("box_scale", few_inputs, draw, [](const look_up& l) { return box_scale<float>(l.radius); });
     run(

@@ -20,14 +20,19 @@ namespace umbrage {
 
 inline constexpr float max_disc_radius = 4095.0f / 16.0f;
 
+struct disc_point {
+    int x, y;
+    [[nodiscard]] operator glm::ivec2() const { return {x, y}; }
+};
+
 /// A disc's points, in 1/16 of its radius.
 template <int Points>
-inline constexpr std::array<glm::ivec2, Points> disc_points = [] {
+inline constexpr std::array<disc_point, Points> disc_points = [] {
     static_assert(Points == 8 || Points == 16 || Points == 32);
     if constexpr (Points == 8)
-        return std::array<glm::ivec2, 8>{{{3, -1}, {-4, 5}, {1, -11}, {-9, -8}, {-12, 3}, {11, 6}, {0, 13}, {11, -7}}};
+        return std::array<disc_point, 8>{{{3, -1}, {-4, 5}, {1, -11}, {-9, -8}, {-12, 3}, {11, 6}, {0, 13}, {11, -7}}};
     else if constexpr (Points == 16)
-        return std::array<glm::ivec2, 16>{{{1, -3},
+        return std::array<disc_point, 16>{{{1, -3},
                                            {5, 2},
                                            {-5, 2},
                                            {0, 7},
@@ -44,7 +49,7 @@ inline constexpr std::array<glm::ivec2, Points> disc_points = [] {
                                            {-7, -12},
                                            {14, -2}}};
     else
-        return std::array<glm::ivec2, 32>{{{-2, -1},  {3, 2},   {1, -4},   {-4, 3},  {0, 6},   {-5, -5},  {7, -2},
+        return std::array<disc_point, 32>{{{-2, -1},  {3, 2},   {1, -4},   {-4, 3},  {0, 6},   {-5, -5},  {7, -2},
                                            {-8, -1},  {8, 3},   {5, 7},    {1, -9},  {6, -7},  {-8, 5},   {0, 10},
                                            {-3, -10}, {-6, 10}, {-9, -8},  {11, -5}, {5, -12}, {-13, -1}, {7, 11},
                                            {13, 3},   {-13, 4}, {10, -10}, {14, -2}, {-11, 9}, {3, 14},   {-13, -6},
@@ -165,7 +170,7 @@ inline constexpr snippet disc_radius{
     .source = R"GLSL(
 // umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
 UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
-    UMBRAGE_HIGHP float inside = radius > 0.0 && radius < 255.9375 ? floor(radius * 16.0) : 0.0;
+    UMBRAGE_HIGHP float inside = radius > 0.0 ? floor(radius * 16.0) : 0.0;
     return radius >= 255.9375 ? 4095.0 : inside;
 }
 )GLSL",
@@ -188,7 +193,7 @@ UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float n = 0.0;
 )GLSL",
                                                                      {{'n', Points}});
-    for (const glm::ivec2 p : disc_points<Points>)
+    for (const disc_point p : disc_points<Points>)
         text.append(
             fill<128>("    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), turn, rho), receiver);\n",
                       {{'x', p.x}, {'y', p.y}})

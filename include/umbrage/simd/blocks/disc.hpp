@@ -3,8 +3,9 @@
 // Discs over blocks of receivers: the turned points of a row of pixels are looked up, not turned again.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <memory>
+#include <vector>
 
 #include <glm/vec2.hpp>
 
@@ -20,18 +21,19 @@ struct disc_table {
     struct tap {
         alignas(64) std::int32_t x[block], y[block];
     };
-    tap of[16][32];
+    std::vector<std::array<tap, 32>> of;
 
-    disc_table(const glm::ivec2* points, int count, float radius) {
+    disc_table(const disc_point* points, int count, float radius) : of(16) {
         const auto rho = static_cast<int>(disc_radius(radius));
         for (int y = 0; y < 16; ++y)
             for (int x = 0; x < 4; ++x) {
                 const glm::ivec2 turn(disc_turn(glm::vec2(static_cast<float>(x), static_cast<float>(y))));
                 for (int p = 0; p < count; ++p) {
-                    const glm::ivec2 point = points[p];
+                    const disc_point point = points[p];
+                    tap& taps = of[static_cast<std::size_t>(y)][static_cast<std::size_t>(p)];
                     for (int i = x; i < block; i += 4) {
-                        of[y][p].x[i] = (turn.x * point.x - turn.y * point.y) * rho >> 6;
-                        of[y][p].y[i] = (turn.y * point.x + turn.x * point.y) * rho >> 6;
+                        taps.x[i] = (turn.x * point.x - turn.y * point.y) * rho >> 6;
+                        taps.y[i] = (turn.y * point.x + turn.x * point.y) * rho >> 6;
                     }
                 }
             }
@@ -80,7 +82,7 @@ private:
         loaded_texels<float_texels> texels(of_map);
         alignas(64) std::int32_t offsets[block], lit[block]{};
         for (int p = 0; p < points; ++p) {
-            const disc_table::tap& tap = taps.of[at.row][p];
+            const disc_table::tap& tap = taps.of[static_cast<std::size_t>(at.row)][static_cast<std::size_t>(p)];
             for (int i = 0; i < block; ++i)
                 offsets[i] = memory.offset(clamp_int((at.x[i] + tap.x[i]) >> 8, last_x),
                                            clamp_int((at.y[i] + tap.y[i]) >> 8, last_y));
@@ -101,11 +103,11 @@ struct block_form<filters::rotated_disc> {
     template <depth_direction Direction, class ParallelFor, class Use>
     static void with_blocks(const float_texels& map, const filters::rotated_disc& filter, ParallelFor&&,
                             const Use& use) {
-        const glm::ivec2* points = filter.points == 8    ? disc_points<8>.data()
+        const disc_point* points = filter.points == 8    ? disc_points<8>.data()
                                    : filter.points == 16 ? disc_points<16>.data()
                                                          : disc_points<32>.data();
-        const auto taps = std::make_unique<disc_table>(points, filter.points, filter.radius_texels);
-        use(disc_blocks<Direction>{map.map, *taps, filter.points, static_cast<int>(filter.reach())});
+        const disc_table taps(points, filter.points, filter.radius_texels);
+        use(disc_blocks<Direction>{map.map, taps, filter.points, static_cast<int>(filter.reach())});
     }
 };
 

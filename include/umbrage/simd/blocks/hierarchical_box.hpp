@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Filters over squares of texels for receivers most of which are wholly lit or wholly in shadow: those ask one number
-// for the whole square. visibility() does it for filters::hierarchical_box and filters::hierarchical_window; bit for bit
-// what filters::box and filters::window give.
+// for the whole square. visibility() does it for filters::hierarchical_box and filters::hierarchical_window, which give
+// bit for bit what filters::box and filters::window do.
 //
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out);
 //
