@@ -15,8 +15,9 @@
 using namespace umbrage;
 
 TEST_CASE("window_weights: whole numbers by the formula, for every 1/256 of a texel, that add up to the same") {
-    for (const auto& [name, row, quarters, quadratic] : rows_in_quarters()) {
-        CAPTURE(name);
+    for (const row_in_quarters& of : rows_in_quarters()) {
+        const auto& [name, row, quarters, quadratic] = of;
+        CAPTURE(of.name);
         for (int moved = 0; moved < 256; ++moved) {
             std::array<double, 16> weights{};
             window_weights(row, moved, weights.data());
@@ -35,9 +36,10 @@ TEST_CASE("window_weights: whole numbers by the formula, for every 1/256 of a te
 }
 
 TEST_CASE("window_sum: brute force in whole numbers, 3 x 3 texels, every fraction, every mask") {
-    for (const auto& [name, row, quarters, quadratic] : rows_in_quarters()) {
+    for (const row_in_quarters& of : rows_in_quarters()) {
+        const auto& [name, row, quarters, quadratic] = of;
         if (row.size != 2) continue;
-        CAPTURE(name);
+        CAPTURE(of.name);
         int wrong = 0;
         for (int fy = 0; fy < 256; fy += quadratic ? 5 : 1)  // of the one all, of the other a fifth, for the time
             for (int fx = 0; fx < 256; ++fx) {
@@ -67,8 +69,9 @@ TEST_CASE("window_sum: brute force in whole numbers, 3 x 3 texels, every fractio
 
 TEST_CASE("window_sum: brute force in whole numbers, every row of the library, every fraction, in float and double") {
     std::mt19937 random(3);
-    for (const auto& [name, row, quarters, quadratic] : rows_in_quarters()) {
-        CAPTURE(name);
+    for (const row_in_quarters& of : rows_in_quarters()) {
+        const auto& [name, row, quarters, quadratic] = of;
+        CAPTURE(of.name);
         const int touched = row.size + 1;
         int wrong = 0, partly = 0;
         std::uint64_t mask = 0;
