@@ -168,8 +168,8 @@ TEST_CASE("shadow_render: no acne on what a light lights, from any side") {
         return shadowed;
     };
     for (const char* light : {"--light spot ", "--light directional "})
-        for (const char* filter :
-             {"--filter hard ", "--filter four_tap ", "--filter pcf_2x2 ", "--filter box --radius 3 "})
+        for (const char* filter : {"--filter hard ", "--filter four_tap ", "--filter pcf_2x2 ",
+                                   "--filter box --radius 3 ", "--filter disc16 --radius 3 "})
             for (const char* angles :
                  {"--azimuth 20 --elevation 20", "--azimuth 300 --elevation 50", "--elevation 90"}) {
                 const std::string options = std::string(light) + filter + angles;

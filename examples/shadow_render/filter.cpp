@@ -13,6 +13,7 @@ template <class Use>
 void with_filter(const options& o, Use&& use) {
     umbrage::with_filter(o.filter, [&](auto filter) {
         if constexpr (requires { filter.radius; }) filter.radius = o.radius;
+        if constexpr (requires { filter.radius_texels; }) filter.radius_texels = static_cast<float>(o.radius);
         use(filter);
     });
 }

@@ -66,7 +66,7 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
 
     group("Filter");
     example::add_filter(app, o.filter);
-    app.add_option("--radius", o.radius, "of a box, texels")->check(within(0, 8));
+    app.add_option("--radius", o.radius, "of a box or a disc, texels")->check(within(0, 8));
     app.add_option("--bias", o.bias, "along the surface's normal, texels; without it, what the filter needs")
         ->check(within(-100, 100));
 

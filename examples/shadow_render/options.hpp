@@ -28,7 +28,7 @@ struct options {
     float edge = umbrage::upper_edge<float>;  ///< of a code's interval, that decoding answers
 
     std::string filter = "pcf_2x2";
-    int radius = 2;             ///< of a box
+    int radius = 2;             ///< of a box or a disc
     std::optional<float> bias;  ///< texels; unset: what the filter needs
 
     int width = 960, height = 640, samples = 2;
