@@ -19,8 +19,6 @@
 #define STBI_ONLY_PNG
 #include <stb/stb_image.h>
 
-#include <umbrage/filter/filters.hpp>
-
 #include <choices.hpp>
 
 #include "headless.hpp"
@@ -136,11 +134,10 @@ void same_shadow_everywhere(example::shadow_system system) {
         }
 }
 
-/// How many more pixels than under pcf_2x2 see a texel that compares otherwise.
+/// How many times as many pixels as under a box of radius 1 see a texel that compares otherwise; no fewer than there.
 int pixels_a_texel(const std::string& filter) {
-    float reach = 1.0f;
-    umbrage::for_each_filter([&](const auto& f) { reach = f.name == filter ? std::max(reach, f.reach()) : reach; });
-    return static_cast<int>(reach * reach);
+    const float times = std::max(example::reach_of(filter) / 1.5f, 1.0f);
+    return static_cast<int>(times * times);
 }
 
 }  // namespace

@@ -7247,7 +7247,7 @@ struct block_form<filters::window> {
 
 }  // namespace umbrage::detail
 
-// ---- umbrage/simd/blocks/hierarchical_box.hpp
+// ---- umbrage/simd/blocks/hierarchical.hpp
 // Filters over squares of texels for receivers most of which are wholly lit or wholly in shadow: those ask one number
 // for the whole square. visibility() does it for filters::hierarchical_box and filters::hierarchical_window, which give
 // bit for bit what filters::box and filters::window do.

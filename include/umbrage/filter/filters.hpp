@@ -13,7 +13,7 @@
 #include <umbrage/simd/blocks/disc.hpp>
 #include <umbrage/simd/blocks/four_tap.hpp>
 #include <umbrage/simd/blocks/hard.hpp>
-#include <umbrage/simd/blocks/hierarchical_box.hpp>
+#include <umbrage/simd/blocks/hierarchical.hpp>
 #include <umbrage/simd/blocks/pcf_2x2.hpp>
 #include <umbrage/simd/blocks/window.hpp>
 
