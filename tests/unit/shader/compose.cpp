@@ -71,7 +71,6 @@ TEST_CASE("several maps in one text: each its own functions, what belongs to non
 }
 
 TEST_CASE("a map without a name: beside it stands what belongs to no map, not what is for another without a name") {
-    const binding packed = stored_as(rg<11>{});
     CHECK(glsl::text({bind(glsl::hard, "", packed), glsl::decode_rg<11>}).find("float umbrage_hard(") !=
           std::string::npos);
     CHECK_THROWS_AS((void)glsl::text({bind(glsl::hard, "", packed), glsl::box}), std::invalid_argument);
