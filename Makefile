@@ -72,7 +72,6 @@ test:
 	cmake --workflow --preset dev
 	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang; \
 	else echo "No clang++-14 here: the pass with it is left out."; fi
-	@build/dev/tests/readme/readme --proof build/dev/tests/parity build/dev/tests/readme/proof.md
 
 unit:
 	$(call install,$(test_packages))

@@ -46,10 +46,14 @@ struct options {
     [[nodiscard]] std::size_t inputs(const entry& e, dialect d, bool only) const {
         return (only || main(d) ? count : std::min(count, other_count)) / e.share;
     }
+    /// All entries without a bound map in the last dialect, so that no snippet is left out; of those like another, and
+    /// of bound ones, a sample elsewhere.
     [[nodiscard]] bool samples(const entry& e, const backend& b, dialect d) const {
-        const bool own = e.bound.empty() && !e.alike;
-        return (own && (main(d) || b.dialects().size() == 1)) || sampled(e.name() + b.label(d), other_every);
+        const bool last = d == b.dialects().back();
+        return (e.bound.empty() && (last || (main(d) && !e.alike))) || sampled(e.name() + b.label(d), other_every);
     }
+    /// A table lists every entry or is not written.
+    [[nodiscard]] bool tables() const { return filter.empty() && planted.from.empty(); }
 };
 
 options parse(int argc, char** argv) {
@@ -228,7 +232,7 @@ int run_all(int argc, char** argv) {
     }
     if (isatty(STDERR_FILENO)) std::cerr << "\r\33[K";
     print(rows);
-    if (planted.from.empty()) write(rows, o.out + "/parity-" + o.driver + ".tsv");
+    if (o.tables()) write(rows, o.out + "/parity-" + o.driver + ".tsv");
 
     std::uint64_t inputs = 0, different = 0, starved = 0, not_run = 0;
     for (const row& r : rows) {
