@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "systems.hpp"
 
+#include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/spot_light.hpp>
 
@@ -37,8 +38,11 @@ light make_light(const shadow_system& s, const scene& scene, float azimuth, floa
             break;
         }
         case light_kind::fitted:
-            out.space = umbrage::fit_directional_light<float>(
-                {.direction = out.direction, .up = up, .low = scene.low, .high = scene.high, .clip = clip});
+            out.space =
+                umbrage::fit_directional_light<float>({.direction = out.direction,
+                                                       .up = up,
+                                                       .receivers = umbrage::bounding_box<float>{scene.low, scene.high},
+                                                       .clip = clip});
             break;
         case light_kind::exercise:
             out.z_near = s.z_near;

@@ -11,7 +11,7 @@
 
 #include <umbrage/bias/light_units.hpp>
 #include <umbrage/depth/kinds.hpp>
-#include <umbrage/light/directional_light.hpp>
+#include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/shade/lighting.hpp>
 
@@ -66,11 +66,11 @@ struct light {
     const glm::vec3 up = example::direction_at(o.azimuth, o.elevation + 90);  // never parallel
     light out{.position = scene.target + o.distance * towards, .direction = -towards};
     if (o.light != light_kind::spot) {
-        out.space = umbrage::fit_directional_light<float>({.direction = out.direction,
-                                                           .up = up,
-                                                           .low = scene.low,
-                                                           .high = scene.high,
-                                                           .clip = example::picture_clip});
+        out.space =
+            umbrage::fit_directional_light<float>({.direction = out.direction,
+                                                   .up = up,
+                                                   .receivers = umbrage::bounding_box<float>{scene.low, scene.high},
+                                                   .clip = example::picture_clip});
         out.units = umbrage::make_light_units(out.space, glm::ivec2(o.map_size));
         return out;
     }

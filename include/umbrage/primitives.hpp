@@ -40,10 +40,13 @@
 #include <umbrage/filter/pcf/windows.hpp>
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/image.hpp>
+#include <umbrage/light/bounds.hpp>
 #include <umbrage/light/cube_map.hpp>
+#include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/spot_light.hpp>
+#include <umbrage/light/sweep.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/list.hpp>
 #include <umbrage/scalar.hpp>

@@ -54,6 +54,7 @@
 #include <map>
 #include <new>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -5162,6 +5163,208 @@ inline constexpr std::array<window, 9> window::values{
 }  // namespace filters
 }  // namespace umbrage
 
+// ---- umbrage/light/bounds.hpp
+// What lights are fitted to: boxes, spheres, a camera's frustum and slices of it, points; and what a frustum has in
+// common with a scene.
+//
+//     umbrage::frustum<float> slice{.position = eye, .direction = ahead, .tan_half_x = 0.8f, .tan_half_y = 0.5f,
+//                                   .z_near = 1, .z_far = 20};
+//     umbrage::polyhedron seen = umbrage::intersection(slice, umbrage::bounding_box<float>{scene_low, scene_high});
+//
+// Corners are computed in double, whatever the numbers come in.
+//
+
+namespace umbrage {
+
+template <real T>
+struct bounding_box {
+    glm::vec<3, T> low{T(-1)}, high{T(1)};  ///< low <= high; flat ones are as good
+};
+
+template <real T>
+struct bounding_sphere {
+    glm::vec<3, T> centre{T(0)};
+    T radius = T(1);  ///< >= 0
+};
+
+/// What a perspective camera sees between two distances: all of it, or a cascade's slice.
+template <real T>
+struct frustum {
+    glm::vec<3, T> position{T(0)};
+    glm::vec<3, T> direction{T(0), T(0), T(-1)};  ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    T tan_half_x = T(1), tan_half_y = T(1);       ///< tangent of half the opening angle, > 0: below 180 degrees
+    T z_near = T(0.1), z_far = T(100);            ///< 0 <= z_near < z_far, along direction, finite
+};
+
+using eight_corners = std::array<glm::dvec3, 8>;
+
+/// Corners in the order of their numbers' bits: x, y, z high.
+/// @throws std::invalid_argument  bounds not finite or empty, which is low above high
+template <real T>
+[[nodiscard]] eight_corners corners(const bounding_box<T>& box) {
+    detail::require(detail::all_finite(box.low) && detail::all_finite(box.high), "bounding_box", "low and high",
+                    "must be finite");
+    detail::require(!glm::any(glm::greaterThan(box.low, box.high)), "bounding_box", "low", "must not be above high");
+    const glm::dvec3 low(box.low), high(box.high);
+    eight_corners all;
+    for (std::size_t i = 0; i < 8; ++i)
+        all[i] = {(i & 1 ? high : low).x, (i & 2 ? high : low).y, (i & 4 ? high : low).z};
+    return all;
+}
+
+namespace detail {
+
+/// A frustum's directions as columns: to the side, up, along.
+template <real T>
+[[nodiscard]] glm::dmat3 axes(const frustum<T>& f) {
+    constexpr auto function = "frustum";
+    require(is_finite(f.tan_half_x) && f.tan_half_x > T(0), function, "tan_half_x", "must be finite and above 0");
+    require(is_finite(f.tan_half_y) && f.tan_half_y > T(0), function, "tan_half_y", "must be finite and above 0");
+    require(f.z_near >= T(0), function, "z_near", "must not be below 0");
+    require(is_finite(f.z_far) && f.z_near < f.z_far, function, "z_far", "must be finite and above z_near");
+    const auto view = look_along(glm::dvec3(f.position), glm::dvec3(f.direction), glm::dvec3(f.up), handedness::right,
+                                 function, "position");
+    return {{view[0][0], view[1][0], view[2][0]},
+            {view[0][1], view[1][1], view[2][1]},
+            {-view[0][2], -view[1][2], -view[2][2]}};
+}
+
+}  // namespace detail
+
+/// Corners in the order of their numbers' bits: right, up, far.
+/// @throws std::invalid_argument  a frustum that is none: see its members
+template <real T>
+[[nodiscard]] eight_corners corners(const frustum<T>& f) {
+    const glm::dmat3 axes = detail::axes(f);
+    eight_corners all;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const double z(i & 4 ? f.z_far : f.z_near), x = (i & 1 ? z : -z) * double(f.tan_half_x);
+        all[i] = glm::dvec3(f.position) + axes * glm::dvec3(x, (i & 2 ? z : -z) * double(f.tan_half_y), z);
+    }
+    return all;
+}
+
+/// The smallest sphere around a frustum. Its radius comes of planes and angles alone: it keeps its bits however the
+/// camera turns and moves.
+/// @formula   zc = min(f, (n + f) (1 + t) / 2), r^2 = (f - zc)^2 + f^2 t, t = tan_half_x^2 + tan_half_y^2
+/// @throws std::invalid_argument  a frustum that is none
+template <real T>
+[[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
+    const glm::dmat3 axes = detail::axes(f);
+    const double x(f.tan_half_x), y(f.tan_half_y), n(f.z_near), z_far(f.z_far), t = x * x + y * y;
+    const double centre = glm::min(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - centre;
+    return {glm::dvec3(f.position) + axes[2] * centre, std::sqrt(beyond * beyond + z_far * z_far * t)};
+}
+
+/// A convex body, by its faces.
+class polyhedron {
+public:
+    struct face {
+        glm::dvec4 plane;  ///< dot(plane, (p, 1)) >= 0 inside
+        std::vector<glm::dvec3> corners;
+    };
+
+    polyhedron() = default;
+
+    template <real T>
+    polyhedron(const bounding_box<T>& box) {
+        const glm::dvec3 low(box.low), high(box.high);
+        add_faces(umbrage::corners(box), {{{1, 0, 0, -low.x},
+                                           {-1, 0, 0, high.x},
+                                           {0, 1, 0, -low.y},
+                                           {0, -1, 0, high.y},
+                                           {0, 0, 1, -low.z},
+                                           {0, 0, -1, high.z}}});
+    }
+
+    template <real T>
+    polyhedron(const frustum<T>& f) {
+        const glm::dmat3 axes = detail::axes(f);
+        const double x(f.tan_half_x), y(f.tan_half_y);
+        const auto plane = [&](glm::dvec3 normal, double offset) {
+            const glm::dvec3 n = axes * normal;
+            return glm::dvec4(n, offset - glm::dot(n, glm::dvec3(f.position)));
+        };
+        add_faces(umbrage::corners(f),
+                  {plane({1, 0, x}, 0), plane({-1, 0, x}, 0), plane({0, 1, y}, 0), plane({0, -1, y}, 0),
+                   plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
+    }
+
+    [[nodiscard]] const std::vector<face>& faces() const { return faces_; }
+    [[nodiscard]] bool empty() const { return faces_.empty(); }
+
+    friend polyhedron intersection(const polyhedron& a, const polyhedron& b);
+
+private:
+    void add_faces(const eight_corners& c, const std::array<glm::dvec4, 6>& planes) {
+        constexpr std::size_t order[6][4]{{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                          {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
+        for (std::size_t i = 0; i < 6; ++i)
+            faces_.push_back({planes[i], {c[order[i][0]], c[order[i][1]], c[order[i][2]], c[order[i][3]]}});
+    }
+
+    std::vector<face> faces_;
+};
+
+namespace detail {
+
+/// The part of a convex polygon that is inside of a plane.
+[[nodiscard]] inline std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const glm::dvec4& plane) {
+    const auto inside = [&](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
+    std::vector<glm::dvec3> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec3 &p = polygon[i], &q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+        const double at_p = inside(p), at_q = inside(q);
+        if (!(at_p < 0.0)) kept.push_back(p);
+        if ((at_p < 0.0) != (at_q < 0.0)) kept.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+    }
+    return kept;
+}
+
+}  // namespace detail
+
+/// What two bodies have in common; empty where that is nothing.
+[[nodiscard]] inline polyhedron intersection(const polyhedron& a, const polyhedron& b) {
+    polyhedron common;
+    const auto add = [&](const polyhedron& of, const polyhedron& within) {
+        for (polyhedron::face face : of.faces_) {
+            for (const polyhedron::face& other : within.faces_)
+                face.corners = detail::clipped(face.corners, other.plane);
+            if (!face.corners.empty()) common.faces_.push_back(std::move(face));
+        }
+    };
+    if (a.empty() || b.empty()) return common;
+    add(a, b);
+    add(b, a);
+    return common;
+}
+
+/// Points, what lies between them, and a ball around each: what a directional light is fitted to.
+struct hull {
+    std::vector<glm::dvec3> points;
+    double radius = 0.0;  ///< of the ball
+
+    hull() = default;
+    template <real T>
+    hull(std::span<const glm::vec<3, T>> p) : points(p.begin(), p.end()) {}
+    template <real T>
+    hull(const std::vector<glm::vec<3, T>>& p) : points(p.begin(), p.end()) {}
+    template <real T>
+    hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.centre)}, radius(s.radius) {}
+    template <real T>
+    hull(const bounding_box<T>& box) : hull(umbrage::corners(box)) {}
+    template <real T>
+    hull(const frustum<T>& f) : hull(umbrage::corners(f)) {}
+    hull(const eight_corners& c) : points(c.begin(), c.end()) {}
+    hull(const polyhedron& p) {
+        for (const polyhedron::face& face : p.faces())
+            points.insert(points.end(), face.corners.begin(), face.corners.end());
+    }
+};
+
+}  // namespace umbrage
+
 // ---- umbrage/light/cube_map.hpp
 // Six square maps around a point light: which of them a direction meets and where, as textures of cubes have it, or as
 // six tiles of an atlas.
@@ -5314,29 +5517,202 @@ inline constexpr auto cube_map_snippets = list<&cube_face, &cube_coordinate, &cu
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/light/directional_light.hpp
-// A directional light's space: the classic course exercise's set-up, and the tight fit to bounds.
+// ---- umbrage/light/sweep.hpp
+// What receivers sweep on their way to the light, as casters have to lie in it: the hull of what the light sees of
+// them, and how near to the light a box of casters comes within it. What fits share.
 //
-//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024});
-//     auto tight = umbrage::fit_directional_light({.direction = d, .low = scene_low, .high = scene_high});
+
+namespace umbrage {
+namespace detail {
+
+/// World to x, y and the distance along the light.
+template <real T>
+[[nodiscard]] glm::dmat4 light_frame(const glm::mat<4, 4, T>& view, handedness hand) {
+    glm::dmat4 frame(view);
+    if (hand == handedness::right)
+        for (glm::length_t i = 0; i < 4; ++i) frame[i][2] = -frame[i][2];
+    return frame;
+}
+
+[[nodiscard]] inline std::vector<glm::dvec3> seen(const glm::dmat4& frame, const std::vector<glm::dvec3>& points) {
+    std::vector<glm::dvec3> moved;
+    moved.reserve(points.size());
+    for (const glm::dvec3& p : points) moved.emplace_back(frame * glm::dvec4(p, 1.0));
+    return moved;
+}
+
+struct extent {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+};
+[[nodiscard]] inline extent extent_of(const std::vector<glm::dvec3>& points) {
+    extent e;
+    for (const glm::dvec3& p : points) e.low = glm::min(e.low, p), e.high = glm::max(e.high, p);
+    return e;
+}
+
+/// Counter-clockwise, without what lies on an edge.
+/// @cite   Andrew: Another efficient algorithm for convex hulls in two dimensions, 1979
+[[nodiscard]] inline std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
+    std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
+    const auto before = [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
+    std::sort(points.begin(), points.end(), before);
+    const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
+        return (b.x - a.x) * (c.y - a.y) <= (b.y - a.y) * (c.x - a.x);
+    };
+    for (int side = 0; side < 2; ++side, std::reverse(points.begin(), points.end())) {
+        const std::size_t first = hull.size();
+        for (const glm::dvec2& p : points) {
+            while (hull.size() >= first + 2 && turns_right(hull[hull.size() - 2], hull.back(), p)) hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();  // the other side begins with it
+    }
+    return hull;
+}
+
+/// A plane (a, b, 0, c) through each edge of a hull, moved outwards.
+[[nodiscard]] inline std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
+    std::vector<glm::dvec4> planes;
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const glm::dvec2 a = hull[i], b = hull[i + 1 < hull.size() ? i + 1 : 0];
+        const glm::dvec2 inwards(a.y - b.y, b.x - a.x);
+        planes.emplace_back(inwards, 0.0, outwards * glm::length(inwards) - glm::dot(inwards, a));
+    }
+    return planes;
+}
+
+/// The four sides of a rectangle, as planes of the same kind.
+[[nodiscard]] inline std::vector<glm::dvec4> sides(glm::dvec2 low, glm::dvec2 high) {
+    return {{1, 0, 0, -low.x}, {-1, 0, 0, high.x}, {0, 1, 0, -low.y}, {0, -1, 0, high.y}};
+}
+
+/// The least distance along the light of a box's faces within planes; infinite where none is.
+[[nodiscard]] inline double nearest(const glm::dmat4& frame, const polyhedron& box,
+                                    const std::vector<glm::dvec4>& planes) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const polyhedron::face& face : box.faces()) {
+        std::vector<glm::dvec3> polygon = seen(frame, face.corners);
+        for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
+        for (const glm::dvec3& p : polygon) least = std::min(least, p.z);
+    }
+    return least;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/light/directional_fit.hpp
+// A directional light fitted to what receives its shadows, with the near plane pulled towards what casts them.
+//
+//     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene});
+//     auto tight = umbrage::fit_directional_light<float>(
+//         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
+//     auto still = umbrage::fit_directional_light<float>(
+//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = 1024});
 //
 
 namespace umbrage {
 
+template <real T = float>
+struct directional_fit {
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    hull receivers = bounding_box<T>{};           ///< box, sphere, frustum, polyhedron or points
+    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
+    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
+    int snap_texels = 0;                          ///< side of a map whose texels stay where they are; 0: not snapped
+    clip_space clip{};
+};
+
 namespace detail {
 
-/// Length, with the bits of glm::length but where a square overflows or vanishes.
-template <real T>
-[[nodiscard]] T length(glm::vec<3, T> v) {
-    const T greatest = glm::max(glm::max(glm::abs(v.x), glm::abs(v.y)), glm::abs(v.z));
-    if (!(greatest > T(0))) return T(0);
-    const int scale = std::ilogb(greatest);
-    return std::scalbn(
-        glm::length(glm::vec<3, T>(std::scalbn(v.x, -scale), std::scalbn(v.y, -scale), std::scalbn(v.z, -scale))),
-        scale);
+/// In the name of a function whose argument they are.
+inline void require_receivers(const hull& receivers, const char* function) {
+    const auto finite = [](const glm::dvec3& p) { return all_finite(p); };
+    require(!receivers.points.empty(), function, "receivers", "must not be empty");
+    require(std::all_of(receivers.points.begin(), receivers.points.end(), finite) && is_finite(receivers.radius) &&
+                receivers.radius >= 0.0,
+            function, "receivers", "must be finite");
+}
+
+/// A box in front of a light: its middle as a share of half its sides, so that these keep their bits wherever it is.
+struct light_box {
+    glm::dvec2 half, middle;
+    double z_near, z_far;
+};
+
+/// The square of whole texels around a box, a texel wider, and depths in steps of its side.
+[[nodiscard]] inline light_box snapped(const light_box& box, int texels) {
+    const double n(texels), half_texel = glm::max(box.half.x, box.half.y) / (n - 1.0), side = 2.0 * half_texel * n;
+    const glm::dvec2 first = glm::round((box.middle * box.half / half_texel - n) * 0.5);
+    const double z_near = std::floor(box.z_near / side) * side;
+    return {glm::dvec2(half_texel * n), first * (2.0 / n) + 1.0, z_near,
+            z_near + (std::ceil((box.z_far - box.z_near) / side) + 1.0) * side};
 }
 
 }  // namespace detail
+
+/// The smallest box along the light that holds the receivers and what of the casters' box they sweep towards the light,
+/// with the margin all around. Casters beside the receivers leave the near plane where it is, as they throw no shadow
+/// there; for a sphere's sweep stands that of its square.
+///
+/// With snap_texels the box is a square, a texel wider, whose texels lie on a grid of the world wherever the receivers
+/// move, as long as their extent keeps its bits: a sphere's does. Its depths then span the casters' whole box, and go
+/// beyond it in steps of the square's side. For a grid that keeps its place to a hundredth of a texel far from the
+/// origin, compute the texture matrix in double and round that.
+///
+/// @throws std::invalid_argument  zero or non-finite direction, receivers empty or of no extent, casters that are no
+///                                box, a negative margin, and what gives matrices that are not finite
+/// @cite   Valient: Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008
+template <real T = float>
+[[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
+    constexpr auto function = "fit_directional_light", sides = "receivers and margin";
+    constexpr auto depths = "receivers, casters and margin";
+    detail::require_receivers(fit.receivers, function);
+    detail::require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+    detail::require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "must be 0 or above 1");
+    const bool snaps = fit.snap_texels > 0;
+
+    light_space<T> space{
+        detail::look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
+    const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
+    const auto points = detail::seen(frame, fit.receivers.points);
+    const auto [low, high] = detail::extent_of(points);
+    const auto [first, last] = detail::extent_of(fit.receivers.points);
+    const double radius = fit.receivers.radius;
+    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
+    const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
+    detail::light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
+    if (fit.casters && snaps) {
+        const auto casters = detail::extent_of(detail::seen(frame, hull(*fit.casters).points));
+        box.z_near = glm::min(box.z_near, casters.low.z), box.z_far = glm::max(box.z_far, casters.high.z);
+    } else if (fit.casters) {
+        auto planes = detail::sides(detail::convex_hull(points), around);
+        const auto square = detail::sides(glm::dvec2(low) - around, glm::dvec2(high) + around);
+        planes.insert(planes.end(), square.begin(), square.end());
+        box.z_near = glm::min(box.z_near, detail::nearest(frame, *fit.casters, planes) - margin);
+    }
+    if (snaps) box = detail::snapped(box, fit.snap_texels);
+
+    glm::dmat4 projection =
+        detail::orthographic(-box.half, box.half, box.z_near, box.z_far, fit.clip, function, sides, depths);
+    projection[3][0] = -box.middle.x, projection[3][1] = -box.middle.y;
+    space.projection = glm::mat<4, 4, T>(projection);
+    for (glm::length_t i = 0; i < 3; ++i)
+        detail::require(detail::is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
+                        "give too large or too small a box");
+    return detail::checked(space, function, depths);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/directional_light.hpp
+// A directional light's space as the classic course exercise sets it up.
+//
+//     auto light = umbrage::make_directional_light({.direction = d, .map_size = 1024});
+//
+
+namespace umbrage {
 
 template <real T = float>
 struct directional_light {
@@ -5371,39 +5747,6 @@ template <real T = float>
     space.projection = detail::orthographic(-half, half, light.z_near, light.z_far, light.clip, function,
                                             "map_size and texels_per_unit", "z_near and z_far");
     return detail::checked(space, function, "target, offset, texels_per_unit, z_near and z_far");
-}
-
-template <real T = float>
-struct directional_fit {
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    glm::vec<3, T> low{T(-1)}, high{T(1)};        ///< bounds of all casters and receivers, low <= high
-    T margin = T(0.01);                           ///< added on every side, as a share of the bounds' diagonal, > 0
-    clip_space clip{};
-};
-
-/// The smallest box along the light that holds the bounds, and the margin.
-/// @throws std::invalid_argument  zero or non-finite direction, bounds empty, inverted or of no extent, and what gives
-///                                matrices that are not finite
-template <real T = float>
-[[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
-    constexpr auto function = "fit_directional_light", bounds = "low and high", box = "low, high and margin";
-    detail::require(detail::all_finite(fit.low) && detail::all_finite(fit.high), function, bounds, "must be finite");
-    detail::require(!glm::any(glm::greaterThan(fit.low, fit.high)), function, "low", "must not be above high");
-    detail::require(is_finite(fit.margin) && fit.margin > T(0), function, "margin", "must be finite and above 0");
-    // halved first: the bounds may reach from one end of the numbers to the other
-    const glm::vec<3, T> half = fit.high * T(0.5) - fit.low * T(0.5), centre = fit.low * T(0.5) + fit.high * T(0.5);
-    const T radius = detail::length(half);
-    detail::require(radius > T(0), function, bounds, "must have some extent");
-    light_space<T> space{
-        detail::look_along(centre, fit.direction, fit.up, fit.clip.hand, function, bounds), {}, fit.clip};
-    // the box is centred on the bounds' centre, so it is enough to know how far it reaches
-    glm::vec<3, T> reach(fit.margin * T(2) * radius);
-    for (int row = 0; row < 3; ++row)
-        for (int i = 0; i < 3; ++i) reach[row] += glm::abs(space.view[i][row]) * half[i];
-    const glm::vec<2, T> side(reach);
-    space.projection = detail::orthographic(-side, side, -reach.z, reach.z, fit.clip, function, box, box);
-    return detail::checked(space, function, box);
 }
 
 }  // namespace umbrage

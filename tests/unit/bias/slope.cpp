@@ -10,7 +10,7 @@
 
 #include <umbrage/bias/acne_free.hpp>
 #include <umbrage/bias/slope.hpp>
-#include <umbrage/light/directional_light.hpp>
+#include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
@@ -28,8 +28,8 @@ std::vector<light_space<T>> lights() {
     for (const clip_space clip : all_clip_spaces()) {
         all.push_back(make_spot_light<T>(
             {.position = vec(1, 5, 2), .direction = vec(T(-0.2), -1, T(0.3)), .z_near = 1, .z_far = 20, .clip = clip}));
-        all.push_back(
-            fit_directional_light<T>({.direction = vec(1, -2, T(0.5)), .low = vec(-3), .high = vec(3), .clip = clip}));
+        all.push_back(fit_directional_light<T>(
+            {.direction = vec(1, -2, T(0.5)), .receivers = bounding_box<T>{vec(-3), vec(3)}, .clip = clip}));
     }
     return all;
 }

@@ -8,8 +8,10 @@
 
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
+#include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/images/rasterize.hpp>
+#include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -31,7 +33,7 @@ light_space<float> random_light(std::mt19937& random, int i, clip_space clip = {
         return make_spot_light<float>(
             {.position = position, .direction = direction, .outer_angle_radians = angle(random), .clip = clip});
     return fit_directional_light<float>(
-        {.direction = direction, .low = glm::vec3(-6), .high = glm::vec3(7), .clip = clip});
+        {.direction = direction, .receivers = bounding_box<float>{glm::vec3(-6), glm::vec3(7)}, .clip = clip});
 }
 
 }  // namespace
@@ -225,20 +227,22 @@ TEST_CASE("texture_matrix: lands on the texel and the depth that the rasterizer 
             CAPTURE(to_string(clip));
             CAPTURE(kind);
             const light_space<float> light =
-                kind == 0   ? make_spot_light<float>({.position = {1, 4, -2},
-                                                      .direction = {-0.7f, -4, 1.8f},
-                                                      .outer_angle_radians = 0.7f,
-                                                      .z_near = 1,
-                                                      .z_far = 9,
-                                                      .clip = clip})
-                : kind == 1 ? make_directional_light<float>({.direction = {0.3f, -1, 0.2f},
-                                                             .map_size = 60,
-                                                             .texels_per_unit = 10,
-                                                             .z_near = 1,
-                                                             .z_far = 20,
-                                                             .clip = clip})
-                            : fit_directional_light<float>(
-                                  {.direction = {0, -1, 0}, .low = {-2.5f, -1, -2}, .high = {3, 1, 3}, .clip = clip});
+                kind == 0 ? make_spot_light<float>({.position = {1, 4, -2},
+                                                    .direction = {-0.7f, -4, 1.8f},
+                                                    .outer_angle_radians = 0.7f,
+                                                    .z_near = 1,
+                                                    .z_far = 9,
+                                                    .clip = clip})
+                : kind == 1
+                    ? make_directional_light<float>({.direction = {0.3f, -1, 0.2f},
+                                                     .map_size = 60,
+                                                     .texels_per_unit = 10,
+                                                     .z_near = 1,
+                                                     .z_far = 20,
+                                                     .clip = clip})
+                    : fit_directional_light<float>({.direction = {0, -1, 0},
+                                                    .receivers = bounding_box<float>{{-2.5f, -1, -2}, {3, 1, 3}},
+                                                    .clip = clip});
             image<float> map(size, cleared_depth(clip));
             rasterize_depth(map, {positions, triangles}, light.projection * light.view, clip);
 

@@ -8,7 +8,7 @@
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
-#include "../clip_spaces.hpp"
+#include "clip_spaces.hpp"
 
 using namespace umbrage;
 

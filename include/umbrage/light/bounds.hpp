@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+//
+// What lights are fitted to: boxes, spheres, a camera's frustum and slices of it, points; and what a frustum has in
+// common with a scene.
+//
+//     umbrage::frustum<float> slice{.position = eye, .direction = ahead, .tan_half_x = 0.8f, .tan_half_y = 0.5f,
+//                                   .z_near = 1, .z_far = 20};
+//     umbrage::polyhedron seen = umbrage::intersection(slice, umbrage::bounding_box<float>{scene_low, scene_high});
+//
+// Corners are computed in double, whatever the numbers come in.
+//
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <umbrage/light/light_space.hpp>
+
+namespace umbrage {
+
+template <real T>
+struct bounding_box {
+    glm::vec<3, T> low{T(-1)}, high{T(1)};  ///< low <= high; flat ones are as good
+};
+
+template <real T>
+struct bounding_sphere {
+    glm::vec<3, T> centre{T(0)};
+    T radius = T(1);  ///< >= 0
+};
+
+/// What a perspective camera sees between two distances: all of it, or a cascade's slice.
+template <real T>
+struct frustum {
+    glm::vec<3, T> position{T(0)};
+    glm::vec<3, T> direction{T(0), T(0), T(-1)};  ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    T tan_half_x = T(1), tan_half_y = T(1);       ///< tangent of half the opening angle, > 0: below 180 degrees
+    T z_near = T(0.1), z_far = T(100);            ///< 0 <= z_near < z_far, along direction, finite
+};
+
+using eight_corners = std::array<glm::dvec3, 8>;
+
+/// Corners in the order of their numbers' bits: x, y, z high.
+/// @throws std::invalid_argument  bounds not finite or empty, which is low above high
+template <real T>
+[[nodiscard]] eight_corners corners(const bounding_box<T>& box) {
+    detail::require(detail::all_finite(box.low) && detail::all_finite(box.high), "bounding_box", "low and high",
+                    "must be finite");
+    detail::require(!glm::any(glm::greaterThan(box.low, box.high)), "bounding_box", "low", "must not be above high");
+    const glm::dvec3 low(box.low), high(box.high);
+    eight_corners all;
+    for (std::size_t i = 0; i < 8; ++i)
+        all[i] = {(i & 1 ? high : low).x, (i & 2 ? high : low).y, (i & 4 ? high : low).z};
+    return all;
+}
+
+namespace detail {
+
+/// A frustum's directions as columns: to the side, up, along.
+template <real T>
+[[nodiscard]] glm::dmat3 axes(const frustum<T>& f) {
+    constexpr auto function = "frustum";
+    require(is_finite(f.tan_half_x) && f.tan_half_x > T(0), function, "tan_half_x", "must be finite and above 0");
+    require(is_finite(f.tan_half_y) && f.tan_half_y > T(0), function, "tan_half_y", "must be finite and above 0");
+    require(f.z_near >= T(0), function, "z_near", "must not be below 0");
+    require(is_finite(f.z_far) && f.z_near < f.z_far, function, "z_far", "must be finite and above z_near");
+    const auto view = look_along(glm::dvec3(f.position), glm::dvec3(f.direction), glm::dvec3(f.up), handedness::right,
+                                 function, "position");
+    return {{view[0][0], view[1][0], view[2][0]},
+            {view[0][1], view[1][1], view[2][1]},
+            {-view[0][2], -view[1][2], -view[2][2]}};
+}
+
+}  // namespace detail
+
+/// Corners in the order of their numbers' bits: right, up, far.
+/// @throws std::invalid_argument  a frustum that is none: see its members
+template <real T>
+[[nodiscard]] eight_corners corners(const frustum<T>& f) {
+    const glm::dmat3 axes = detail::axes(f);
+    eight_corners all;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const double z(i & 4 ? f.z_far : f.z_near), x = (i & 1 ? z : -z) * double(f.tan_half_x);
+        all[i] = glm::dvec3(f.position) + axes * glm::dvec3(x, (i & 2 ? z : -z) * double(f.tan_half_y), z);
+    }
+    return all;
+}
+
+/// The smallest sphere around a frustum. Its radius comes of planes and angles alone: it keeps its bits however the
+/// camera turns and moves.
+/// @formula   zc = min(f, (n + f) (1 + t) / 2), r^2 = (f - zc)^2 + f^2 t, t = tan_half_x^2 + tan_half_y^2
+/// @throws std::invalid_argument  a frustum that is none
+template <real T>
+[[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
+    const glm::dmat3 axes = detail::axes(f);
+    const double x(f.tan_half_x), y(f.tan_half_y), n(f.z_near), z_far(f.z_far), t = x * x + y * y;
+    const double centre = glm::min(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - centre;
+    return {glm::dvec3(f.position) + axes[2] * centre, std::sqrt(beyond * beyond + z_far * z_far * t)};
+}
+
+/// A convex body, by its faces.
+class polyhedron {
+public:
+    struct face {
+        glm::dvec4 plane;  ///< dot(plane, (p, 1)) >= 0 inside
+        std::vector<glm::dvec3> corners;
+    };
+
+    polyhedron() = default;
+
+    template <real T>
+    polyhedron(const bounding_box<T>& box) {
+        const glm::dvec3 low(box.low), high(box.high);
+        add_faces(umbrage::corners(box), {{{1, 0, 0, -low.x},
+                                           {-1, 0, 0, high.x},
+                                           {0, 1, 0, -low.y},
+                                           {0, -1, 0, high.y},
+                                           {0, 0, 1, -low.z},
+                                           {0, 0, -1, high.z}}});
+    }
+
+    template <real T>
+    polyhedron(const frustum<T>& f) {
+        const glm::dmat3 axes = detail::axes(f);
+        const double x(f.tan_half_x), y(f.tan_half_y);
+        const auto plane = [&](glm::dvec3 normal, double offset) {
+            const glm::dvec3 n = axes * normal;
+            return glm::dvec4(n, offset - glm::dot(n, glm::dvec3(f.position)));
+        };
+        add_faces(umbrage::corners(f),
+                  {plane({1, 0, x}, 0), plane({-1, 0, x}, 0), plane({0, 1, y}, 0), plane({0, -1, y}, 0),
+                   plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
+    }
+
+    [[nodiscard]] const std::vector<face>& faces() const { return faces_; }
+    [[nodiscard]] bool empty() const { return faces_.empty(); }
+
+    friend polyhedron intersection(const polyhedron& a, const polyhedron& b);
+
+private:
+    void add_faces(const eight_corners& c, const std::array<glm::dvec4, 6>& planes) {
+        constexpr std::size_t order[6][4]{{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                          {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
+        for (std::size_t i = 0; i < 6; ++i)
+            faces_.push_back({planes[i], {c[order[i][0]], c[order[i][1]], c[order[i][2]], c[order[i][3]]}});
+    }
+
+    std::vector<face> faces_;
+};
+
+namespace detail {
+
+/// The part of a convex polygon that is inside of a plane.
+[[nodiscard]] inline std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const glm::dvec4& plane) {
+    const auto inside = [&](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
+    std::vector<glm::dvec3> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec3 &p = polygon[i], &q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+        const double at_p = inside(p), at_q = inside(q);
+        if (!(at_p < 0.0)) kept.push_back(p);
+        if ((at_p < 0.0) != (at_q < 0.0)) kept.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+    }
+    return kept;
+}
+
+}  // namespace detail
+
+/// What two bodies have in common; empty where that is nothing.
+[[nodiscard]] inline polyhedron intersection(const polyhedron& a, const polyhedron& b) {
+    polyhedron common;
+    const auto add = [&](const polyhedron& of, const polyhedron& within) {
+        for (polyhedron::face face : of.faces_) {
+            for (const polyhedron::face& other : within.faces_)
+                face.corners = detail::clipped(face.corners, other.plane);
+            if (!face.corners.empty()) common.faces_.push_back(std::move(face));
+        }
+    };
+    if (a.empty() || b.empty()) return common;
+    add(a, b);
+    add(b, a);
+    return common;
+}
+
+/// Points, what lies between them, and a ball around each: what a directional light is fitted to.
+struct hull {
+    std::vector<glm::dvec3> points;
+    double radius = 0.0;  ///< of the ball
+
+    hull() = default;
+    template <real T>
+    hull(std::span<const glm::vec<3, T>> p) : points(p.begin(), p.end()) {}
+    template <real T>
+    hull(const std::vector<glm::vec<3, T>>& p) : points(p.begin(), p.end()) {}
+    template <real T>
+    hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.centre)}, radius(s.radius) {}
+    template <real T>
+    hull(const bounding_box<T>& box) : hull(umbrage::corners(box)) {}
+    template <real T>
+    hull(const frustum<T>& f) : hull(umbrage::corners(f)) {}
+    hull(const eight_corners& c) : points(c.begin(), c.end()) {}
+    hull(const polyhedron& p) {
+        for (const polyhedron::face& face : p.faces())
+            points.insert(points.end(), face.corners.begin(), face.corners.end());
+    }
+};
+
+}  // namespace umbrage

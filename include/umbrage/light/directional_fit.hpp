@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+//
+// A directional light fitted to what receives its shadows, with the near plane pulled towards what casts them.
+//
+//     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene});
+//     auto tight = umbrage::fit_directional_light<float>(
+//         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
+//     auto still = umbrage::fit_directional_light<float>(
+//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = 1024});
+//
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <umbrage/light/bounds.hpp>
+#include <umbrage/light/light_space.hpp>
+#include <umbrage/light/sweep.hpp>
+
+namespace umbrage {
+
+template <real T = float>
+struct directional_fit {
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    hull receivers = bounding_box<T>{};           ///< box, sphere, frustum, polyhedron or points
+    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
+    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
+    int snap_texels = 0;                          ///< side of a map whose texels stay where they are; 0: not snapped
+    clip_space clip{};
+};
+
+namespace detail {
+
+/// In the name of a function whose argument they are.
+inline void require_receivers(const hull& receivers, const char* function) {
+    const auto finite = [](const glm::dvec3& p) { return all_finite(p); };
+    require(!receivers.points.empty(), function, "receivers", "must not be empty");
+    require(std::all_of(receivers.points.begin(), receivers.points.end(), finite) && is_finite(receivers.radius) &&
+                receivers.radius >= 0.0,
+            function, "receivers", "must be finite");
+}
+
+/// A box in front of a light: its middle as a share of half its sides, so that these keep their bits wherever it is.
+struct light_box {
+    glm::dvec2 half, middle;
+    double z_near, z_far;
+};
+
+/// The square of whole texels around a box, a texel wider, and depths in steps of its side.
+[[nodiscard]] inline light_box snapped(const light_box& box, int texels) {
+    const double n(texels), half_texel = glm::max(box.half.x, box.half.y) / (n - 1.0), side = 2.0 * half_texel * n;
+    const glm::dvec2 first = glm::round((box.middle * box.half / half_texel - n) * 0.5);
+    const double z_near = std::floor(box.z_near / side) * side;
+    return {glm::dvec2(half_texel * n), first * (2.0 / n) + 1.0, z_near,
+            z_near + (std::ceil((box.z_far - box.z_near) / side) + 1.0) * side};
+}
+
+}  // namespace detail
+
+/// The smallest box along the light that holds the receivers and what of the casters' box they sweep towards the light,
+/// with the margin all around. Casters beside the receivers leave the near plane where it is, as they throw no shadow
+/// there; for a sphere's sweep stands that of its square.
+///
+/// With snap_texels the box is a square, a texel wider, whose texels lie on a grid of the world wherever the receivers
+/// move, as long as their extent keeps its bits: a sphere's does. Its depths then span the casters' whole box, and go
+/// beyond it in steps of the square's side. For a grid that keeps its place to a hundredth of a texel far from the
+/// origin, compute the texture matrix in double and round that.
+///
+/// @throws std::invalid_argument  zero or non-finite direction, receivers empty or of no extent, casters that are no
+///                                box, a negative margin, and what gives matrices that are not finite
+/// @cite   Valient: Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008
+template <real T = float>
+[[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
+    constexpr auto function = "fit_directional_light", sides = "receivers and margin";
+    constexpr auto depths = "receivers, casters and margin";
+    detail::require_receivers(fit.receivers, function);
+    detail::require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+    detail::require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "must be 0 or above 1");
+    const bool snaps = fit.snap_texels > 0;
+
+    light_space<T> space{
+        detail::look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
+    const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
+    const auto points = detail::seen(frame, fit.receivers.points);
+    const auto [low, high] = detail::extent_of(points);
+    const auto [first, last] = detail::extent_of(fit.receivers.points);
+    const double radius = fit.receivers.radius;
+    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
+    const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
+    detail::light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
+    if (fit.casters && snaps) {
+        const auto casters = detail::extent_of(detail::seen(frame, hull(*fit.casters).points));
+        box.z_near = glm::min(box.z_near, casters.low.z), box.z_far = glm::max(box.z_far, casters.high.z);
+    } else if (fit.casters) {
+        auto planes = detail::sides(detail::convex_hull(points), around);
+        const auto square = detail::sides(glm::dvec2(low) - around, glm::dvec2(high) + around);
+        planes.insert(planes.end(), square.begin(), square.end());
+        box.z_near = glm::min(box.z_near, detail::nearest(frame, *fit.casters, planes) - margin);
+    }
+    if (snaps) box = detail::snapped(box, fit.snap_texels);
+
+    glm::dmat4 projection =
+        detail::orthographic(-box.half, box.half, box.z_near, box.z_far, fit.clip, function, sides, depths);
+    projection[3][0] = -box.middle.x, projection[3][1] = -box.middle.y;
+    space.projection = glm::mat<4, 4, T>(projection);
+    for (glm::length_t i = 0; i < 3; ++i)
+        detail::require(detail::is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
+                        "give too large or too small a box");
+    return detail::checked(space, function, depths);
+}
+
+}  // namespace umbrage

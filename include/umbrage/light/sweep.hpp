@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+//
+// What receivers sweep on their way to the light, as casters have to lie in it: the hull of what the light sees of
+// them, and how near to the light a box of casters comes within it. What fits share.
+//
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include <umbrage/light/bounds.hpp>
+#include <umbrage/light/light_space.hpp>
+
+namespace umbrage {
+namespace detail {
+
+/// World to x, y and the distance along the light.
+template <real T>
+[[nodiscard]] glm::dmat4 light_frame(const glm::mat<4, 4, T>& view, handedness hand) {
+    glm::dmat4 frame(view);
+    if (hand == handedness::right)
+        for (glm::length_t i = 0; i < 4; ++i) frame[i][2] = -frame[i][2];
+    return frame;
+}
+
+[[nodiscard]] inline std::vector<glm::dvec3> seen(const glm::dmat4& frame, const std::vector<glm::dvec3>& points) {
+    std::vector<glm::dvec3> moved;
+    moved.reserve(points.size());
+    for (const glm::dvec3& p : points) moved.emplace_back(frame * glm::dvec4(p, 1.0));
+    return moved;
+}
+
+struct extent {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+};
+[[nodiscard]] inline extent extent_of(const std::vector<glm::dvec3>& points) {
+    extent e;
+    for (const glm::dvec3& p : points) e.low = glm::min(e.low, p), e.high = glm::max(e.high, p);
+    return e;
+}
+
+/// Counter-clockwise, without what lies on an edge.
+/// @cite   Andrew: Another efficient algorithm for convex hulls in two dimensions, 1979
+[[nodiscard]] inline std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
+    std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
+    const auto before = [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
+    std::sort(points.begin(), points.end(), before);
+    const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
+        return (b.x - a.x) * (c.y - a.y) <= (b.y - a.y) * (c.x - a.x);
+    };
+    for (int side = 0; side < 2; ++side, std::reverse(points.begin(), points.end())) {
+        const std::size_t first = hull.size();
+        for (const glm::dvec2& p : points) {
+            while (hull.size() >= first + 2 && turns_right(hull[hull.size() - 2], hull.back(), p)) hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();  // the other side begins with it
+    }
+    return hull;
+}
+
+/// A plane (a, b, 0, c) through each edge of a hull, moved outwards.
+[[nodiscard]] inline std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
+    std::vector<glm::dvec4> planes;
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const glm::dvec2 a = hull[i], b = hull[i + 1 < hull.size() ? i + 1 : 0];
+        const glm::dvec2 inwards(a.y - b.y, b.x - a.x);
+        planes.emplace_back(inwards, 0.0, outwards * glm::length(inwards) - glm::dot(inwards, a));
+    }
+    return planes;
+}
+
+/// The four sides of a rectangle, as planes of the same kind.
+[[nodiscard]] inline std::vector<glm::dvec4> sides(glm::dvec2 low, glm::dvec2 high) {
+    return {{1, 0, 0, -low.x}, {-1, 0, 0, high.x}, {0, 1, 0, -low.y}, {0, -1, 0, high.y}};
+}
+
+/// The least distance along the light of a box's faces within planes; infinite where none is.
+[[nodiscard]] inline double nearest(const glm::dmat4& frame, const polyhedron& box,
+                                    const std::vector<glm::dvec4>& planes) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const polyhedron::face& face : box.faces()) {
+        std::vector<glm::dvec3> polygon = seen(frame, face.corners);
+        for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
+        for (const glm::dvec3& p : polygon) least = std::min(least, p.z);
+    }
+    return least;
+}
+
+}  // namespace detail
+}  // namespace umbrage
