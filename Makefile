@@ -98,11 +98,11 @@ gallery:
 prove:
 	$(call install,$(test_packages))
 	$(from_npm)
-	cmake --preset dev -D UMBRAGE_ALL_HOSTILE_BUILDS=ON
+	cmake --preset dev -D UMBRAGE_ALL_BUILDS=ON
 	cmake --build --preset dev --target prove
 	cmake --build --preset dev --target prove_glsl
 	cmake --build --preset dev --target mutate
-	cmake --build --preset dev --target hostile hostile_tier_a hostile_images hostile_aarch64
+	cmake --build --preset dev --target headers_together hostile hostile_tier_a hostile_images hostile_aarch64
 	ctest --preset dev -R "^hostile/"
 
 # The peers' shaders come from npm; the table goes to build/bench-packing/packing.tsv too.

@@ -5,22 +5,32 @@
 
 #include "acne.hpp"
 
+namespace {
+
+bool owes(const proof::any_filter& filter, const proof::any_encoding& encoding, float bias, proof::moved_plane& moved) {
+    CAPTURE(filter.name);
+    CAPTURE(filter.reach);
+    CAPTURE(encoding.name);
+    CAPTURE(moved.slope.x);
+    CAPTURE(moved.slope.y);
+    const proof::acne seen = proof::look_for_acne(filter, encoding, bias, moved);
+    CHECK(seen.dark == 0);
+    CHECK_FALSE(seen.loose);
+    return seen.owed;
+}
+
+}  // namespace
+
 TEST_CASE("acne_free_bias: under every filter no receiver on a plane is dark, and 9/10 of it is too little") {
     std::uint64_t turn = 0, owed = 0;
     proof::for_each_percentage_closer([&](const auto& filter, umbrage::depth_direction direction) {
+        const proof::any_filter erased(filter, direction);
         std::uint64_t taken = 0;
         proof::for_each_decoder(direction, [&](const auto& encoding) {
             if (turn++ % 7 != 0) return;  // 36 decoders: another few for the next filter
-            const std::uint64_t plane = (turn * 31 + taken++ * 5) % proof::plane_count;
-            CAPTURE(filter.name);
-            CAPTURE(filter.reach());
-            CAPTURE(encoding.name);
-            CAPTURE(plane);
-            proof::moved_plane moved(plane, filter.reach());
-            const proof::acne seen = proof::look_for_acne(filter, encoding, moved);
-            CHECK(seen.dark == 0);
-            CHECK_FALSE(seen.loose);
-            owed += seen.owed;
+            proof::moved_plane moved((turn * 31 + taken++ * 5) % proof::plane_count, erased.reach);
+            const float bias = umbrage::acne_free_bias(moved.slope, filter, encoding);
+            owed += owes(erased, proof::any_encoding(encoding), bias, moved);
         });
         CHECK(taken > 4);
     });

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <random>
-#include <type_traits>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include <umbrage/bias/acne_free.hpp>
@@ -32,6 +32,34 @@ inline constexpr std::uint64_t plane_count = std::size(tilts) * 3 * 4;
     const double turn = 90.0 * double(n / std::size(tilts) / 3) + (n % 2 ? 0.0 : 17.0);
     return glm::vec2(glm::dvec2(std::cos(turn * degree), std::sin(turn * degree)) * (tilt / texels));
 }
+
+/// A filter, whichever: what looks for acne is compiled once for all of them.
+struct any_filter {
+    std::string_view name;
+    float reach;
+    umbrage::comparison is_lit;
+    std::function<void(const umbrage::image<float>&, const umbrage::image<glm::vec3>&, umbrage::image<float>&)>
+        visibility;
+
+    template <class Filter>
+    any_filter(const Filter& filter, umbrage::depth_direction direction)
+        : name(filter.name),
+          reach(filter.reach()),
+          is_lit{direction},
+          visibility([=](auto& map, auto& seen, auto& lit) {
+              umbrage::visibility(map, umbrage::depth32f{}, seen, filter, lit);
+          }) {}
+};
+
+/// An encoding, whichever.
+struct any_encoding {
+    std::string_view name;
+    std::function<float(float)> stored;  ///< what it makes of a depth
+
+    template <class Encoding>
+    explicit any_encoding(const Encoding& encoding)
+        : name(encoding.name), stored([=](float d) { return encoding.decode(encoding.encode(d)); }) {}
+};
 
 /// A plane's map, and a receiver on it at every fraction k / 256 of a texel, in both directions.
 struct plane {
@@ -61,15 +89,12 @@ struct plane {
     }
 
     /// How many receivers any texel darkens.
-    template <class Filter, class Encoding>
-    [[nodiscard]] int dark(const Filter& filter, const Encoding& encoding, float bias) const {
+    [[nodiscard]] int dark(const any_filter& filter, const any_encoding& encoding, float bias) const {
         umbrage::image<float> map(depth.size()), lit(receivers.size());
-        std::ranges::transform(depth.texels(), map.texels().begin(),
-                               [&](float d) { return encoding.decode(encoding.encode(d)); });
+        std::ranges::transform(depth.texels(), map.texels().begin(), encoding.stored);
         umbrage::image<glm::vec3> seen = receivers;
         for (glm::vec3& r : seen.texels()) r.z = umbrage::biased(r.z, bias, filter.is_lit);
-        umbrage::visibility(std::as_const(map).view(), umbrage::depth32f{}, std::as_const(seen).view(), filter,
-                            lit.view());
+        filter.visibility(map, seen, lit);
         return static_cast<int>(std::ranges::count_if(lit.texels(), [](float v) { return v < 1.0f; }));
     }
 };
@@ -101,9 +126,8 @@ struct acne {
 
 /// Looks at moves of a plane until 9/10 of the bias is too little. Of a plane that faces the light all receivers have
 /// one error of the encoding, and few moves have nearly the greatest.
-template <class Filter, class Encoding>
-[[nodiscard]] acne look_for_acne(const Filter& filter, const Encoding& encoding, moved_plane& moved) {
-    const float bias = umbrage::acne_free_bias(moved.slope, filter, encoding);
+[[nodiscard]] inline acne look_for_acne(const any_filter& filter, const any_encoding& encoding, float bias,
+                                        moved_plane& moved) {
     acne seen{.owed = bias - 0x1p-23f > 0x1p-16f};
     bool tight = false;
     for (std::size_t move = 0; move == 0 || (seen.owed && !tight && move < 512); ++move) {

@@ -162,12 +162,13 @@ line acne_under(const Filter& filter, umbrage::depth_direction direction) {
     std::snprintf(reach, sizeof reach, ", reach %g", double(filter.reach()));
     const bool forward = direction == umbrage::depth_direction::forward;
     return {umbrage::glsl::acne_free_bias, std::string(filter.name) + reach + (forward ? "" : ", reversed"), 0,
-            proof::plane_count, [=](count first, count last) {
+            proof::plane_count, [=, erased = proof::any_filter(filter, direction)](count first, count last) {
                 seen s;
                 for (count n = first; n < last; ++n) {
                     proof::moved_plane moved(n, filter.reach());
                     proof::for_each_decoder(direction, [&](const auto& encoding) {
-                        const proof::acne found = proof::look_for_acne(filter, encoding, moved);
+                        const float bias = umbrage::acne_free_bias(moved.slope, filter, encoding);
+                        const auto found = proof::look_for_acne(erased, proof::any_encoding(encoding), bias, moved);
                         s.failures += found.dark + found.loose;
                     });
                 }

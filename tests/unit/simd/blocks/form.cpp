@@ -18,28 +18,37 @@ using namespace paths;
 /// Any map's texel as its depth: what is compiled for it need not be compiled for each encoding.
 using any_fetch = std::function<float(glm::ivec2)>;
 
-/// The filter called for a receiver, with its pixel if it asks for one.
-template <class Filter>
-float at_pixel(const Filter& filter, const any_fetch& fetch, glm::vec3 receiver, glm::ivec2 pixel) {
-    if constexpr (requires { filter(fetch, glm::vec2(), 0.0f, pixel); })
-        return filter(fetch, glm::vec2(receiver), receiver.z, pixel);
-    else return filter(fetch, glm::vec2(receiver), receiver.z);
-}
+using any_receivers = std::function<glm::vec3(glm::ivec2)>;
+
+/// A filter, whichever: what is held against it is compiled once for all of them.
+struct any_filter {
+    std::function<float(const any_fetch&, glm::vec3, glm::ivec2)> at;
+    float far = 1.0f;
+
+    template <class Filter>
+    explicit any_filter(const Filter& filter)
+        : at([=](const any_fetch& fetch, glm::vec3 receiver, glm::ivec2 pixel) {
+              if constexpr (requires { filter(fetch, glm::vec2(), 0.0f, pixel); })
+                  return filter(fetch, glm::vec2(receiver), receiver.z, pixel);
+              else return filter(fetch, glm::vec2(receiver), receiver.z);
+          }) {
+        if constexpr (requires { filter.is_lit.direction; }) far = umbrage::cleared_depth(filter.is_lit.direction);
+    }
+};
 
 /// What the filter gives for each receiver alone, in each rounding mode.
 class one_by_one {
 public:
-    template <class Filter>
-    one_by_one(const Filter& filter, const any_fetch& fetch, const image<glm::vec3>& receivers) {
+    one_by_one(const any_filter& filter, const any_fetch& fetch, glm::ivec2 size, const any_receivers& at) {
         each_rounding([&](int mode) {
-            image<float>& out = wanted_.emplace(mode, receivers.size()).first->second;
-            std::ranges::transform(receivers.texels(), out.texels().begin(), [&, i = 0](glm::vec3 r) mutable {
-                const glm::ivec2 pixel(i % receivers.size().x, i / receivers.size().x);
-                ++i;
-                return at_pixel(filter, fetch, r, pixel);
-            });
+            image<float>& out = wanted_.emplace(mode, size).first->second;
+            for (int y = 0; y < out.size().y; ++y)
+                for (int x = 0; x < out.size().x; ++x) out[{x, y}] = filter.at(fetch, at({x, y}), {x, y});
         });
     }
+    [[nodiscard]] glm::ivec2 size() const { return wanted_.begin()->second.size(); }
+    one_by_one(const any_filter& filter, const any_fetch& fetch, const image<glm::vec3>& receivers)
+        : one_by_one(filter, fetch, receivers.size(), [&](glm::ivec2 pixel) { return receivers[pixel]; }) {}
     /// Pixels that have other bits, in the rounding mode of now.
     int differing(const image<float>& from) const {
         const image<float>& wanted = wanted_.at(std::fegetround());
@@ -53,12 +62,47 @@ private:
     std::map<int, image<float>> wanted_;
 };
 
+using render = std::function<void(image<float>&)>;
+
+/// That each path gives what the filter gives for each receiver alone.
+void check_each_path(const one_by_one& wanted, const render& to) {
+    for_each_path([&] {
+        image<float> out(wanted.size());
+        to(out);
+        CHECK(wanted.differing(out) == 0);
+    });
+}
+
+/// Receivers of every kind in and around a map, in an image and in planes.
+struct scattered {
+    glm::ivec2 size{131, 9};
+    image<glm::vec3> receivers{size};
+    image<float> x_plane{size}, y_plane{size}, depth{size};
+    glm::mat4 matrix{0.4f};
+
+    /// @param tie  a depth that lies where the map's codes end
+    scattered(glm::ivec2 map_size, values& v, const std::function<float(float)>& tie) {
+        matrix[0][3] = 0.004f;
+        matrix[1][3] = -0.03f;  // some receivers are behind the light
+        matrix[3] = {-2.0f, 1.0f, 0.2f, 0.6f};
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const glm::ivec2 t(x, y);
+                const float z = v.word() % 3 ? v.depth() : tie(v.unit());
+                receivers[t].x = x_plane[t] = v.coord(map_size.x);
+                receivers[t].y = y_plane[t] = v.coord(map_size.y);
+                receivers[t].z = depth[t] = z;
+            }
+    }
+    [[nodiscard]] umbrage::receiver_planes planes() const { return {x_plane, y_plane, depth}; }
+    [[nodiscard]] umbrage::depth_receivers seen() const { return {depth, matrix, 0.01f}; }
+};
+
 template <class Encoding, class Filter>
 void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
     CAPTURE(map_size.x);
     CAPTURE(map_size.y);
     values v;
-    const glm::ivec2 size(131, 9);
     gapped<typename Encoding::texel> map(map_size);
     for (int y = 0; y < map_size.y; ++y)
         for (int x = 0; x < map_size.x; ++x) {
@@ -67,51 +111,42 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
                 map.view()[{x, y}] = d;  // a map of floats may hold anything
             else map.view()[{x, y}] = encoding.encode(d);
         }
-    glm::mat4 matrix(0.4f);
-    matrix[0][3] = 0.004f;
-    matrix[1][3] = -0.03f;  // some receivers are behind the light
-    matrix[3] = {-2.0f, 1.0f, 0.2f, 0.6f};
-    image<glm::vec3> receivers(size);
-    image<float> x_plane(size), y_plane(size), depth(size);
-    const umbrage::receiver_planes planes{x_plane, y_plane, depth};
-    const umbrage::depth_receivers seen{depth, matrix, 0.01f};
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) {
-            const glm::ivec2 t(x, y);
-            const float z = v.word() % 3 ? v.depth() : encoding.decode(encoding.encode(v.unit()));  // ties
-            receivers[t] = {v.coord(map_size.x), v.coord(map_size.y), z};
-            x_plane[t] = receivers[t].x;
-            y_plane[t] = receivers[t].y;
-            depth[t] = receivers[t].z;
-        }
-    float far = 1.0f;
-    if constexpr (requires { filter.is_lit.direction; }) far = umbrage::cleared_depth(filter.is_lit.direction);
+    const scattered of(map_size, v, [&](float d) { return encoding.decode(encoding.encode(d)); });
+    const any_filter alone(filter);
     const any_fetch fetch = umbrage::decoded(umbrage::image_view<const typename Encoding::texel>(map.view()), encoding);
     const any_fetch bordered = [&](glm::ivec2 texel) {
         const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map_size.x && texel.y < map_size.y;
-        return inside ? encoding.decode(map.view()[texel]) : far;
+        return inside ? encoding.decode(map.view()[texel]) : alone.far;
     };
-    const one_by_one clamped(filter, fetch, receivers), lit_outside(filter, bordered, receivers);
+    const one_by_one clamped(alone, fetch, of.receivers);
+    const auto against = [&](const one_by_one& wanted, const auto& receivers, bands parallel,
+                             umbrage::outside_map outside = umbrage::outside_map::clamped) {
+        check_each_path(wanted, [&](image<float>& out) {
+            umbrage::visibility(map.view(), encoding, receivers, filter, out, parallel, outside);
+        });
+    };
+    against(clamped, of.receivers, bands{7});
+    against(one_by_one(alone, bordered, of.receivers), of.receivers, bands{3}, umbrage::outside_map::lit);
+    // Receivers know nothing of maps and filters, but that some of these ask for the pixel.
+    if constexpr (std::is_same_v<Encoding, umbrage::depth32f> &&
+                  (std::is_same_v<Filter, umbrage::filters::pcf_2x2> ||
+                   std::is_same_v<Filter, umbrage::filters::rotated_disc>)) {
+        against(clamped, of.planes(), bands{2});
+        const auto seen_at = [&](glm::ivec2 pixel) { return umbrage::receiver_at(of.seen(), pixel); };
+        // receiver_at is of tier C: wants -ffp-contract=off
+        against(one_by_one(alone, fetch, of.size, seen_at), of.seen(), bands{1});
+    }
+}
 
-    for_each_path([&] {
-        image<float> out(size);
-        umbrage::visibility(map.view(), encoding, receivers, filter, out, bands{7});
-        CHECK(clamped.differing(out) == 0);
-        umbrage::visibility(map.view(), encoding, receivers, filter, out, bands{3}, umbrage::outside_map::lit);
-        CHECK(lit_outside.differing(out) == 0);
-        if constexpr (std::is_same_v<Encoding, umbrage::depth32f>) {  // receivers know nothing of maps
-            umbrage::visibility(map.view(), encoding, planes, filter, out, bands{2});
-            CHECK(clamped.differing(out) == 0);
-            umbrage::visibility(map.view(), encoding, seen, filter, out, bands{1});
-            int differ = 0;
-            for (int y = 0; y < size.y; ++y)
-                for (int x = 0; x < size.x; ++x) {
-                    const glm::vec3 r = umbrage::receiver_at(seen, {x, y});
-                    differ += visibility_bits(at_pixel(filter, fetch, r, {x, y})) != visibility_bits(out[{x, y}]);
-                }
-            CHECK(differ == 0);  // receiver_at is of tier C: wants -ffp-contract=off
-        }
-    });
+image<glm::vec3> in_a_row(glm::ivec2 size, glm::ivec2 map_size, glm::vec2 start, glm::vec2 step) {
+    image<glm::vec3> receivers(size);
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            receivers[{x, y}] = glm::vec3(start + step * glm::vec2(x, y), 0.3f + 0.02f * static_cast<float>(y));
+    receivers[{5, 3}].z = std::numeric_limits<float>::quiet_NaN();
+    receivers[{70, 4}].x = -3.0f;
+    receivers[{130, 5}].x = static_cast<float>(map_size.x) - 0.5f;
+    return receivers;
 }
 
 /// Receivers that follow each other through a map, most of them well inside: whole blocks that need no care.
@@ -124,20 +159,10 @@ void check_coherent(Encoding encoding, Filter filter, glm::ivec2 map_size, glm::
     values v;
     image<typename Encoding::texel> map(map_size);
     for (auto& texel : map.texels()) texel = encoding.encode(0.3f + 0.4f * v.unit());
-    const glm::ivec2 size(192, 24);
-    image<glm::vec3> receivers(size);
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x)
-            receivers[{x, y}] = glm::vec3(start + step * glm::vec2(x, y), 0.3f + 0.02f * static_cast<float>(y));
-    receivers[{5, 3}].z = std::numeric_limits<float>::quiet_NaN();
-    receivers[{70, 4}].x = -3.0f;
-    receivers[{130, 5}].x = static_cast<float>(map_size.x) - 0.5f;
-    const one_by_one wanted(filter, umbrage::decoded(std::as_const(map).view(), encoding), receivers);
-    for_each_path([&] {
-        image<float> out(size);
-        umbrage::visibility(map, encoding, receivers, filter, out, bands{3});
-        CHECK(wanted.differing(out) == 0);
-    });
+    const image<glm::vec3> receivers = in_a_row({192, 24}, map_size, start, step);
+    const any_fetch fetch = umbrage::decoded(std::as_const(map).view(), encoding);
+    check_each_path(one_by_one(any_filter(filter), fetch, receivers),
+                    [&](image<float>& out) { umbrage::visibility(map, encoding, receivers, filter, out, bands{3}); });
 }
 
 /// The library's filters, each with some radii, in either direction.
