@@ -307,8 +307,16 @@ export const binomial7: Snippet;
 export const tent7: Snippet;
 /** sliding window 1 5 12 16 12 5 1 */
 export const castano7: Snippet;
+/** comparisons around a point, weighted */
+export const lit_filtered: Snippet;
 /** 2x2 by a comparison sampler with a linear filter */
 export const pcf_2x2_hardware: Snippet;
+/** window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter */
+export const window_hardware3: Snippet;
+/** window of 5 x 5 by 9 of them */
+export const window_hardware5: Snippet;
+/** window of 7 x 7 by 16 of them */
+export const window_hardware7: Snippet;
 /** texels across a light as world units */
 export const texels_to_world: Snippet;
 /** clamp of a bias to [0, 1], NaN to 1 */

@@ -65,7 +65,7 @@ function chosen(s, map) {
             if (compares(map)) return hooks['gather_lit, compared'];
             if (map.channels > 2) throw new Error('umbrage: bind: a gather of more than two channels');
             return hooks[map.channels === 2 ? 'gather_lit, two channels' : 'gather_lit, one channel'];
-        case 'pcf_2x2_hardware':
+        case 'lit_filtered':
             return compares(map) ? hooks[`${s.role}, ${map.outside_lit ? 'bordered' : 'clamped'}`] : s;
         default: return s;
     }
@@ -1094,10 +1094,10 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
 }
 `,
             "window_sum3": `
-// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+// umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
@@ -1113,9 +1113,10 @@ UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     UMBRAGE_HIGHP vec2 w3 = floor(s * k0);
     UMBRAGE_HIGHP vec2 w1 = whole - (w0 + w2 + w3);
     UMBRAGE_HIGHP vec2 first = texel - 1.0;
-    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
+    UMBRAGE_HIGHP float n = 0.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first + vec2(0.0, 0.0), receiver);
     UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
-    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
     a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
     b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
@@ -1125,7 +1126,7 @@ UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 }
 `,
             "window_sum5": `
-// umbrage_window_sum5: weighted count of the lit texels under 5 x 5 weights that slide over the map; a whole number
+// umbrage_window_sum5: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
@@ -1146,10 +1147,11 @@ UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     UMBRAGE_HIGHP vec2 w5 = floor(s * k0);
     UMBRAGE_HIGHP vec2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
     UMBRAGE_HIGHP vec2 first = texel - 2.0;
-    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
+    UMBRAGE_HIGHP float n = 0.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first + vec2(0.0, 0.0), receiver);
     UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
     UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, first + vec2(4.0, 0.0), receiver);
-    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
     a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
     b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
@@ -1165,7 +1167,7 @@ UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 }
 `,
             "window_sum7": `
-// umbrage_window_sum7: weighted count of the lit texels under 7 x 7 weights that slide over the map; a whole number
+// umbrage_window_sum7: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
@@ -1188,11 +1190,11 @@ UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     UMBRAGE_HIGHP vec2 w7 = floor(s * k0);
     UMBRAGE_HIGHP vec2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
     UMBRAGE_HIGHP vec2 first = texel - 3.0;
-    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
+    UMBRAGE_HIGHP float n = 0.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first + vec2(0.0, 0.0), receiver);
     UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
     UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, first + vec2(4.0, 0.0), receiver);
     UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, first + vec2(6.0, 0.0), receiver);
-    UMBRAGE_HIGHP float n = 0.0;
     n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
     a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
@@ -1581,13 +1583,155 @@ UMBRAGE_HIGHP float umbrage_castano7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     return n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0;
 }
 `,
+            "lit_filtered": `
+// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   coord  in texels, no NaN; what is outside texel space counts as its border
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    return umbrage_pcf_2x2(map, size, clamp(coord, vec2(-32767.0, -32767.0), vec2(32767.0, 32767.0)), receiver);
+}
+`,
             "pcf_2x2_hardware": `
-// umbrage_pcf_2x2_hardware: 2x2 comparisons; this map has no sampler to weigh them; visibility, 1.0 is lit
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver) {
-    return umbrage_pcf_2x2(map, size, coord, receiver);
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float lit = umbrage_lit_filtered(map, size, at, receiver);
+    return compared ? lit : 1.0;
+}
+`,
+            "window_hardware3": `
+// umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_hardware3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k0);
+    UMBRAGE_HIGHP vec2 b0 = r * k1 + s * k0;
+    UMBRAGE_HIGHP vec2 w0 = r * k0 + b0;
+    UMBRAGE_HIGHP vec2 p0 = texel - 0.5 + b0 / w0;
+    UMBRAGE_HIGHP vec2 b1 = s * k0;
+    UMBRAGE_HIGHP vec2 w1 = r * k0 + s * k1 + b1;
+    UMBRAGE_HIGHP vec2 p1 = texel + 1.5 + b1 / w1;
+    UMBRAGE_HIGHP float n = 0.0;
+    UMBRAGE_HIGHP float row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p1.y), receiver);
+    n += w1.y * row;
+    return compared ? n / (whole * whole) : 1.0;
+}
+`,
+            "window_hardware5": `
+// umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_hardware5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k1 + k0);
+    UMBRAGE_HIGHP vec2 b0 = r * k1 + s * k0;
+    UMBRAGE_HIGHP vec2 w0 = r * k0 + b0;
+    UMBRAGE_HIGHP vec2 p0 = texel - 1.5 + b0 / w0;
+    UMBRAGE_HIGHP vec2 b1 = r * k1 + s * k2;
+    UMBRAGE_HIGHP vec2 w1 = r * k2 + s * k1 + b1;
+    UMBRAGE_HIGHP vec2 p1 = texel + 0.5 + b1 / w1;
+    UMBRAGE_HIGHP vec2 b2 = s * k0;
+    UMBRAGE_HIGHP vec2 w2 = r * k0 + s * k1 + b2;
+    UMBRAGE_HIGHP vec2 p2 = texel + 2.5 + b2 / w2;
+    UMBRAGE_HIGHP float n = 0.0;
+    UMBRAGE_HIGHP float row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p1.y), receiver);
+    n += w1.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p2.y), receiver);
+    n += w2.y * row;
+    return compared ? n / (whole * whole) : 1.0;
+}
+`,
+            "window_hardware7": `
+// umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+UMBRAGE_HIGHP float umbrage_window_hardware7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
+                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2, UMBRAGE_HIGHP float k3) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
+    UMBRAGE_HIGHP vec2 b0 = r * k1 + s * k0;
+    UMBRAGE_HIGHP vec2 w0 = r * k0 + b0;
+    UMBRAGE_HIGHP vec2 p0 = texel - 2.5 + b0 / w0;
+    UMBRAGE_HIGHP vec2 b1 = r * k3 + s * k2;
+    UMBRAGE_HIGHP vec2 w1 = r * k2 + s * k1 + b1;
+    UMBRAGE_HIGHP vec2 p1 = texel - 0.5 + b1 / w1;
+    UMBRAGE_HIGHP vec2 b2 = r * k1 + s * k2;
+    UMBRAGE_HIGHP vec2 w2 = r * k2 + s * k3 + b2;
+    UMBRAGE_HIGHP vec2 p2 = texel + 1.5 + b2 / w2;
+    UMBRAGE_HIGHP vec2 b3 = s * k0;
+    UMBRAGE_HIGHP vec2 w3 = r * k0 + s * k1 + b3;
+    UMBRAGE_HIGHP vec2 p3 = texel + 3.5 + b3 / w3;
+    UMBRAGE_HIGHP float n = 0.0;
+    UMBRAGE_HIGHP float row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p0.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, vec2(p3.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p1.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, vec2(p3.x, p1.y), receiver);
+    n += w1.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p2.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, vec2(p3.x, p2.y), receiver);
+    n += w2.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p3.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p3.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p3.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, vec2(p3.x, p3.y), receiver);
+    n += w3.y * row;
+    return compared ? n / (whole * whole) : 1.0;
 }
 `,
             "texels_to_world": `
@@ -1951,32 +2095,31 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     return vec4(a, b, c, d);
 }
 `,
-            "hooks/pcf_2x2_hardware, clamped": `
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                             UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 texel = compared ? clamp(coord, vec2(0.5, 0.5), size - 0.5) : vec2(0.5, 0.5);
+            "hooks/lit_filtered, clamped": `
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler; a NaN is in shadow
+//   coord  in texels, no NaN
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP float visibility = (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
-    return compared ? visibility : 1.0;
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return lit * number;
 }
 `,
-            "hooks/pcf_2x2_hardware, bordered": `
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler, outside the map with the far plane; visibility,
-//   1.0 is lit
-UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                             UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 texel = compared ? clamp(coord, vec2(0.5, 0.5), size - 0.5) : vec2(0.5, 0.5);
+            "hooks/lit_filtered, bordered": `
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
+//   NaN is in shadow
+//   coord  in texels, no NaN
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    UMBRAGE_HIGHP float sum = outside + inside.x * inside.y * (lit - outside);
-    UMBRAGE_HIGHP float visibility = (receiver > 0.0 ? sum : 0.0) + (receiver <= 0.0 ? sum : 0.0);
-    return compared ? visibility : 1.0;
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return (outside + inside.x * inside.y * (lit - outside)) * number;
 }
 `,
         },
@@ -2747,10 +2890,10 @@ float umbrage_compare_exercise(float current, float stored, float epsilon) {
 }
 `,
             "window_sum3": `
-// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+// umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0, float k1) {
     bool compared = umbrage_is_compared(coord, receiver);
@@ -2764,9 +2907,10 @@ float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, float rece
     float2 w3 = floor(s * k0);
     float2 w1 = whole - (w0 + w2 + w3);
     float2 first = texel - 1.0;
-    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float n = 0.0;
+    float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
     float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
-    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
     a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);
     b = umbrage_lit_2x2(map, size, first + float2(2.0, 2.0), receiver);
@@ -2776,7 +2920,7 @@ float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, float rece
 }
 `,
             "window_sum5": `
-// umbrage_window_sum5: weighted count of the lit texels under 5 x 5 weights that slide over the map; a whole number
+// umbrage_window_sum5: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
@@ -2796,10 +2940,11 @@ float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, float rece
     float2 w5 = floor(s * k0);
     float2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
     float2 first = texel - 2.0;
-    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float n = 0.0;
+    float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
     float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
     float4 c = umbrage_lit_2x2(map, size, first + float2(4.0, 0.0), receiver);
-    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
     a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);
     b = umbrage_lit_2x2(map, size, first + float2(2.0, 2.0), receiver);
@@ -2815,7 +2960,7 @@ float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, float rece
 }
 `,
             "window_sum7": `
-// umbrage_window_sum7: weighted count of the lit texels under 7 x 7 weights that slide over the map; a whole number
+// umbrage_window_sum7: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
@@ -2837,11 +2982,11 @@ float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, float rece
     float2 w7 = floor(s * k0);
     float2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
     float2 first = texel - 3.0;
-    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float n = 0.0;
+    float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
     float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
     float4 c = umbrage_lit_2x2(map, size, first + float2(4.0, 0.0), receiver);
     float4 d = umbrage_lit_2x2(map, size, first + float2(6.0, 0.0), receiver);
-    float n = 0.0;
     n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
     a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);
@@ -3210,12 +3355,150 @@ float umbrage_castano7(UMBRAGE_MAP map, float2 size, float2 coord, float receive
     return n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0;
 }
 `,
+            "lit_filtered": `
+// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   coord  in texels, no NaN; what is outside texel space counts as its border
+float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    return umbrage_pcf_2x2(map, size, clamp(coord, float2(-32767.0, -32767.0), float2(32767.0, 32767.0)), receiver);
+}
+`,
             "pcf_2x2_hardware": `
-// umbrage_pcf_2x2_hardware: 2x2 comparisons; this map has no sampler to weigh them; visibility, 1.0 is lit
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
 float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    return umbrage_pcf_2x2(map, size, coord, receiver);
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? coord : float2(0.0, 0.0);
+    float lit = umbrage_lit_filtered(map, size, at, receiver);
+    return compared ? lit : 1.0;
+}
+`,
+            "window_hardware3": `
+// umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
+                               float k1) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = floor(x * (1.0 / 256.0));
+    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 r = steps - s;
+    float whole = steps * (k0 + k1 + k0);
+    float2 b0 = r * k1 + s * k0;
+    float2 w0 = r * k0 + b0;
+    float2 p0 = texel - 0.5 + b0 / w0;
+    float2 b1 = s * k0;
+    float2 w1 = r * k0 + s * k1 + b1;
+    float2 p1 = texel + 1.5 + b1 / w1;
+    float n = 0.0;
+    float row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p1.y), receiver);
+    n += w1.y * row;
+    return compared ? n / (whole * whole) : 1.0;
+}
+`,
+            "window_hardware5": `
+// umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
+                               float k1, float k2) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = floor(x * (1.0 / 256.0));
+    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 r = steps - s;
+    float whole = steps * (k0 + k1 + k2 + k1 + k0);
+    float2 b0 = r * k1 + s * k0;
+    float2 w0 = r * k0 + b0;
+    float2 p0 = texel - 1.5 + b0 / w0;
+    float2 b1 = r * k1 + s * k2;
+    float2 w1 = r * k2 + s * k1 + b1;
+    float2 p1 = texel + 0.5 + b1 / w1;
+    float2 b2 = s * k0;
+    float2 w2 = r * k0 + s * k1 + b2;
+    float2 p2 = texel + 2.5 + b2 / w2;
+    float n = 0.0;
+    float row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p1.y), receiver);
+    n += w1.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p2.y), receiver);
+    n += w2.y * row;
+    return compared ? n / (whole * whole) : 1.0;
+}
+`,
+            "window_hardware7": `
+// umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
+                               float k1, float k2, float k3) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = floor(x * (1.0 / 256.0));
+    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 r = steps - s;
+    float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
+    float2 b0 = r * k1 + s * k0;
+    float2 w0 = r * k0 + b0;
+    float2 p0 = texel - 2.5 + b0 / w0;
+    float2 b1 = r * k3 + s * k2;
+    float2 w1 = r * k2 + s * k1 + b1;
+    float2 p1 = texel - 0.5 + b1 / w1;
+    float2 b2 = r * k1 + s * k2;
+    float2 w2 = r * k2 + s * k3 + b2;
+    float2 p2 = texel + 1.5 + b2 / w2;
+    float2 b3 = s * k0;
+    float2 w3 = r * k0 + s * k1 + b3;
+    float2 p3 = texel + 3.5 + b3 / w3;
+    float n = 0.0;
+    float row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p0.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p1.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p1.y), receiver);
+    n += w1.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p2.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p2.y), receiver);
+    n += w2.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p3.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p3.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p3.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p3.y), receiver);
+    n += w3.y * row;
+    return compared ? n / (whole * whole) : 1.0;
 }
 `,
             "texels_to_world": `
@@ -3553,30 +3836,29 @@ float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receive
     return float4(a, b, c, d);
 }
 `,
-            "hooks/pcf_2x2_hardware, clamped": `
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 texel = compared ? clamp(coord, float2(0.5, 0.5), size - 0.5) : float2(0.5, 0.5);
+            "hooks/lit_filtered, clamped": `
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler; a NaN is in shadow
+//   coord  in texels, no NaN
+float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float2 texel = clamp(coord, float2(0.5, 0.5), size - 0.5);
     float2 at = texel + UMBRAGE_ORIGIN;
     float lit = UMBRAGE_LIT_FILTERED;
-    float visibility = (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
-    return compared ? visibility : 1.0;
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return lit * number;
 }
 `,
-            "hooks/pcf_2x2_hardware, bordered": `
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler, outside the map with the far plane; visibility,
-//   1.0 is lit
-float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 texel = compared ? clamp(coord, float2(0.5, 0.5), size - 0.5) : float2(0.5, 0.5);
+            "hooks/lit_filtered, bordered": `
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
+//   NaN is in shadow
+//   coord  in texels, no NaN
+float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float2 texel = clamp(coord, float2(0.5, 0.5), size - 0.5);
     float2 at = texel + UMBRAGE_ORIGIN;
     float lit = UMBRAGE_LIT_FILTERED;
     float2 inside = clamp(min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
     float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    float sum = outside + inside.x * inside.y * (lit - outside);
-    float visibility = (receiver > 0.0 ? sum : 0.0) + (receiver <= 0.0 ? sum : 0.0);
-    return compared ? visibility : 1.0;
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return (outside + inside.x * inside.y * (lit - outside)) * number;
 }
 `,
         },
@@ -4346,10 +4628,10 @@ inline float umbrage_compare_exercise(float current, float stored, float epsilon
 }
 `,
             "window_sum3": `
-// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+// umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 inline float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
                                  float k1) {
@@ -4364,9 +4646,10 @@ inline float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, flo
     float2 w3 = metal::floor(s * k0);
     float2 w1 = whole - (w0 + w2 + w3);
     float2 first = texel - 1.0;
-    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float n = 0.0;
+    float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
     float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
-    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
     a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);
     b = umbrage_lit_2x2(map, size, first + float2(2.0, 2.0), receiver);
@@ -4376,7 +4659,7 @@ inline float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, flo
 }
 `,
             "window_sum5": `
-// umbrage_window_sum5: weighted count of the lit texels under 5 x 5 weights that slide over the map; a whole number
+// umbrage_window_sum5: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
@@ -4396,10 +4679,11 @@ inline float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, flo
     float2 w5 = metal::floor(s * k0);
     float2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
     float2 first = texel - 2.0;
-    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float n = 0.0;
+    float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
     float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
     float4 c = umbrage_lit_2x2(map, size, first + float2(4.0, 0.0), receiver);
-    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
     a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);
     b = umbrage_lit_2x2(map, size, first + float2(2.0, 2.0), receiver);
@@ -4415,7 +4699,7 @@ inline float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, flo
 }
 `,
             "window_sum7": `
-// umbrage_window_sum7: weighted count of the lit texels under 7 x 7 weights that slide over the map; a whole number
+// umbrage_window_sum7: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
@@ -4437,11 +4721,11 @@ inline float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, flo
     float2 w7 = metal::floor(s * k0);
     float2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
     float2 first = texel - 3.0;
-    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float n = 0.0;
+    float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
     float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
     float4 c = umbrage_lit_2x2(map, size, first + float2(4.0, 0.0), receiver);
     float4 d = umbrage_lit_2x2(map, size, first + float2(6.0, 0.0), receiver);
-    float n = 0.0;
     n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
     a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);
@@ -4810,12 +5094,151 @@ inline float umbrage_castano7(UMBRAGE_MAP map, float2 size, float2 coord, float 
     return n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0;
 }
 `,
+            "lit_filtered": `
+// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   coord  in texels, no NaN; what is outside texel space counts as its border
+inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    return umbrage_pcf_2x2(map, size, metal::clamp(coord, float2(-32767.0, -32767.0), float2(32767.0, 32767.0)),
+                           receiver);
+}
+`,
             "pcf_2x2_hardware": `
-// umbrage_pcf_2x2_hardware: 2x2 comparisons; this map has no sampler to weigh them; visibility, 1.0 is lit
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
 inline float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    return umbrage_pcf_2x2(map, size, coord, receiver);
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? coord : float2(0.0, 0.0);
+    float lit = umbrage_lit_filtered(map, size, at, receiver);
+    return compared ? lit : 1.0;
+}
+`,
+            "window_hardware3": `
+// umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+inline float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
+                                      float k1) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = metal::floor(x * (1.0 / 256.0));
+    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 r = steps - s;
+    float whole = steps * (k0 + k1 + k0);
+    float2 b0 = r * k1 + s * k0;
+    float2 w0 = r * k0 + b0;
+    float2 p0 = texel - 0.5 + b0 / w0;
+    float2 b1 = s * k0;
+    float2 w1 = r * k0 + s * k1 + b1;
+    float2 p1 = texel + 1.5 + b1 / w1;
+    float n = 0.0;
+    float row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p1.y), receiver);
+    n += w1.y * row;
+    return compared ? n / (whole * whole) : 1.0;
+}
+`,
+            "window_hardware5": `
+// umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+inline float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
+                                      float k1, float k2) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = metal::floor(x * (1.0 / 256.0));
+    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 r = steps - s;
+    float whole = steps * (k0 + k1 + k2 + k1 + k0);
+    float2 b0 = r * k1 + s * k0;
+    float2 w0 = r * k0 + b0;
+    float2 p0 = texel - 1.5 + b0 / w0;
+    float2 b1 = r * k1 + s * k2;
+    float2 w1 = r * k2 + s * k1 + b1;
+    float2 p1 = texel + 0.5 + b1 / w1;
+    float2 b2 = s * k0;
+    float2 w2 = r * k0 + s * k1 + b2;
+    float2 p2 = texel + 2.5 + b2 / w2;
+    float n = 0.0;
+    float row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p1.y), receiver);
+    n += w1.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p2.y), receiver);
+    n += w2.y * row;
+    return compared ? n / (whole * whole) : 1.0;
+}
+`,
+            "window_hardware7": `
+// umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+inline float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
+                                      float k1, float k2, float k3) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = metal::floor(x * (1.0 / 256.0));
+    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    float2 r = steps - s;
+    float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
+    float2 b0 = r * k1 + s * k0;
+    float2 w0 = r * k0 + b0;
+    float2 p0 = texel - 2.5 + b0 / w0;
+    float2 b1 = r * k3 + s * k2;
+    float2 w1 = r * k2 + s * k1 + b1;
+    float2 p1 = texel - 0.5 + b1 / w1;
+    float2 b2 = r * k1 + s * k2;
+    float2 w2 = r * k2 + s * k3 + b2;
+    float2 p2 = texel + 1.5 + b2 / w2;
+    float2 b3 = s * k0;
+    float2 w3 = r * k0 + s * k1 + b3;
+    float2 p3 = texel + 3.5 + b3 / w3;
+    float n = 0.0;
+    float row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p0.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p1.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p1.y), receiver);
+    n += w1.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p2.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p2.y), receiver);
+    n += w2.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p3.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p3.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p3.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p3.y), receiver);
+    n += w3.y * row;
+    return compared ? n / (whole * whole) : 1.0;
 }
 `,
             "texels_to_world": `
@@ -5154,30 +5577,29 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
     return float4(a, b, c, d);
 }
 `,
-            "hooks/pcf_2x2_hardware, clamped": `
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-inline float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 texel = compared ? metal::clamp(coord, float2(0.5, 0.5), size - 0.5) : float2(0.5, 0.5);
+            "hooks/lit_filtered, clamped": `
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler; a NaN is in shadow
+//   coord  in texels, no NaN
+inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float2 texel = metal::clamp(coord, float2(0.5, 0.5), size - 0.5);
     float2 at = texel + UMBRAGE_ORIGIN;
     float lit = UMBRAGE_LIT_FILTERED;
-    float visibility = (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
-    return compared ? visibility : 1.0;
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return lit * number;
 }
 `,
-            "hooks/pcf_2x2_hardware, bordered": `
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler, outside the map with the far plane; visibility,
-//   1.0 is lit
-inline float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 texel = compared ? metal::clamp(coord, float2(0.5, 0.5), size - 0.5) : float2(0.5, 0.5);
+            "hooks/lit_filtered, bordered": `
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
+//   NaN is in shadow
+//   coord  in texels, no NaN
+inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
+    float2 texel = metal::clamp(coord, float2(0.5, 0.5), size - 0.5);
     float2 at = texel + UMBRAGE_ORIGIN;
     float lit = UMBRAGE_LIT_FILTERED;
     float2 inside = metal::clamp(metal::min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
     float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    float sum = outside + inside.x * inside.y * (lit - outside);
-    float visibility = (receiver > 0.0 ? sum : 0.0) + (receiver <= 0.0 ? sum : 0.0);
-    return compared ? visibility : 1.0;
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return (outside + inside.x * inside.y * (lit - outside)) * number;
 }
 `,
         },
@@ -5947,10 +6369,10 @@ fn umbrage_compare_exercise(current: f32, stored: f32, epsilon: f32) -> f32 {
 }
 `,
             "window_sum3": `
-// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+// umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 fn umbrage_window_sum3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32) -> f32 {
     let compared: bool = umbrage_is_compared(coord, receiver);
@@ -5964,9 +6386,10 @@ fn umbrage_window_sum3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
     let w3: vec2f = floor(s * k0);
     let w1: vec2f = whole - (w0 + w2 + w3);
     let first: vec2f = texel - 1.0;
-    var a: vec4f = umbrage_lit_2x2(map, size, first, receiver);
+    var n: f32 = 0.0;
+    var a: vec4f = umbrage_lit_2x2(map, size, first + vec2f(0.0, 0.0), receiver);
     var b: vec4f = umbrage_lit_2x2(map, size, first + vec2f(2.0, 0.0), receiver);
-    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
     a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 2.0), receiver);
     b = umbrage_lit_2x2(map, size, first + vec2f(2.0, 2.0), receiver);
@@ -5976,7 +6399,7 @@ fn umbrage_window_sum3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
 }
 `,
             "window_sum5": `
-// umbrage_window_sum5: weighted count of the lit texels under 5 x 5 weights that slide over the map; a whole number
+// umbrage_window_sum5: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
@@ -5996,10 +6419,11 @@ fn umbrage_window_sum5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
     let w5: vec2f = floor(s * k0);
     let w2: vec2f = whole - (w0 + w1 + w3 + w4 + w5);
     let first: vec2f = texel - 2.0;
-    var a: vec4f = umbrage_lit_2x2(map, size, first, receiver);
+    var n: f32 = 0.0;
+    var a: vec4f = umbrage_lit_2x2(map, size, first + vec2f(0.0, 0.0), receiver);
     var b: vec4f = umbrage_lit_2x2(map, size, first + vec2f(2.0, 0.0), receiver);
     var c: vec4f = umbrage_lit_2x2(map, size, first + vec2f(4.0, 0.0), receiver);
-    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
     a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 2.0), receiver);
     b = umbrage_lit_2x2(map, size, first + vec2f(2.0, 2.0), receiver);
@@ -6015,7 +6439,7 @@ fn umbrage_window_sum5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
 }
 `,
             "window_sum7": `
-// umbrage_window_sum7: weighted count of the lit texels under 7 x 7 weights that slide over the map; a whole number
+// umbrage_window_sum7: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
@@ -6037,11 +6461,11 @@ fn umbrage_window_sum7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
     let w7: vec2f = floor(s * k0);
     let w3: vec2f = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
     let first: vec2f = texel - 3.0;
-    var a: vec4f = umbrage_lit_2x2(map, size, first, receiver);
+    var n: f32 = 0.0;
+    var a: vec4f = umbrage_lit_2x2(map, size, first + vec2f(0.0, 0.0), receiver);
     var b: vec4f = umbrage_lit_2x2(map, size, first + vec2f(2.0, 0.0), receiver);
     var c: vec4f = umbrage_lit_2x2(map, size, first + vec2f(4.0, 0.0), receiver);
     var d: vec4f = umbrage_lit_2x2(map, size, first + vec2f(6.0, 0.0), receiver);
-    var n: f32 = 0.0;
     n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
     a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 2.0), receiver);
@@ -6410,12 +6834,150 @@ fn umbrage_castano7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -
     return select(1.0, n * (1.0 / 4096.0) * 0.000369822490, n < 11075584.0);
 }
 `,
+            "lit_filtered": `
+// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   coord  in texels, no NaN; what is outside texel space counts as its border
+fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    return umbrage_pcf_2x2(map, size, clamp(coord, vec2f(-32767.0, -32767.0), vec2f(32767.0, 32767.0)), receiver);
+}
+`,
             "pcf_2x2_hardware": `
-// umbrage_pcf_2x2_hardware: 2x2 comparisons; this map has no sampler to weigh them; visibility, 1.0 is lit
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
 fn umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
-    return umbrage_pcf_2x2(map, size, coord, receiver);
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), coord, compared);
+    let lit: f32 = umbrage_lit_filtered(map, size, at, receiver);
+    return select(1.0, lit, compared);
+}
+`,
+            "window_hardware3": `
+// umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+fn umbrage_window_hardware3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32,
+                            k1: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let r: vec2f = steps - s;
+    let whole: f32 = steps * (k0 + k1 + k0);
+    let b0: vec2f = r * k1 + s * k0;
+    let w0: vec2f = r * k0 + b0;
+    let p0: vec2f = texel - 0.5 + b0 / w0;
+    let b1: vec2f = s * k0;
+    let w1: vec2f = r * k0 + s * k1 + b1;
+    let p1: vec2f = texel + 1.5 + b1 / w1;
+    var n: f32 = 0.0;
+    var row: f32 = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p1.y), receiver);
+    n += w1.y * row;
+    return select(1.0, n / (whole * whole), compared);
+}
+`,
+            "window_hardware5": `
+// umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+fn umbrage_window_hardware5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32,
+                            k2: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let r: vec2f = steps - s;
+    let whole: f32 = steps * (k0 + k1 + k2 + k1 + k0);
+    let b0: vec2f = r * k1 + s * k0;
+    let w0: vec2f = r * k0 + b0;
+    let p0: vec2f = texel - 1.5 + b0 / w0;
+    let b1: vec2f = r * k1 + s * k2;
+    let w1: vec2f = r * k2 + s * k1 + b1;
+    let p1: vec2f = texel + 0.5 + b1 / w1;
+    let b2: vec2f = s * k0;
+    let w2: vec2f = r * k0 + s * k1 + b2;
+    let p2: vec2f = texel + 2.5 + b2 / w2;
+    var n: f32 = 0.0;
+    var row: f32 = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p1.y), receiver);
+    n += w1.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p2.y), receiver);
+    n += w2.y * row;
+    return select(1.0, n / (whole * whole), compared);
+}
+`,
+            "window_hardware7": `
+// umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+fn umbrage_window_hardware7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32,
+                            k2: f32, k3: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let r: vec2f = steps - s;
+    let whole: f32 = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
+    let b0: vec2f = r * k1 + s * k0;
+    let w0: vec2f = r * k0 + b0;
+    let p0: vec2f = texel - 2.5 + b0 / w0;
+    let b1: vec2f = r * k3 + s * k2;
+    let w1: vec2f = r * k2 + s * k1 + b1;
+    let p1: vec2f = texel - 0.5 + b1 / w1;
+    let b2: vec2f = r * k1 + s * k2;
+    let w2: vec2f = r * k2 + s * k3 + b2;
+    let p2: vec2f = texel + 1.5 + b2 / w2;
+    let b3: vec2f = s * k0;
+    let w3: vec2f = r * k0 + s * k1 + b3;
+    let p3: vec2f = texel + 3.5 + b3 / w3;
+    var n: f32 = 0.0;
+    var row: f32 = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p0.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, vec2f(p3.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p1.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, vec2f(p3.x, p1.y), receiver);
+    n += w1.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p2.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, vec2f(p3.x, p2.y), receiver);
+    n += w2.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p3.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p3.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p3.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, vec2f(p3.x, p3.y), receiver);
+    n += w3.y * row;
+    return select(1.0, n / (whole * whole), compared);
 }
 `,
             "texels_to_world": `
@@ -6753,30 +7315,29 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
     return vec4f(a, b, c, d);
 }
 `,
-            "hooks/pcf_2x2_hardware, clamped": `
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-fn umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let texel: vec2f = select(vec2f(0.5, 0.5), clamp(coord, vec2f(0.5, 0.5), size - 0.5), compared);
+            "hooks/lit_filtered, clamped": `
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler; a NaN is in shadow
+//   coord  in texels, no NaN
+fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let texel: vec2f = clamp(coord, vec2f(0.5, 0.5), size - 0.5);
     let at: vec2f = texel + UMBRAGE_ORIGIN;
     let lit: f32 = UMBRAGE_LIT_FILTERED;
-    let visibility: f32 = select(0.0, lit, receiver > 0.0) + select(0.0, lit, receiver <= 0.0);
-    return select(1.0, visibility, compared);
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return lit * number;
 }
 `,
-            "hooks/pcf_2x2_hardware, bordered": `
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler, outside the map with the far plane; visibility,
-//   1.0 is lit
-fn umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let texel: vec2f = select(vec2f(0.5, 0.5), clamp(coord, vec2f(0.5, 0.5), size - 0.5), compared);
+            "hooks/lit_filtered, bordered": `
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
+//   NaN is in shadow
+//   coord  in texels, no NaN
+fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
+    let texel: vec2f = clamp(coord, vec2f(0.5, 0.5), size - 0.5);
     let at: vec2f = texel + UMBRAGE_ORIGIN;
     let lit: f32 = UMBRAGE_LIT_FILTERED;
     let inside: vec2f = clamp(min(coord, size - coord) + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
     let outside: f32 = umbrage_compare(receiver, umbrage_cleared_depth());
-    let sum: f32 = outside + inside.x * inside.y * (lit - outside);
-    let visibility: f32 = select(0.0, sum, receiver > 0.0) + select(0.0, sum, receiver <= 0.0);
-    return select(1.0, visibility, compared);
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return (outside + inside.x * inside.y * (lit - outside)) * number;
 }
 `,
         },
@@ -6903,7 +7464,11 @@ const rows = [
     ["binomial7", "binomial7", "sliding window 1 6 15 20 15 6 1", "a", 0, 0, "100", "none", false, ["window_sum7"]],
     ["tent7", "tent7", "sliding window 1 2 3 4 3 2 1", "a", 0, 0, "100", "none", false, ["window_sum7"]],
     ["castano7", "castano7", "sliding window 1 5 12 16 12 5 1", "b", 0, 0, "100", "none", false, ["window_sum7"]],
-    ["pcf_2x2_hardware", "pcf_2x2_hardware", "2x2 by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "pcf_2x2_hardware", false, ["pcf_2x2"]],
+    ["lit_filtered", "lit_filtered", "comparisons around a point, weighted", "c", 0, 1 / 128, "100", "lit_filtered", false, ["pcf_2x2"]],
+    ["pcf_2x2_hardware", "pcf_2x2_hardware", "2x2 by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
+    ["window_hardware3", "window_hardware3", "window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
+    ["window_hardware5", "window_hardware5", "window of 5 x 5 by 9 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
+    ["window_hardware7", "window_hardware7", "window of 7 x 7 by 16 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
     ["texels_to_world", "texels_to_world", "texels across a light as world units", "b", 0, 0, "100", "none", false, []],
     ["clamp_bias", "clamp_bias", "clamp of a bias to [0, 1], NaN to 1", "a", 0, 0, "100", "none", false, []],
     ["world_to_depth", "world_to_depth", "world units along a light as depth", "c", 1, 0, "100", "none", false, ["clamp_bias"]],
@@ -6941,8 +7506,8 @@ const rows = [
     ["hooks/lit_2x2, gathered", "lit_2x2", "lit_2x2, gathered", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared"]],
     ["hooks/lit_2x2, gathered in a region", "lit_2x2", "lit_2x2, gathered in a region", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared"]],
     ["hooks/lit_2x2, gathered and bordered", "lit_2x2", "lit_2x2, gathered and bordered", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare", "cleared_depth"]],
-    ["hooks/pcf_2x2_hardware, clamped", "pcf_2x2_hardware", "pcf_2x2_hardware, clamped", "a", 0, 0, "100", "chosen", false, ["is_compared"]],
-    ["hooks/pcf_2x2_hardware, bordered", "pcf_2x2_hardware", "pcf_2x2_hardware, bordered", "a", 0, 0, "100", "chosen", false, ["is_compared", "compare", "cleared_depth"]],
+    ["hooks/lit_filtered, clamped", "lit_filtered", "lit_filtered, clamped", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/lit_filtered, bordered", "lit_filtered", "lit_filtered, bordered", "a", 0, 0, "100", "chosen", false, ["compare", "cleared_depth"]],
 ];
 const all = new Map(rows.map(([id, name, summary, exactness, ulp, within, lowest, role, scaled]) =>
     [id, { id, name, summary, exactness, ulp, within, lowest, role, scaled, needs: [] }]));
@@ -6974,4 +7539,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, inside_texel_space, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, pcf_2x2_hardware, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, inside_texel_space, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

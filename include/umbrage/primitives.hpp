@@ -37,6 +37,7 @@
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 #include <umbrage/filter/pcf/window.hpp>
+#include <umbrage/filter/pcf/window_hardware.hpp>
 #include <umbrage/filter/pcf/windows.hpp>
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/image.hpp>

@@ -175,7 +175,7 @@ enum class hook {
     lit,
     lit_2x2,
     gather_lit,
-    pcf_2x2_hardware,
+    lit_filtered,
     chosen
 };
 
@@ -221,7 +221,14 @@ inline constexpr std::array<const snippet*, sizeof...(Snippets)> list{Snippets..
 
 namespace detail {
 
-/// Text with the constants of one member of a family filled in, at compile time.
+struct constant {
+    char key;  ///< `$key` in the text
+    int value;
+    std::string_view text{};  ///< in place of the value's digits, though it be ""
+};
+
+/// Text with the constants of one member of a family filled in, at compile time. Plain arrays, for the sake of every
+/// user's compile time.
 template <std::size_t Capacity>
 struct filled_text {
     char data[Capacity]{};
@@ -230,38 +237,32 @@ struct filled_text {
     constexpr void append(std::string_view text) {
         for (char letter : text) data[size++] = letter;
     }
-};
-
-struct constant {
-    char key;  ///< `$key` in the text
-    int value;
-    std::string_view text{};  ///< in place of the value's digits
-};
-
-/// Replaces each `$key` by the decimal digits of its value, or its text. Plain arrays, for the sake of every user's
-/// compile time.
-template <std::size_t Capacity, std::size_t Length>
-constexpr filled_text<Capacity> fill(const char (&text)[Length], std::initializer_list<constant> constants) {
-    filled_text<Capacity> out;
-    std::size_t size = 0;
-    for (std::size_t i = 0; i + 1 < Length; ++i) {
-        if (text[i] != '$') {
-            out.data[size++] = text[i];
-            continue;
-        }
-        ++i;
-        for (const constant& c : constants) {
-            if (c.key != text[i]) continue;
-            for (char letter : c.text) out.data[size++] = letter;
-            if (!c.text.empty()) continue;
-            if (c.value < 0) out.data[size++] = '-';
-            const int digits = c.value < 0 ? -c.value : c.value;
-            int unit = 1;
-            while (digits / unit >= 10) unit *= 10;
-            for (; unit > 0; unit /= 10) out.data[size++] = static_cast<char>('0' + digits / unit % 10);
+    /// With each `$key` replaced by the decimal digits of its value, or its text.
+    constexpr void append(std::string_view text, std::initializer_list<constant> constants) {
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            if (text[i] != '$') {
+                data[size++] = text[i];
+                continue;
+            }
+            ++i;
+            for (const constant& c : constants) {
+                if (c.key != text[i]) continue;
+                append(c.text);
+                if (c.text.data() != nullptr) continue;
+                if (c.value < 0) data[size++] = '-';
+                const int digits = c.value < 0 ? -c.value : c.value;
+                int unit = 1;
+                while (digits / unit >= 10) unit *= 10;
+                for (; unit > 0; unit /= 10) data[size++] = static_cast<char>('0' + digits / unit % 10);
+            }
         }
     }
-    out.size = size;
+};
+
+template <std::size_t Capacity>
+constexpr filled_text<Capacity> fill(std::string_view text, std::initializer_list<constant> constants) {
+    filled_text<Capacity> out;
+    out.append(text, constants);
     return out;
 }
 
@@ -4098,11 +4099,9 @@ UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 )GLSL",
                                                                      {{'n', Points}});
     for (const disc_point p : disc_points<Points>)
-        text.append(
-            fill<128>("    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), turn, rho), receiver);\n",
-                      {{'x', p.x}, {'y', p.y}})
-                .view());
-    text.append(fill<64>("    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', Points}}).view());
+        text.append("    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), turn, rho), receiver);\n",
+                    {{'x', p.x}, {'y', p.y}});
+    text.append("    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', Points}});
     return text;
 }
 
@@ -4621,9 +4620,18 @@ struct pcf_2x2_dx_sdk {
 
 namespace umbrage {
 
+/// What filters ask of a map whose sampler weighs comparisons, and what other maps give in its place: pcf_2x2.
+/// @param coord   no NaN; what is outside texel space counts as its border
+/// @formula       pcf_2x2 at clamp(coord, -32767, 32767)
+/// @exactness     C, within 1/128 in a shader: either axis' weight is the hardware's, within 1/256 of ours
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T lit_filtered(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return pcf_2x2(fetch, glm::clamp(coord, T(-32767), T(32767)), receiver, is_lit);
+}
+
 /// What the sampler gives, but for the rounding of its weights: pcf_2x2.
 /// @return        visibility, 0 in shadow, 1 lit
-/// @exactness     C, within 1/128 in a shader: either axis' weight is the hardware's, within 1/256 of ours
+/// @exactness     C, within 1/128 in a shader, as lit_filtered
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T pcf_2x2_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
     return pcf_2x2(fetch, coord, receiver, is_lit);
@@ -4631,25 +4639,44 @@ template <real T, class Fetch, class Compare = less_equal>
 
 namespace glsl {
 
+inline constexpr snippet lit_filtered{
+    .name = "lit_filtered",
+    .summary = "comparisons around a point, weighted",
+    .exactness = tier::c,
+    .within = 1.0f / 128.0f,
+    .needs = list<&pcf_2x2>,
+    .role = hook::lit_filtered,
+    .source = R"GLSL(
+// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   coord  in texels, no NaN; what is outside texel space counts as its border
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    return umbrage_pcf_2x2(map, size, clamp(coord, vec2(-32767.0, -32767.0), vec2(32767.0, 32767.0)), receiver);
+}
+)GLSL",
+};
+
 inline constexpr snippet pcf_2x2_hardware{
     .name = "pcf_2x2_hardware",
     .summary = "2x2 by a comparison sampler with a linear filter",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&pcf_2x2>,
-    .role = hook::pcf_2x2_hardware,
+    .needs = list<&is_compared, &lit_filtered>,
     .source = R"GLSL(
-// umbrage_pcf_2x2_hardware: 2x2 comparisons; this map has no sampler to weigh them; visibility, 1.0 is lit
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver) {
-    return umbrage_pcf_2x2(map, size, coord, receiver);
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float lit = umbrage_lit_filtered(map, size, at, receiver);
+    return compared ? lit : 1.0;
 }
 )GLSL",
 };
 
-inline constexpr auto pcf_2x2_hardware_snippets = list<&pcf_2x2_hardware>;
+inline constexpr auto pcf_2x2_hardware_snippets = list<&lit_filtered, &pcf_2x2_hardware>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -4773,152 +4800,169 @@ template <real T, class Fetch, class Compare = less_equal>
 }
 
 namespace glsl {
+namespace detail {
 
-inline constexpr snippet window_sum3{
-    .name = "window_sum3",
-    .summary = "weighted count of lit texels under a window of 3 x 3",
-    .exactness = tier::a,
-    .needs = list<&is_compared, &lit_2x2>,
-    .source = R"GLSL(
-// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+using long_text = filled_text<6000>;
+
+/// The parameter of a window's i-th weight.
+constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : size - 1 - i; }
+
+/// What the i-th of the touched texels weighs, floors left aside.
+constexpr filled_text<32> window_weight(int size, int i) {
+    const constant ahead{'a', window_parameter(size, i)}, behind{'b', window_parameter(size, i - 1)};
+    return fill<32>(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
+}
+
+/// The beginning of a window's text, as far as its weights.
+constexpr long_text window_head(std::string_view name, std::string_view what, int size) {
+    long_text text = fill<6000>(R"GLSL(
+// umbrage_$f$n: $w
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//   k0 .. k$m   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
-UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
-                                        UMBRAGE_HIGHP float k1) {
+                                        UMBRAGE_HIGHP float k1)GLSL",
+                                {{'f', 0, name}, {'n', size}, {'w', 0, what}, {'m', size / 2}});
+    for (int i = 2; i <= size / 2; ++i) text.append(", UMBRAGE_HIGHP float k$i", {{'i', i}});
+    text.append(R"GLSL() {
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k0);
-    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
-    UMBRAGE_HIGHP vec2 w2 = floor(r * k0 + s * k1);
-    UMBRAGE_HIGHP vec2 w3 = floor(s * k0);
-    UMBRAGE_HIGHP vec2 w1 = whole - (w0 + w2 + w3);
-    UMBRAGE_HIGHP vec2 first = texel - 1.0;
-    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
-    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
-    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
-    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
-    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
-    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
-    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
-    return compared ? n : whole * whole;
+    UMBRAGE_HIGHP float whole = steps * (k0)GLSL");
+    for (int i = 1; i < size; ++i) text.append(" + k$i", {{'i', window_parameter(size, i)}});
+    text.append(");\n");
+    return text;
 }
-)GLSL",
-};
 
-inline constexpr snippet window_sum5{
-    .name = "window_sum5",
-    .summary = "weighted count of lit texels under a window of 5 x 5",
-    .exactness = tier::a,
-    .needs = list<&is_compared, &lit_2x2>,
-    .source = R"GLSL(
-// umbrage_window_sum5: weighted count of the lit texels under 5 x 5 weights that slide over the map; a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
-                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
-    UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k1 + k0);
-    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
-    UMBRAGE_HIGHP vec2 w1 = floor(r * k1 + s * k0);
-    UMBRAGE_HIGHP vec2 w3 = floor(r * k1 + s * k2);
-    UMBRAGE_HIGHP vec2 w4 = floor(r * k0 + s * k1);
-    UMBRAGE_HIGHP vec2 w5 = floor(s * k0);
-    UMBRAGE_HIGHP vec2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
-    UMBRAGE_HIGHP vec2 first = texel - 2.0;
-    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
-    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
-    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, first + vec2(4.0, 0.0), receiver);
-    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
-    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
-    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
-    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 2.0), receiver);
-    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
-    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
-    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 4.0), receiver);
-    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 4.0), receiver);
-    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 4.0), receiver);
-    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
-    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
-    return compared ? n : whole * whole;
+constexpr long_text window_sum_text(int size) {
+    const int middle = size / 2;
+    long_text text = window_head("window_sum",
+                                 "weighted count of the lit texels under weights that slide over the map, whole", size);
+    for (int i = 0; i <= size; ++i)
+        if (i != middle)
+            text.append("    UMBRAGE_HIGHP vec2 w$i = floor($w);\n",
+                        {{'i', i}, {'w', 0, window_weight(size, i).view()}});
+    text.append("    UMBRAGE_HIGHP vec2 w$m = whole - (w0", {{'m', middle}});
+    for (int i = 1; i <= size; ++i)
+        if (i != middle) text.append(" + w$i", {{'i', i}});
+    text.append(");\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
+                {{'m', middle}});
+    for (int j = 0; j <= size; j += 2) {
+        for (int i = 0; i <= size; i += 2)
+            text.append(
+                "    $t$a = umbrage_lit_2x2(map, size, first + vec2($i.0, $j.0), receiver);\n",
+                {{'t', 0, j == 0 ? "UMBRAGE_HIGHP vec4 " : ""}, {'a', 0, {&"abcd"[i / 2], 1}}, {'i', i}, {'j', j}});
+        for (int row : {0, 1}) {
+            text.append("    n += w$j.y * (w0.x * a.$c", {{'j', j + row}, {'c', 0, {&"xz"[row], 1}}});
+            for (int i = 1; i <= size; ++i)
+                text.append(" + w$i.x * $a.$c",
+                            {{'i', i}, {'a', 0, {&"abcd"[i / 2], 1}}, {'c', 0, {&"xyzw"[2 * row + i % 2], 1}}});
+            text.append(");\n");
+        }
+    }
+    text.append("    return compared ? n : whole * whole;\n}\n");
+    return text;
 }
-)GLSL",
-};
 
-inline constexpr snippet window_sum7{
-    .name = "window_sum7",
-    .summary = "weighted count of lit texels under a window of 7 x 7",
-    .exactness = tier::a,
-    .needs = list<&is_compared, &lit_2x2>,
-    .source = R"GLSL(
-// umbrage_window_sum7: weighted count of the lit texels under 7 x 7 weights that slide over the map; a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
-                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2, UMBRAGE_HIGHP float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
-    UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
-    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
-    UMBRAGE_HIGHP vec2 w1 = floor(r * k1 + s * k0);
-    UMBRAGE_HIGHP vec2 w2 = floor(r * k2 + s * k1);
-    UMBRAGE_HIGHP vec2 w4 = floor(r * k2 + s * k3);
-    UMBRAGE_HIGHP vec2 w5 = floor(r * k1 + s * k2);
-    UMBRAGE_HIGHP vec2 w6 = floor(r * k0 + s * k1);
-    UMBRAGE_HIGHP vec2 w7 = floor(s * k0);
-    UMBRAGE_HIGHP vec2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
-    UMBRAGE_HIGHP vec2 first = texel - 3.0;
-    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
-    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
-    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, first + vec2(4.0, 0.0), receiver);
-    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, first + vec2(6.0, 0.0), receiver);
-    UMBRAGE_HIGHP float n = 0.0;
-    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
-    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
-    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
-    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 2.0), receiver);
-    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 2.0), receiver);
-    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
-    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
-    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 4.0), receiver);
-    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 4.0), receiver);
-    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 4.0), receiver);
-    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 4.0), receiver);
-    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
-    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
-    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 6.0), receiver);
-    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 6.0), receiver);
-    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 6.0), receiver);
-    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 6.0), receiver);
-    n += w6.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
-    n += w7.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
-    return compared ? n : whole * whole;
+}  // namespace detail
+
+template <int Size>
+inline constexpr auto window_sum_text = detail::window_sum_text(Size);
+template <int Size>
+inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size == 5 ? "window_sum5" : "window_sum7"),
+                                    .summary = Size == 3   ? "weighted count of lit texels under a window of 3 x 3"
+                                               : Size == 5 ? "weighted count of lit texels under a window of 5 x 5"
+                                                           : "weighted count of lit texels under a window of 7 x 7",
+                                    .exactness = tier::a,
+                                    .needs = list<&is_compared, &lit_2x2>,
+                                    .source = window_sum_text<Size>.view()};
+
+inline constexpr auto window_snippets = list<&window_sum<3>, &window_sum<5>, &window_sum<7>>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/pcf/window_hardware.hpp
+// Windows by the sampler: a look-up between two texels weighs both, and where it lies says how much of either. So a
+// window of 3 x 3 weights takes 4 look-ups, one of 5 x 5 takes 9, one of 7 x 7 takes 16.
+//
+//     constexpr umbrage::window_row row = umbrage::castano_row<5>;
+//     float visibility = umbrage::window_hardware(umbrage::clamped(map), coord, depth - bias, row);
+//     // in a shader umbrage_window_hardware5(map, size, coord, receiver, 256.0, 1.0, 3.0, 4.0)
+//
+// Maps and samplers are as for pcf_2x2_hardware.hpp.
+//
+
+namespace umbrage {
+
+/// What the sampler gives, but for the rounding of its weights: window.
+///
+/// The two texels of a look-up divide between them what it weighs. A sampler whose fractions are off by up to e moves
+/// no more than e of that from one to the other: of all weights of an axis e, of both axes 2 e.
+///
+/// @param row     of 3, 5 or 7 weights above zero, times its steps whole numbers: then window floors nothing
+/// @return        visibility, 0 in shadow, 1 lit
+/// @exactness     C, within 1/128 in a shader: e is 1/256 of a sampler that rounds or truncates to it; on top its
+///                coordinates round, by 2^-10 texel in a map of 8192
+/// @cite          Castano: Shadow mapping summary, part 1, 2013
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T window_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
+                                Compare is_lit = {}) {
+    return window(fetch, coord, receiver, row, is_lit);
 }
-)GLSL",
-};
 
-inline constexpr auto window_snippets = list<&window_sum3, &window_sum5, &window_sum7>;
+namespace glsl {
+namespace detail {
+
+/// For each look-up along an axis: what the farther of its texels weighs, what both do, and where it lies.
+constexpr long_text window_hardware_text(int size) {
+    long_text text =
+        window_head("window_hardware",
+                    "lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit", size);
+    for (int k = 0; 2 * k <= size; ++k) {
+        const int texel = 2 * k - size / 2;
+        text.append(R"GLSL(    UMBRAGE_HIGHP vec2 b$k = $b;
+    UMBRAGE_HIGHP vec2 w$k = $a + b$k;
+    UMBRAGE_HIGHP vec2 p$k = texel $s $t.5 + b$k / w$k;
+)GLSL",
+                    {{'k', k},
+                     {'a', 0, window_weight(size, 2 * k).view()},
+                     {'b', 0, window_weight(size, 2 * k + 1).view()},
+                     {'s', 0, texel < 0 ? "-" : "+"},
+                     {'t', texel < 0 ? -texel - 1 : texel}});
+    }
+    text.append("    UMBRAGE_HIGHP float n = 0.0;\n");
+    for (int j = 0; 2 * j <= size; ++j) {
+        text.append("    $trow = 0.0;\n", {{'t', 0, j == 0 ? "UMBRAGE_HIGHP float " : ""}});
+        for (int i = 0; 2 * i <= size; ++i)
+            text.append("    row += w$i.x * umbrage_lit_filtered(map, size, vec2(p$i.x, p$j.y), receiver);\n",
+                        {{'i', i}, {'j', j}});
+        text.append("    n += w$j.y * row;\n", {{'j', j}});
+    }
+    text.append("    return compared ? n / (whole * whole) : 1.0;\n}\n");
+    return text;
+}
+
+}  // namespace detail
+
+template <int Size>
+inline constexpr auto window_hardware_text = detail::window_hardware_text(Size);
+template <int Size>
+inline constexpr snippet window_hardware{
+    .name = Size == 3 ? "window_hardware3" : (Size == 5 ? "window_hardware5" : "window_hardware7"),
+    .summary = Size == 3   ? "window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter"
+               : Size == 5 ? "window of 5 x 5 by 9 of them"
+                           : "window of 7 x 7 by 16 of them",
+    .exactness = tier::c,
+    .within = 1.0f / 128.0f,
+    .needs = list<&is_compared, &lit_filtered>,
+    .source = window_hardware_text<Size>.view()};
+
+inline constexpr auto window_hardware_snippets = list<&window_hardware<3>, &window_hardware<5>, &window_hardware<7>>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -5055,7 +5099,7 @@ UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE
 
 /// What a family's texts need, by the size of their window.
 template <int Size>
-inline constexpr auto window_needs = list<Size == 3 ? &window_sum3 : (Size == 5 ? &window_sum5 : &window_sum7)>;
+inline constexpr auto window_needs = list<&window_sum<Size>>;
 template <>
 inline constexpr auto window_needs<2> = list<&is_compared, &lit, &lit_2x2>;
 
@@ -10029,9 +10073,10 @@ namespace detail {
 ///   depth, depth_array     depth textures that are read as they are; in GLSL texture_2d and array
 ///   shadow, shadow_array   comparison samplers, sampler2DShadow map: they compare themselves, in the direction that
 ///                          they were set to; a filter that needs depths cannot be bound to them
-/// Samplers clamp to the edge and take the nearest texel, but for those of pcf_2x2_hardware. A depth texture of floats
-/// gives the plain form's bits. Where its depths are whole numbers, a sampler compares with the receiver as one from 0
-/// to 1: filters give the same all the same, as they light what is beyond the far plane; lit() alone does not.
+/// Samplers clamp to the edge and take the nearest texel, but for pcf_2x2_hardware and window_hardware. A depth texture
+/// of floats gives the plain form's bits. Where its depths are whole numbers, a sampler compares with the receiver as
+/// one from 0 to 1: filters give the same all the same, as they light what is beyond the far plane; lit() alone does
+/// not.
 enum class texture { texture_2d, atlas, array, cube, integer, depth, depth_array, shadow, shadow_array };
 
 /// A map for shaders: where its texels are, and how they compare. Texts in it are in the shader's own language.
@@ -10345,41 +10390,37 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 
 // The sampler weighs: coordinates stay half a texel inside, so that what is beside the map has no weight.
 
-inline constexpr snippet clamped_pcf_2x2_hardware{.name = "pcf_2x2_hardware",
-                                                  .summary = "pcf_2x2_hardware, clamped",
-                                                  .needs = list<&is_compared>,
-                                                  .role = hook::chosen,
-                                                  .source = R"GLSL(
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                             UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 texel = compared ? clamp(coord, vec2(0.5, 0.5), size - 0.5) : vec2(0.5, 0.5);
+inline constexpr snippet clamped_lit_filtered{
+    .name = "lit_filtered", .summary = "lit_filtered, clamped", .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler; a NaN is in shadow
+//   coord  in texels, no NaN
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP float visibility = (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
-    return compared ? visibility : 1.0;
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return lit * number;
 }
 )GLSL"};
 
-inline constexpr snippet bordered_pcf_2x2_hardware{.name = "pcf_2x2_hardware",
-                                                   .summary = "pcf_2x2_hardware, bordered",
-                                                   .needs = list<&is_compared, &compare, &cleared_depth>,
-                                                   .role = hook::chosen,
-                                                   .source = R"GLSL(
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler, outside the map with the far plane; visibility,
-//   1.0 is lit
-UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                             UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 texel = compared ? clamp(coord, vec2(0.5, 0.5), size - 0.5) : vec2(0.5, 0.5);
+inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
+                                               .summary = "lit_filtered, bordered",
+                                               .needs = list<&compare, &cleared_depth>,
+                                               .role = hook::chosen,
+                                               .source = R"GLSL(
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
+//   NaN is in shadow
+//   coord  in texels, no NaN
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    UMBRAGE_HIGHP float sum = outside + inside.x * inside.y * (lit - outside);
-    UMBRAGE_HIGHP float visibility = (receiver > 0.0 ? sum : 0.0) + (receiver <= 0.0 ? sum : 0.0);
-    return compared ? visibility : 1.0;
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return (outside + inside.x * inside.y * (lit - outside)) * number;
 }
 )GLSL"};
 
@@ -10388,7 +10429,7 @@ inline constexpr auto all =
     list<&forward_cleared_depth, &reversed_cleared_depth, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far,
          &forward_compare, &reversed_compare, &texel, &decode, &clamped_depth, &bordered_depth, &lit_texel,
          &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels, &gathered,
-         &gathered_region, &gathered_bordered, &clamped_pcf_2x2_hardware, &bordered_pcf_2x2_hardware>;
+         &gathered_region, &gathered_bordered, &clamped_lit_filtered, &bordered_lit_filtered>;
 
 }  // namespace umbrage::glsl::hooks
 
@@ -10546,9 +10587,9 @@ template <class Replacement>
             if (compares(b.texture)) return hooks::gather_compared;
             if (b.channels > 2) umbrage::detail::fail("umbrage::glsl::bind: a gather of more than two channels");
             return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
-        case hook::pcf_2x2_hardware:
+        case hook::lit_filtered:
             if (!compares(b.texture)) return s;
-            return b.outside_lit ? hooks::bordered_pcf_2x2_hardware : hooks::clamped_pcf_2x2_hardware;
+            return b.outside_lit ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
     }
     return s;
 }
@@ -11519,8 +11560,9 @@ inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes =
     collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
-inline constexpr auto maps = collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets,
-                                     window_snippets, disc_snippets, filters, pcf_2x2_hardware_snippets);
+inline constexpr auto maps =
+    collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
+            filters, pcf_2x2_hardware_snippets, window_hardware_snippets);
 inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
                                      kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);

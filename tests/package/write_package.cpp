@@ -65,7 +65,7 @@ std::string_view role(glsl::hook h) {
         case glsl::hook::lit: return "lit";
         case glsl::hook::lit_2x2: return "lit_2x2";
         case glsl::hook::gather_lit: return "gather_lit";
-        case glsl::hook::pcf_2x2_hardware: return "pcf_2x2_hardware";
+        case glsl::hook::lit_filtered: return "lit_filtered";
         case glsl::hook::chosen: return "chosen";
     }
     return "";

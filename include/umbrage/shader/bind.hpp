@@ -40,9 +40,10 @@ namespace detail {
 ///   depth, depth_array     depth textures that are read as they are; in GLSL texture_2d and array
 ///   shadow, shadow_array   comparison samplers, sampler2DShadow map: they compare themselves, in the direction that
 ///                          they were set to; a filter that needs depths cannot be bound to them
-/// Samplers clamp to the edge and take the nearest texel, but for those of pcf_2x2_hardware. A depth texture of floats
-/// gives the plain form's bits. Where its depths are whole numbers, a sampler compares with the receiver as one from 0
-/// to 1: filters give the same all the same, as they light what is beyond the far plane; lit() alone does not.
+/// Samplers clamp to the edge and take the nearest texel, but for pcf_2x2_hardware and window_hardware. A depth texture
+/// of floats gives the plain form's bits. Where its depths are whole numbers, a sampler compares with the receiver as
+/// one from 0 to 1: filters give the same all the same, as they light what is beyond the far plane; lit() alone does
+/// not.
 enum class texture { texture_2d, atlas, array, cube, integer, depth, depth_array, shadow, shadow_array };
 
 /// A map for shaders: where its texels are, and how they compare. Texts in it are in the shader's own language.

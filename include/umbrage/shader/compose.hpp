@@ -94,9 +94,9 @@ template <class Replacement>
             if (compares(b.texture)) return hooks::gather_compared;
             if (b.channels > 2) umbrage::detail::fail("umbrage::glsl::bind: a gather of more than two channels");
             return b.channels == 2 ? hooks::gather_two_channels : hooks::gather_one_channel;
-        case hook::pcf_2x2_hardware:
+        case hook::lit_filtered:
             if (!compares(b.texture)) return s;
-            return b.outside_lit ? hooks::bordered_pcf_2x2_hardware : hooks::clamped_pcf_2x2_hardware;
+            return b.outside_lit ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
     }
     return s;
 }

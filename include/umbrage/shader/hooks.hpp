@@ -247,41 +247,37 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 
 // The sampler weighs: coordinates stay half a texel inside, so that what is beside the map has no weight.
 
-inline constexpr snippet clamped_pcf_2x2_hardware{.name = "pcf_2x2_hardware",
-                                                  .summary = "pcf_2x2_hardware, clamped",
-                                                  .needs = list<&is_compared>,
-                                                  .role = hook::chosen,
-                                                  .source = R"GLSL(
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                             UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 texel = compared ? clamp(coord, vec2(0.5, 0.5), size - 0.5) : vec2(0.5, 0.5);
+inline constexpr snippet clamped_lit_filtered{
+    .name = "lit_filtered", .summary = "lit_filtered, clamped", .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler; a NaN is in shadow
+//   coord  in texels, no NaN
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP float visibility = (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
-    return compared ? visibility : 1.0;
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return lit * number;
 }
 )GLSL"};
 
-inline constexpr snippet bordered_pcf_2x2_hardware{.name = "pcf_2x2_hardware",
-                                                   .summary = "pcf_2x2_hardware, bordered",
-                                                   .needs = list<&is_compared, &compare, &cleared_depth>,
-                                                   .role = hook::chosen,
-                                                   .source = R"GLSL(
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler, outside the map with the far plane; visibility,
-//   1.0 is lit
-UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                             UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 texel = compared ? clamp(coord, vec2(0.5, 0.5), size - 0.5) : vec2(0.5, 0.5);
+inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
+                                               .summary = "lit_filtered, bordered",
+                                               .needs = list<&compare, &cleared_depth>,
+                                               .role = hook::chosen,
+                                               .source = R"GLSL(
+// umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
+//   NaN is in shadow
+//   coord  in texels, no NaN
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    UMBRAGE_HIGHP float sum = outside + inside.x * inside.y * (lit - outside);
-    UMBRAGE_HIGHP float visibility = (receiver > 0.0 ? sum : 0.0) + (receiver <= 0.0 ? sum : 0.0);
-    return compared ? visibility : 1.0;
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return (outside + inside.x * inside.y * (lit - outside)) * number;
 }
 )GLSL"};
 
@@ -290,6 +286,6 @@ inline constexpr auto all =
     list<&forward_cleared_depth, &reversed_cleared_depth, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far,
          &forward_compare, &reversed_compare, &texel, &decode, &clamped_depth, &bordered_depth, &lit_texel,
          &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels, &gathered,
-         &gathered_region, &gathered_bordered, &clamped_pcf_2x2_hardware, &bordered_pcf_2x2_hardware>;
+         &gathered_region, &gathered_bordered, &clamped_lit_filtered, &bordered_lit_filtered>;
 
 }  // namespace umbrage::glsl::hooks

@@ -26,6 +26,7 @@
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
+#include <umbrage/filter/pcf/window_hardware.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/cube_map.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -97,8 +98,9 @@ inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes =
     collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
-inline constexpr auto maps = collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets,
-                                     window_snippets, disc_snippets, filters, pcf_2x2_hardware_snippets);
+inline constexpr auto maps =
+    collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
+            filters, pcf_2x2_hardware_snippets, window_hardware_snippets);
 inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
                                      kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);

@@ -59,7 +59,7 @@ enum class hook {
     lit,
     lit_2x2,
     gather_lit,
-    pcf_2x2_hardware,
+    lit_filtered,
     chosen
 };
 
@@ -105,7 +105,14 @@ inline constexpr std::array<const snippet*, sizeof...(Snippets)> list{Snippets..
 
 namespace detail {
 
-/// Text with the constants of one member of a family filled in, at compile time.
+struct constant {
+    char key;  ///< `$key` in the text
+    int value;
+    std::string_view text{};  ///< in place of the value's digits, though it be ""
+};
+
+/// Text with the constants of one member of a family filled in, at compile time. Plain arrays, for the sake of every
+/// user's compile time.
 template <std::size_t Capacity>
 struct filled_text {
     char data[Capacity]{};
@@ -114,38 +121,32 @@ struct filled_text {
     constexpr void append(std::string_view text) {
         for (char letter : text) data[size++] = letter;
     }
-};
-
-struct constant {
-    char key;  ///< `$key` in the text
-    int value;
-    std::string_view text{};  ///< in place of the value's digits
-};
-
-/// Replaces each `$key` by the decimal digits of its value, or its text. Plain arrays, for the sake of every user's
-/// compile time.
-template <std::size_t Capacity, std::size_t Length>
-constexpr filled_text<Capacity> fill(const char (&text)[Length], std::initializer_list<constant> constants) {
-    filled_text<Capacity> out;
-    std::size_t size = 0;
-    for (std::size_t i = 0; i + 1 < Length; ++i) {
-        if (text[i] != '$') {
-            out.data[size++] = text[i];
-            continue;
-        }
-        ++i;
-        for (const constant& c : constants) {
-            if (c.key != text[i]) continue;
-            for (char letter : c.text) out.data[size++] = letter;
-            if (!c.text.empty()) continue;
-            if (c.value < 0) out.data[size++] = '-';
-            const int digits = c.value < 0 ? -c.value : c.value;
-            int unit = 1;
-            while (digits / unit >= 10) unit *= 10;
-            for (; unit > 0; unit /= 10) out.data[size++] = static_cast<char>('0' + digits / unit % 10);
+    /// With each `$key` replaced by the decimal digits of its value, or its text.
+    constexpr void append(std::string_view text, std::initializer_list<constant> constants) {
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            if (text[i] != '$') {
+                data[size++] = text[i];
+                continue;
+            }
+            ++i;
+            for (const constant& c : constants) {
+                if (c.key != text[i]) continue;
+                append(c.text);
+                if (c.text.data() != nullptr) continue;
+                if (c.value < 0) data[size++] = '-';
+                const int digits = c.value < 0 ? -c.value : c.value;
+                int unit = 1;
+                while (digits / unit >= 10) unit *= 10;
+                for (; unit > 0; unit /= 10) data[size++] = static_cast<char>('0' + digits / unit % 10);
+            }
         }
     }
-    out.size = size;
+};
+
+template <std::size_t Capacity>
+constexpr filled_text<Capacity> fill(std::string_view text, std::initializer_list<constant> constants) {
+    filled_text<Capacity> out;
+    out.append(text, constants);
     return out;
 }
 

@@ -178,13 +178,26 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
 }
 #endif
 
+#ifndef UMBRAGE_HAS_LIT_FILTERED
+#define UMBRAGE_HAS_LIT_FILTERED
+// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   coord  in texels, no NaN; what is outside texel space counts as its border
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    return umbrage_pcf_2x2(map, size, clamp(coord, vec2(-32767.0, -32767.0), vec2(32767.0, 32767.0)), receiver);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_PCF_2X2_HARDWARE
 #define UMBRAGE_HAS_PCF_2X2_HARDWARE
-// umbrage_pcf_2x2_hardware: 2x2 comparisons; this map has no sampler to weigh them; visibility, 1.0 is lit
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
 UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver) {
-    return umbrage_pcf_2x2(map, size, coord, receiver);
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float lit = umbrage_lit_filtered(map, size, at, receiver);
+    return compared ? lit : 1.0;
 }
 #endif

@@ -161,10 +161,10 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 
 #ifndef UMBRAGE_HAS_WINDOW_SUM3
 #define UMBRAGE_HAS_WINDOW_SUM3
-// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+// umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
@@ -180,9 +180,10 @@ UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     UMBRAGE_HIGHP vec2 w3 = floor(s * k0);
     UMBRAGE_HIGHP vec2 w1 = whole - (w0 + w2 + w3);
     UMBRAGE_HIGHP vec2 first = texel - 1.0;
-    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
+    UMBRAGE_HIGHP float n = 0.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first + vec2(0.0, 0.0), receiver);
     UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
-    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
     a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
     b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);

@@ -88,7 +88,7 @@ float4 umbrage_lit_2x2(Texture2D<float4> map, float2 size, float2 texel, float r
 
 #ifndef UMBRAGE_HAS_WINDOW_SUM7
 #define UMBRAGE_HAS_WINDOW_SUM7
-// umbrage_window_sum7: weighted count of the lit texels under 7 x 7 weights that slide over the map; a whole number
+// umbrage_window_sum7: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
@@ -110,11 +110,11 @@ float umbrage_window_sum7(Texture2D<float4> map, float2 size, float2 coord, floa
     float2 w7 = floor(s * k0);
     float2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
     float2 first = texel - 3.0;
-    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float n = 0.0;
+    float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
     float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
     float4 c = umbrage_lit_2x2(map, size, first + float2(4.0, 0.0), receiver);
     float4 d = umbrage_lit_2x2(map, size, first + float2(6.0, 0.0), receiver);
-    float n = 0.0;
     n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
     a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);

@@ -92,7 +92,7 @@ inline float4 umbrage_lit_2x2(metal::texture2d<float> map, float2 size, float2 t
 
 #ifndef UMBRAGE_HAS_WINDOW_SUM5
 #define UMBRAGE_HAS_WINDOW_SUM5
-// umbrage_window_sum5: weighted count of the lit texels under 5 x 5 weights that slide over the map; a whole number
+// umbrage_window_sum5: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
@@ -112,10 +112,11 @@ inline float umbrage_window_sum5(metal::texture2d<float> map, float2 size, float
     float2 w5 = metal::floor(s * k0);
     float2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
     float2 first = texel - 2.0;
-    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float n = 0.0;
+    float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
     float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
     float4 c = umbrage_lit_2x2(map, size, first + float2(4.0, 0.0), receiver);
-    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
     a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);
     b = umbrage_lit_2x2(map, size, first + float2(2.0, 2.0), receiver);

@@ -92,10 +92,10 @@ inline float4 umbrage_lit_2x2(metal::texture2d<float> map, float2 size, float2 t
 
 #ifndef UMBRAGE_HAS_WINDOW_SUM3
 #define UMBRAGE_HAS_WINDOW_SUM3
-// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+// umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 inline float umbrage_window_sum3(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float steps,
                                  float k0, float k1) {
@@ -110,9 +110,10 @@ inline float umbrage_window_sum3(metal::texture2d<float> map, float2 size, float
     float2 w3 = metal::floor(s * k0);
     float2 w1 = whole - (w0 + w2 + w3);
     float2 first = texel - 1.0;
-    float4 a = umbrage_lit_2x2(map, size, first, receiver);
+    float n = 0.0;
+    float4 a = umbrage_lit_2x2(map, size, first + float2(0.0, 0.0), receiver);
     float4 b = umbrage_lit_2x2(map, size, first + float2(2.0, 0.0), receiver);
-    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
     a = umbrage_lit_2x2(map, size, first + float2(0.0, 2.0), receiver);
     b = umbrage_lit_2x2(map, size, first + float2(2.0, 2.0), receiver);

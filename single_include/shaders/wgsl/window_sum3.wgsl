@@ -1,10 +1,10 @@
 // umbrage 0.1.0, MIT License: window_sum3
 // Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl
 
-// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+// umbrage_window_sum3: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 fn umbrage_window_sum3(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32,
                        k1: f32) -> f32 {
@@ -19,9 +19,10 @@ fn umbrage_window_sum3(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver
     let w3: vec2f = floor(s * k0);
     let w1: vec2f = whole - (w0 + w2 + w3);
     let first: vec2f = texel - 1.0;
-    var a: vec4f = umbrage_lit_2x2(map, size, first, receiver);
+    var n: f32 = 0.0;
+    var a: vec4f = umbrage_lit_2x2(map, size, first + vec2f(0.0, 0.0), receiver);
     var b: vec4f = umbrage_lit_2x2(map, size, first + vec2f(2.0, 0.0), receiver);
-    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
     a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 2.0), receiver);
     b = umbrage_lit_2x2(map, size, first + vec2f(2.0, 2.0), receiver);

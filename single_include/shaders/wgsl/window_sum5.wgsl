@@ -1,7 +1,7 @@
 // umbrage 0.1.0, MIT License: window_sum5
 // Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl
 
-// umbrage_window_sum5: weighted count of the lit texels under 5 x 5 weights that slide over the map; a whole number
+// umbrage_window_sum5: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
@@ -21,10 +21,11 @@ fn umbrage_window_sum5(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver
     let w5: vec2f = floor(s * k0);
     let w2: vec2f = whole - (w0 + w1 + w3 + w4 + w5);
     let first: vec2f = texel - 2.0;
-    var a: vec4f = umbrage_lit_2x2(map, size, first, receiver);
+    var n: f32 = 0.0;
+    var a: vec4f = umbrage_lit_2x2(map, size, first + vec2f(0.0, 0.0), receiver);
     var b: vec4f = umbrage_lit_2x2(map, size, first + vec2f(2.0, 0.0), receiver);
     var c: vec4f = umbrage_lit_2x2(map, size, first + vec2f(4.0, 0.0), receiver);
-    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
+    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
     n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
     a = umbrage_lit_2x2(map, size, first + vec2f(0.0, 2.0), receiver);
     b = umbrage_lit_2x2(map, size, first + vec2f(2.0, 2.0), receiver);

@@ -34,6 +34,23 @@ namespace parity {
     return e;
 }
 
+/// A filter that a comparison sampler with a linear filter weighs.
+/// @param twin   (fetch, sample, is_lit) -> visibility
+template <class Twin>
+[[nodiscard]] entry sampled_filter(const snippet& s, const std::string& arguments, const std::string& variant,
+                                   const umbrage::glsl::binding& as, Twin twin) {
+    entry e = filter(s, arguments, [as, twin](const sample& x) {
+        const umbrage::comparison is_lit{as.direction};
+        return vec4(as.outside_lit ? twin(x.bordered_depth(umbrage::cleared_depth(as.direction)), x, is_lit)
+                                   : twin(x.depth(), x, is_lit));
+    });
+    e.variant = variant;
+    e.maps = plain_maps({{64, 64}, {37, 21}, {3, 2}, {1, 1}});
+    e.bound = {{.name = "map", .as = as, .linear = true}};
+    e.share = 16;
+    return e;
+}
+
 /// A filter over packed maps that are compared on a scale of their own.
 /// @param level      what makes a value a level, and its call of `value`
 /// @param receiver   what makes x0.z a receiver, and its call

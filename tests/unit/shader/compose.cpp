@@ -11,7 +11,7 @@
 #include <umbrage/depth/rg_level.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
-#include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
+#include <umbrage/filter/pcf/window_hardware.hpp>
 #include <umbrage/shader/glsl.hpp>
 
 using namespace umbrage;
@@ -148,7 +148,8 @@ TEST_CASE("every filter and every kind of texture make a text without a word lef
             for (const bool gather : {false, true}) {
                 if (gather && (kind == texture::cube || kind == texture::integer)) continue;
                 const binding map{.texture = kind, .outside_lit = lit, .gather = gather};
-                for (const snippet& s : {glsl::hard, glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_hardware}) {
+                for (const snippet& s :
+                     {glsl::hard, glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_hardware, glsl::window_hardware<3>}) {
                     const std::string text = glsl::text({bind(s, "a", map)});
                     for (const char* word : {"UMBRAGE_MAP", "UMBRAGE_PARAMETERS", "UMBRAGE_TEXEL", "UMBRAGE_LIT_TEXEL",
                                              "UMBRAGE_LIT_FILTERED", "UMBRAGE_GATHER", "UMBRAGE_ORIGIN",

@@ -194,11 +194,9 @@ UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 )GLSL",
                                                                      {{'n', Points}});
     for (const disc_point p : disc_points<Points>)
-        text.append(
-            fill<128>("    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), turn, rho), receiver);\n",
-                      {{'x', p.x}, {'y', p.y}})
-                .view());
-    text.append(fill<64>("    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', Points}}).view());
+        text.append("    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), turn, rho), receiver);\n",
+                    {{'x', p.x}, {'y', p.y}});
+    text.append("    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', Points}});
     return text;
 }
 

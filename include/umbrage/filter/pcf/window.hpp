@@ -128,152 +128,88 @@ template <real T, class Fetch, class Compare = less_equal>
 }
 
 namespace glsl {
+namespace detail {
 
-inline constexpr snippet window_sum3{
-    .name = "window_sum3",
-    .summary = "weighted count of lit texels under a window of 3 x 3",
-    .exactness = tier::a,
-    .needs = list<&is_compared, &lit_2x2>,
-    .source = R"GLSL(
-// umbrage_window_sum3: weighted count of the lit texels under 3 x 3 weights that slide over the map; a whole number
+using long_text = filled_text<6000>;
+
+/// The parameter of a window's i-th weight.
+constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : size - 1 - i; }
+
+/// What the i-th of the touched texels weighs, floors left aside.
+constexpr filled_text<32> window_weight(int size, int i) {
+    const constant ahead{'a', window_parameter(size, i)}, behind{'b', window_parameter(size, i - 1)};
+    return fill<32>(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
+}
+
+/// The beginning of a window's text, as far as its weights.
+constexpr long_text window_head(std::string_view name, std::string_view what, int size) {
+    long_text text = fill<6000>(R"GLSL(
+// umbrage_$f$n: $w
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0, k1     weights from the edge to the middle one; the other mirrors them. Steps times their sum, a whole number
+//   k0 .. k$m   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
-UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
-                                        UMBRAGE_HIGHP float k1) {
+                                        UMBRAGE_HIGHP float k1)GLSL",
+                                {{'f', 0, name}, {'n', size}, {'w', 0, what}, {'m', size / 2}});
+    for (int i = 2; i <= size / 2; ++i) text.append(", UMBRAGE_HIGHP float k$i", {{'i', i}});
+    text.append(R"GLSL() {
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k0);
-    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
-    UMBRAGE_HIGHP vec2 w2 = floor(r * k0 + s * k1);
-    UMBRAGE_HIGHP vec2 w3 = floor(s * k0);
-    UMBRAGE_HIGHP vec2 w1 = whole - (w0 + w2 + w3);
-    UMBRAGE_HIGHP vec2 first = texel - 1.0;
-    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
-    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
-    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
-    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
-    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
-    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y);
-    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w);
-    return compared ? n : whole * whole;
+    UMBRAGE_HIGHP float whole = steps * (k0)GLSL");
+    for (int i = 1; i < size; ++i) text.append(" + k$i", {{'i', window_parameter(size, i)}});
+    text.append(");\n");
+    return text;
 }
-)GLSL",
-};
 
-inline constexpr snippet window_sum5{
-    .name = "window_sum5",
-    .summary = "weighted count of lit texels under a window of 5 x 5",
-    .exactness = tier::a,
-    .needs = list<&is_compared, &lit_2x2>,
-    .source = R"GLSL(
-// umbrage_window_sum5: weighted count of the lit texels under 5 x 5 weights that slide over the map; a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
-                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
-    UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k1 + k0);
-    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
-    UMBRAGE_HIGHP vec2 w1 = floor(r * k1 + s * k0);
-    UMBRAGE_HIGHP vec2 w3 = floor(r * k1 + s * k2);
-    UMBRAGE_HIGHP vec2 w4 = floor(r * k0 + s * k1);
-    UMBRAGE_HIGHP vec2 w5 = floor(s * k0);
-    UMBRAGE_HIGHP vec2 w2 = whole - (w0 + w1 + w3 + w4 + w5);
-    UMBRAGE_HIGHP vec2 first = texel - 2.0;
-    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
-    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
-    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, first + vec2(4.0, 0.0), receiver);
-    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
-    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
-    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
-    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 2.0), receiver);
-    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
-    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
-    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 4.0), receiver);
-    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 4.0), receiver);
-    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 4.0), receiver);
-    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y);
-    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w);
-    return compared ? n : whole * whole;
+constexpr long_text window_sum_text(int size) {
+    const int middle = size / 2;
+    long_text text = window_head("window_sum",
+                                 "weighted count of the lit texels under weights that slide over the map, whole", size);
+    for (int i = 0; i <= size; ++i)
+        if (i != middle)
+            text.append("    UMBRAGE_HIGHP vec2 w$i = floor($w);\n",
+                        {{'i', i}, {'w', 0, window_weight(size, i).view()}});
+    text.append("    UMBRAGE_HIGHP vec2 w$m = whole - (w0", {{'m', middle}});
+    for (int i = 1; i <= size; ++i)
+        if (i != middle) text.append(" + w$i", {{'i', i}});
+    text.append(");\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
+                {{'m', middle}});
+    for (int j = 0; j <= size; j += 2) {
+        for (int i = 0; i <= size; i += 2)
+            text.append(
+                "    $t$a = umbrage_lit_2x2(map, size, first + vec2($i.0, $j.0), receiver);\n",
+                {{'t', 0, j == 0 ? "UMBRAGE_HIGHP vec4 " : ""}, {'a', 0, {&"abcd"[i / 2], 1}}, {'i', i}, {'j', j}});
+        for (int row : {0, 1}) {
+            text.append("    n += w$j.y * (w0.x * a.$c", {{'j', j + row}, {'c', 0, {&"xz"[row], 1}}});
+            for (int i = 1; i <= size; ++i)
+                text.append(" + w$i.x * $a.$c",
+                            {{'i', i}, {'a', 0, {&"abcd"[i / 2], 1}}, {'c', 0, {&"xyzw"[2 * row + i % 2], 1}}});
+            text.append(");\n");
+        }
+    }
+    text.append("    return compared ? n : whole * whole;\n}\n");
+    return text;
 }
-)GLSL",
-};
 
-inline constexpr snippet window_sum7{
-    .name = "window_sum7",
-    .summary = "weighted count of lit texels under a window of 7 x 7",
-    .exactness = tier::a,
-    .needs = list<&is_compared, &lit_2x2>,
-    .source = R"GLSL(
-// umbrage_window_sum7: weighted count of the lit texels under 7 x 7 weights that slide over the map; a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
-                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2, UMBRAGE_HIGHP float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
-    UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
-    UMBRAGE_HIGHP vec2 w0 = floor(r * k0);
-    UMBRAGE_HIGHP vec2 w1 = floor(r * k1 + s * k0);
-    UMBRAGE_HIGHP vec2 w2 = floor(r * k2 + s * k1);
-    UMBRAGE_HIGHP vec2 w4 = floor(r * k2 + s * k3);
-    UMBRAGE_HIGHP vec2 w5 = floor(r * k1 + s * k2);
-    UMBRAGE_HIGHP vec2 w6 = floor(r * k0 + s * k1);
-    UMBRAGE_HIGHP vec2 w7 = floor(s * k0);
-    UMBRAGE_HIGHP vec2 w3 = whole - (w0 + w1 + w2 + w4 + w5 + w6 + w7);
-    UMBRAGE_HIGHP vec2 first = texel - 3.0;
-    UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, first, receiver);
-    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, first + vec2(2.0, 0.0), receiver);
-    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, first + vec2(4.0, 0.0), receiver);
-    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, first + vec2(6.0, 0.0), receiver);
-    UMBRAGE_HIGHP float n = 0.0;
-    n += w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
-    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 2.0), receiver);
-    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 2.0), receiver);
-    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 2.0), receiver);
-    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 2.0), receiver);
-    n += w2.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
-    n += w3.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
-    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 4.0), receiver);
-    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 4.0), receiver);
-    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 4.0), receiver);
-    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 4.0), receiver);
-    n += w4.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
-    n += w5.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
-    a = umbrage_lit_2x2(map, size, first + vec2(0.0, 6.0), receiver);
-    b = umbrage_lit_2x2(map, size, first + vec2(2.0, 6.0), receiver);
-    c = umbrage_lit_2x2(map, size, first + vec2(4.0, 6.0), receiver);
-    d = umbrage_lit_2x2(map, size, first + vec2(6.0, 6.0), receiver);
-    n += w6.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x + w3.x * b.y + w4.x * c.x + w5.x * c.y + w6.x * d.x + w7.x * d.y);
-    n += w7.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z + w3.x * b.w + w4.x * c.z + w5.x * c.w + w6.x * d.z + w7.x * d.w);
-    return compared ? n : whole * whole;
-}
-)GLSL",
-};
+}  // namespace detail
 
-inline constexpr auto window_snippets = list<&window_sum3, &window_sum5, &window_sum7>;
+template <int Size>
+inline constexpr auto window_sum_text = detail::window_sum_text(Size);
+template <int Size>
+inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size == 5 ? "window_sum5" : "window_sum7"),
+                                    .summary = Size == 3   ? "weighted count of lit texels under a window of 3 x 3"
+                                               : Size == 5 ? "weighted count of lit texels under a window of 5 x 5"
+                                                           : "weighted count of lit texels under a window of 7 x 7",
+                                    .exactness = tier::a,
+                                    .needs = list<&is_compared, &lit_2x2>,
+                                    .source = window_sum_text<Size>.view()};
+
+inline constexpr auto window_snippets = list<&window_sum<3>, &window_sum<5>, &window_sum<7>>;
 
 }  // namespace glsl
 }  // namespace umbrage

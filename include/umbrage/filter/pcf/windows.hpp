@@ -137,7 +137,7 @@ UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE
 
 /// What a family's texts need, by the size of their window.
 template <int Size>
-inline constexpr auto window_needs = list<Size == 3 ? &window_sum3 : (Size == 5 ? &window_sum5 : &window_sum7)>;
+inline constexpr auto window_needs = list<&window_sum<Size>>;
 template <>
 inline constexpr auto window_needs<2> = list<&is_compared, &lit, &lit_2x2>;
 

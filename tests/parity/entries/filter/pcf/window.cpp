@@ -22,9 +22,9 @@ void add_filter_pcf_window(std::vector<entry>& all) {
                              [&row](const sample& s) { return vec4(window_sum(s.depth(), at(s), s.x[0].z, row)); }));
         all.back().share = share;
     };
-    add(glsl::window_sum3, ", 128.0, 3.25, 9.5", three, 2);
-    add(glsl::window_sum5, ", 128.0, 2.5, 8.25, 10.5", five, 4);
-    add(glsl::window_sum7, ", 64.0, 0.75, 5.25, 12.0, 15.5", seven, 8);
+    add(glsl::window_sum<3>, ", 128.0, 3.25, 9.5", three, 2);
+    add(glsl::window_sum<5>, ", 128.0, 2.5, 8.25, 10.5", five, 4);
+    add(glsl::window_sum<7>, ", 64.0, 0.75, 5.25, 12.0, 15.5", seven, 8);
 }
 
 }  // namespace parity

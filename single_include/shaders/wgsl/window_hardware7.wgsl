@@ -1,0 +1,55 @@
+// umbrage 0.1.0, MIT License: window_hardware7
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl
+
+// umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
+//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
+//              up to 4096, squared is what is wholly lit
+fn umbrage_window_hardware7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32,
+                            k1: f32, k2: f32, k3: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let r: vec2f = steps - s;
+    let whole: f32 = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
+    let b0: vec2f = r * k1 + s * k0;
+    let w0: vec2f = r * k0 + b0;
+    let p0: vec2f = texel - 2.5 + b0 / w0;
+    let b1: vec2f = r * k3 + s * k2;
+    let w1: vec2f = r * k2 + s * k1 + b1;
+    let p1: vec2f = texel - 0.5 + b1 / w1;
+    let b2: vec2f = r * k1 + s * k2;
+    let w2: vec2f = r * k2 + s * k3 + b2;
+    let p2: vec2f = texel + 1.5 + b2 / w2;
+    let b3: vec2f = s * k0;
+    let w3: vec2f = r * k0 + s * k1 + b3;
+    let p3: vec2f = texel + 3.5 + b3 / w3;
+    var n: f32 = 0.0;
+    var row: f32 = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p0.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, vec2f(p3.x, p0.y), receiver);
+    n += w0.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p1.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, vec2f(p3.x, p1.y), receiver);
+    n += w1.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p2.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, vec2f(p3.x, p2.y), receiver);
+    n += w2.y * row;
+    row = 0.0;
+    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p3.y), receiver);
+    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p3.y), receiver);
+    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p3.y), receiver);
+    row += w3.x * umbrage_lit_filtered(map, size, vec2f(p3.x, p3.y), receiver);
+    n += w3.y * row;
+    return select(1.0, n / (whole * whole), compared);
+}
