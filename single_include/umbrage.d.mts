@@ -77,6 +77,32 @@ export const shadow_coordinate: Snippet;
 export const tap_coordinate: Snippet;
 /** the division by w, lit behind the light */
 export const project_coordinate: Snippet;
+/** cascade that a view depth falls into */
+export const cascade_by_depth: Snippet;
+/** one of four columns, without an index */
+export const cascade_column: Snippet;
+/** a point in the map of one cascade */
+export const cascade_coordinate: Snippet;
+/** coordinates whose filter stays inside a cascade */
+export const inside_cascade: Snippet;
+/** first cascade that holds a point and its filter */
+export const cascade_by_projection: Snippet;
+/** first texel of a cascade in an atlas */
+export const cascade_tile: Snippet;
+/** a weight in steps of 1/256 */
+export const cascade_weight: Snippet;
+/** weight of the next cascade, by view depth */
+export const cascade_fade: Snippet;
+/** weight of the next cascade, by distance from the border */
+export const cascade_border_fade: Snippet;
+/** two cascades' visibilities, mixed */
+export const blend_cascades: Snippet;
+/** coordinates a filter can take */
+export const inside_texel_space: Snippet;
+/** one of 16 thresholds for a pixel */
+export const dither_threshold: Snippet;
+/** a cascade, or by its weight the next one */
+export const dithered_cascade: Snippet;
 /** face of a cube that a direction meets */
 export const cube_face: Snippet;
 /** face, and where on it, that a direction meets */
@@ -241,8 +267,6 @@ export const inside_map: Snippet;
 export const fetch_bordered: Snippet;
 /** stored depth of a texel */
 export const fetch_depth: Snippet;
-/** coordinates a filter can take */
-export const inside_texel_space: Snippet;
 /** receivers behind the far plane */
 export const beyond_far: Snippet;
 /** receivers that a filter compares; it takes the others as lit */

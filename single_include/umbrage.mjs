@@ -285,6 +285,130 @@ UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
     return coordinate.w > 0.0 ? p : vec3(65536.0, 65536.0, 0.0);
 }
 `,
+            "cascade_by_depth": `
+// umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
+//   ends  of the first three cascades, ascending
+UMBRAGE_HIGHP float umbrage_cascade_by_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec3 ends) {
+    UMBRAGE_HIGHP float low = depth >= ends.x ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float high = depth >= ends.z ? 3.0 : 2.0;
+    return depth >= ends.y ? high : low;
+}
+`,
+            "cascade_column": `
+// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+UMBRAGE_HIGHP vec4 umbrage_cascade_column(UMBRAGE_HIGHP mat4 columns, UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP vec4 low = number < 0.5 ? columns[0] : columns[1];
+    UMBRAGE_HIGHP vec4 high = number < 2.5 ? columns[2] : columns[3];
+    return number < 1.5 ? low : high;
+}
+`,
+            "cascade_coordinate": `
+// umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
+UMBRAGE_HIGHP vec3 umbrage_cascade_coordinate(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP vec4 scale,
+                                              UMBRAGE_HIGHP vec4 offset) {
+    UMBRAGE_HIGHP vec3 start = vec3(offset.x, offset.y, offset.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 at = light * vec3(scale.x, scale.y, scale.z) + start;
+    return at;
+}
+`,
+            "inside_cascade": `
+// umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
+bool umbrage_inside_cascade(UMBRAGE_HIGHP vec3 coordinate, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float reach) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 end = size - reach;
+    // y doubled on purpose: Mesa makes min(x, y) >= reach of two comparisons with one limit, which loses a NaN
+    bool in_x = coordinate.x >= reach && coordinate.x <= end.x;
+    bool in_y = coordinate.y * 2.0 >= reach * 2.0 && coordinate.y * 2.0 <= end.y * 2.0;
+    return in_x && in_y && coordinate.z >= 0.0 && coordinate.z <= 1.0;
+}
+`,
+            "cascade_by_projection": `
+// umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
+//   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit
+//   light            the point, rotated into the light's directions
+//   scales, offsets  of the cascades;   size  of each map;   reach  of the filter, in texels
+UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP mat4 scales,
+                                                 UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec2 size,
+                                                 UMBRAGE_HIGHP float reach) {
+    UMBRAGE_HIGHP vec3 a = umbrage_cascade_coordinate(light, scales[0], offsets[0]);
+    UMBRAGE_HIGHP vec3 b = umbrage_cascade_coordinate(light, scales[1], offsets[1]);
+    UMBRAGE_HIGHP vec3 c = umbrage_cascade_coordinate(light, scales[2], offsets[2]);
+    UMBRAGE_HIGHP vec3 d = umbrage_cascade_coordinate(light, scales[3], offsets[3]);
+    UMBRAGE_HIGHP vec4 found = vec4(65536.0, 65536.0, 0.0, 4.0);
+    found = umbrage_inside_cascade(d, size, reach) ? vec4(d, 3.0) : found;
+    found = umbrage_inside_cascade(c, size, reach) ? vec4(c, 2.0) : found;
+    found = umbrage_inside_cascade(b, size, reach) ? vec4(b, 1.0) : found;
+    return umbrage_inside_cascade(a, size, reach) ? vec4(a, 0.0) : found;
+}
+`,
+            "cascade_tile": `
+// umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
+UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP float row = number < 1.5 ? 0.0 : 1.0;
+    return vec2((number - row * 2.0) * size, row * size);
+}
+`,
+            "cascade_weight": `
+// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP float steps = v > 0.0 && v < 1.0 ? floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
+    return steps * (1.0 / 256.0);
+}
+`,
+            "cascade_fade": `
+// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
+UMBRAGE_HIGHP float umbrage_cascade_fade(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float scale,
+                                         UMBRAGE_HIGHP float offset) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float v = depth * scale + offset;
+    return umbrage_cascade_weight(v);
+}
+`,
+            "cascade_border_fade": `
+// umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
+//   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border
+UMBRAGE_HIGHP float umbrage_cascade_border_fade(UMBRAGE_HIGHP vec2 coordinate, UMBRAGE_HIGHP vec2 size,
+                                                UMBRAGE_HIGHP float reach, UMBRAGE_HIGHP float per_texel) {
+    UMBRAGE_HIGHP vec2 half_size = size * 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 beyond = abs(coordinate - half_size) - (half_size - reach);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 v = beyond * per_texel + 1.0;
+    UMBRAGE_HIGHP float x = umbrage_cascade_weight(v.x);
+    UMBRAGE_HIGHP float y = umbrage_cascade_weight(v.y);
+    return x > y ? x : y;
+}
+`,
+            "blend_cascades": `
+// umbrage_blend_cascades: visibilities of a cascade and of the next one, which counts by weight, mixed
+UMBRAGE_HIGHP float umbrage_blend_cascades(UMBRAGE_HIGHP float nearer, UMBRAGE_HIGHP float farther,
+                                           UMBRAGE_HIGHP float weight) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = nearer + (farther - nearer) * weight;
+    return weight < 1.0 ? sum : farther;
+}
+`,
+            "inside_texel_space": `
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+`,
+            "dither_threshold": `
+// umbrage_dither_threshold: one of 16 thresholds, 1/32 to 31/32, for a position in pixels; each once in 4 x 4 pixels
+UMBRAGE_HIGHP float umbrage_dither_threshold(UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 high = floor(whole * 0.5);
+    UMBRAGE_HIGHP vec2 above = floor(whole * 0.25);
+    UMBRAGE_HIGHP vec2 b0 = whole - high * 2.0;
+    UMBRAGE_HIGHP vec2 b1 = high - above * 2.0;
+    UMBRAGE_HIGHP float m = abs(b0.x - b0.y) * 8.0 + b0.y * 4.0 + abs(b1.x - b1.y) * 2.0 + b1.y;
+    return (m + 0.5) * (1.0 / 16.0);
+}
+`,
+            "dithered_cascade": `
+// umbrage_dithered_cascade: number of a cascade, or of the next one where its weight is above the pixel's threshold
+UMBRAGE_HIGHP float umbrage_dithered_cascade(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float weight,
+                                             UMBRAGE_HIGHP float threshold) {
+    return number + (weight > threshold ? 1.0 : 0.0);
+}
+`,
             "cube_face": `
 // umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
 UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
@@ -1015,13 +1139,6 @@ UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
 // umbrage_fetch_depth: stored depth of a texel
 UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
     return UMBRAGE_FETCH(map, size, texel);
-}
-`,
-            "inside_texel_space": `
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
-bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 `,
             "beyond_far": `
@@ -2163,6 +2280,123 @@ float3 umbrage_project_coordinate(float4 coordinate) {
     return coordinate.w > 0.0 ? p : float3(65536.0, 65536.0, 0.0);
 }
 `,
+            "cascade_by_depth": `
+// umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
+//   ends  of the first three cascades, ascending
+float umbrage_cascade_by_depth(float depth, float3 ends) {
+    float low = depth >= ends.x ? 1.0 : 0.0;
+    float high = depth >= ends.z ? 3.0 : 2.0;
+    return depth >= ends.y ? high : low;
+}
+`,
+            "cascade_column": `
+// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+float4 umbrage_cascade_column(float4x4 columns, float number) {
+    float4 low = number < 0.5 ? transpose(columns)[0] : transpose(columns)[1];
+    float4 high = number < 2.5 ? transpose(columns)[2] : transpose(columns)[3];
+    return number < 1.5 ? low : high;
+}
+`,
+            "cascade_coordinate": `
+// umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
+float3 umbrage_cascade_coordinate(float3 light, float4 scale, float4 offset) {
+    float3 start = float3(offset.x, offset.y, offset.z);
+    precise float3 at = light * float3(scale.x, scale.y, scale.z) + start;
+    return at;
+}
+`,
+            "inside_cascade": `
+// umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
+precise bool umbrage_inside_cascade(float3 coordinate, float2 size, float reach) {
+    precise float2 end = size - reach;
+    // y doubled on purpose: Mesa makes min(x, y) >= reach of two comparisons with one limit, which loses a NaN
+    bool in_x = coordinate.x >= reach && coordinate.x <= end.x;
+    bool in_y = coordinate.y * 2.0 >= reach * 2.0 && coordinate.y * 2.0 <= end.y * 2.0;
+    return in_x && in_y && coordinate.z >= 0.0 && coordinate.z <= 1.0;
+}
+`,
+            "cascade_by_projection": `
+// umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
+//   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit
+//   light            the point, rotated into the light's directions
+//   scales, offsets  of the cascades;   size  of each map;   reach  of the filter, in texels
+float4 umbrage_cascade_by_projection(float3 light, float4x4 scales, float4x4 offsets, float2 size, float reach) {
+    float3 a = umbrage_cascade_coordinate(light, transpose(scales)[0], transpose(offsets)[0]);
+    float3 b = umbrage_cascade_coordinate(light, transpose(scales)[1], transpose(offsets)[1]);
+    float3 c = umbrage_cascade_coordinate(light, transpose(scales)[2], transpose(offsets)[2]);
+    float3 d = umbrage_cascade_coordinate(light, transpose(scales)[3], transpose(offsets)[3]);
+    float4 found = float4(65536.0, 65536.0, 0.0, 4.0);
+    found = umbrage_inside_cascade(d, size, reach) ? float4(d, 3.0) : found;
+    found = umbrage_inside_cascade(c, size, reach) ? float4(c, 2.0) : found;
+    found = umbrage_inside_cascade(b, size, reach) ? float4(b, 1.0) : found;
+    return umbrage_inside_cascade(a, size, reach) ? float4(a, 0.0) : found;
+}
+`,
+            "cascade_tile": `
+// umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
+float2 umbrage_cascade_tile(float number, float size) {
+    float row = number < 1.5 ? 0.0 : 1.0;
+    return float2((number - row * 2.0) * size, row * size);
+}
+`,
+            "cascade_weight": `
+// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+float umbrage_cascade_weight(float v) {
+    float steps = v > 0.0 && v < 1.0 ? floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
+    return steps * (1.0 / 256.0);
+}
+`,
+            "cascade_fade": `
+// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
+float umbrage_cascade_fade(float depth, float scale, float offset) {
+    precise float v = depth * scale + offset;
+    return umbrage_cascade_weight(v);
+}
+`,
+            "cascade_border_fade": `
+// umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
+//   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border
+float umbrage_cascade_border_fade(float2 coordinate, float2 size, float reach, float per_texel) {
+    float2 half_size = size * 0.5;
+    precise float2 beyond = abs(coordinate - half_size) - (half_size - reach);
+    precise float2 v = beyond * per_texel + 1.0;
+    float x = umbrage_cascade_weight(v.x);
+    float y = umbrage_cascade_weight(v.y);
+    return x > y ? x : y;
+}
+`,
+            "blend_cascades": `
+// umbrage_blend_cascades: visibilities of a cascade and of the next one, which counts by weight, mixed
+float umbrage_blend_cascades(float nearer, float farther, float weight) {
+    precise float sum = nearer + (farther - nearer) * weight;
+    return weight < 1.0 ? sum : farther;
+}
+`,
+            "inside_texel_space": `
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+precise bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+`,
+            "dither_threshold": `
+// umbrage_dither_threshold: one of 16 thresholds, 1/32 to 31/32, for a position in pixels; each once in 4 x 4 pixels
+float umbrage_dither_threshold(float2 pixel) {
+    float2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : float2(0.0, 0.0);
+    float2 high = floor(whole * 0.5);
+    float2 above = floor(whole * 0.25);
+    float2 b0 = whole - high * 2.0;
+    float2 b1 = high - above * 2.0;
+    float m = abs(b0.x - b0.y) * 8.0 + b0.y * 4.0 + abs(b1.x - b1.y) * 2.0 + b1.y;
+    return (m + 0.5) * (1.0 / 16.0);
+}
+`,
+            "dithered_cascade": `
+// umbrage_dithered_cascade: number of a cascade, or of the next one where its weight is above the pixel's threshold
+float umbrage_dithered_cascade(float number, float weight, float threshold) {
+    return number + (weight > threshold ? 1.0 : 0.0);
+}
+`,
             "cube_face": `
 // umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
 float umbrage_cube_face(float3 direction) {
@@ -2843,13 +3077,6 @@ precise bool umbrage_inside_map(float2 size, float2 texel) {
 float4 umbrage_fetch_bordered(UMBRAGE_MAP map, float2 size, float2 texel, float4 border) {
     float4 value = umbrage_fetch_clamped(map, size, texel);
     return umbrage_inside_map(size, texel) ? value : border;
-}
-`,
-            "inside_texel_space": `
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
-precise bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 `,
             "is_compared": `
@@ -3901,6 +4128,124 @@ inline float3 umbrage_project_coordinate(float4 coordinate) {
     return coordinate.w > 0.0 ? p : float3(65536.0, 65536.0, 0.0);
 }
 `,
+            "cascade_by_depth": `
+// umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
+//   ends  of the first three cascades, ascending
+inline float umbrage_cascade_by_depth(float depth, float3 ends) {
+    float low = depth >= ends.x ? 1.0 : 0.0;
+    float high = depth >= ends.z ? 3.0 : 2.0;
+    return depth >= ends.y ? high : low;
+}
+`,
+            "cascade_column": `
+// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+inline float4 umbrage_cascade_column(metal::float4x4 columns, float number) {
+    float4 low = number < 0.5 ? columns[0] : columns[1];
+    float4 high = number < 2.5 ? columns[2] : columns[3];
+    return number < 1.5 ? low : high;
+}
+`,
+            "cascade_coordinate": `
+// umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
+inline float3 umbrage_cascade_coordinate(float3 light, float4 scale, float4 offset) {
+    float3 start = float3(offset.x, offset.y, offset.z);
+    float3 at = light * float3(scale.x, scale.y, scale.z) + start;
+    return at;
+}
+`,
+            "inside_cascade": `
+// umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
+inline bool umbrage_inside_cascade(float3 coordinate, float2 size, float reach) {
+    float2 end = size - reach;
+    // y doubled on purpose: Mesa makes min(x, y) >= reach of two comparisons with one limit, which loses a NaN
+    bool in_x = coordinate.x >= reach && coordinate.x <= end.x;
+    bool in_y = coordinate.y * 2.0 >= reach * 2.0 && coordinate.y * 2.0 <= end.y * 2.0;
+    return in_x && in_y && coordinate.z >= 0.0 && coordinate.z <= 1.0;
+}
+`,
+            "cascade_by_projection": `
+// umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
+//   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit
+//   light            the point, rotated into the light's directions
+//   scales, offsets  of the cascades;   size  of each map;   reach  of the filter, in texels
+inline float4 umbrage_cascade_by_projection(float3 light, metal::float4x4 scales, metal::float4x4 offsets, float2 size,
+                                            float reach) {
+    float3 a = umbrage_cascade_coordinate(light, scales[0], offsets[0]);
+    float3 b = umbrage_cascade_coordinate(light, scales[1], offsets[1]);
+    float3 c = umbrage_cascade_coordinate(light, scales[2], offsets[2]);
+    float3 d = umbrage_cascade_coordinate(light, scales[3], offsets[3]);
+    float4 found = float4(65536.0, 65536.0, 0.0, 4.0);
+    found = umbrage_inside_cascade(d, size, reach) ? float4(d, 3.0) : found;
+    found = umbrage_inside_cascade(c, size, reach) ? float4(c, 2.0) : found;
+    found = umbrage_inside_cascade(b, size, reach) ? float4(b, 1.0) : found;
+    return umbrage_inside_cascade(a, size, reach) ? float4(a, 0.0) : found;
+}
+`,
+            "cascade_tile": `
+// umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
+inline float2 umbrage_cascade_tile(float number, float size) {
+    float row = number < 1.5 ? 0.0 : 1.0;
+    return float2((number - row * 2.0) * size, row * size);
+}
+`,
+            "cascade_weight": `
+// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+inline float umbrage_cascade_weight(float v) {
+    float steps = v > 0.0 && v < 1.0 ? metal::floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
+    return steps * (1.0 / 256.0);
+}
+`,
+            "cascade_fade": `
+// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
+inline float umbrage_cascade_fade(float depth, float scale, float offset) {
+    float v = depth * scale + offset;
+    return umbrage_cascade_weight(v);
+}
+`,
+            "cascade_border_fade": `
+// umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
+//   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border
+inline float umbrage_cascade_border_fade(float2 coordinate, float2 size, float reach, float per_texel) {
+    float2 half_size = size * 0.5;
+    float2 beyond = metal::abs(coordinate - half_size) - (half_size - reach);
+    float2 v = beyond * per_texel + 1.0;
+    float x = umbrage_cascade_weight(v.x);
+    float y = umbrage_cascade_weight(v.y);
+    return x > y ? x : y;
+}
+`,
+            "blend_cascades": `
+// umbrage_blend_cascades: visibilities of a cascade and of the next one, which counts by weight, mixed
+inline float umbrage_blend_cascades(float nearer, float farther, float weight) {
+    float sum = nearer + (farther - nearer) * weight;
+    return weight < 1.0 ? sum : farther;
+}
+`,
+            "inside_texel_space": `
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+`,
+            "dither_threshold": `
+// umbrage_dither_threshold: one of 16 thresholds, 1/32 to 31/32, for a position in pixels; each once in 4 x 4 pixels
+inline float umbrage_dither_threshold(float2 pixel) {
+    float2 whole = umbrage_inside_texel_space(pixel) ? metal::floor(pixel) : float2(0.0, 0.0);
+    float2 high = metal::floor(whole * 0.5);
+    float2 above = metal::floor(whole * 0.25);
+    float2 b0 = whole - high * 2.0;
+    float2 b1 = high - above * 2.0;
+    float m = metal::abs(b0.x - b0.y) * 8.0 + b0.y * 4.0 + metal::abs(b1.x - b1.y) * 2.0 + b1.y;
+    return (m + 0.5) * (1.0 / 16.0);
+}
+`,
+            "dithered_cascade": `
+// umbrage_dithered_cascade: number of a cascade, or of the next one where its weight is above the pixel's threshold
+inline float umbrage_dithered_cascade(float number, float weight, float threshold) {
+    return number + (weight > threshold ? 1.0 : 0.0);
+}
+`,
             "cube_face": `
 // umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
 inline float umbrage_cube_face(float3 direction) {
@@ -4581,13 +4926,6 @@ inline bool umbrage_inside_map(float2 size, float2 texel) {
 inline float4 umbrage_fetch_bordered(UMBRAGE_MAP map, float2 size, float2 texel, float4 border) {
     float4 value = umbrage_fetch_clamped(map, size, texel);
     return umbrage_inside_map(size, texel) ? value : border;
-}
-`,
-            "inside_texel_space": `
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
-inline bool umbrage_inside_texel_space(float2 coord) {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
 }
 `,
             "is_compared": `
@@ -5642,6 +5980,123 @@ fn umbrage_project_coordinate(coordinate: vec4f) -> vec3f {
     return select(vec3f(65536.0, 65536.0, 0.0), p, coordinate.w > 0.0);
 }
 `,
+            "cascade_by_depth": `
+// umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
+//   ends  of the first three cascades, ascending
+fn umbrage_cascade_by_depth(depth: f32, ends: vec3f) -> f32 {
+    let low: f32 = select(0.0, 1.0, depth >= ends.x);
+    let high: f32 = select(2.0, 3.0, depth >= ends.z);
+    return select(low, high, depth >= ends.y);
+}
+`,
+            "cascade_column": `
+// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+fn umbrage_cascade_column(columns: mat4x4f, number: f32) -> vec4f {
+    let low: vec4f = select(columns[1], columns[0], number < 0.5);
+    let high: vec4f = select(columns[3], columns[2], number < 2.5);
+    return select(high, low, number < 1.5);
+}
+`,
+            "cascade_coordinate": `
+// umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
+fn umbrage_cascade_coordinate(light: vec3f, scale: vec4f, offset: vec4f) -> vec3f {
+    let start: vec3f = vec3f(offset.x, offset.y, offset.z);
+    let at: vec3f = light * vec3f(scale.x, scale.y, scale.z) + start;
+    return at;
+}
+`,
+            "inside_cascade": `
+// umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
+fn umbrage_inside_cascade(coordinate: vec3f, size: vec2f, reach: f32) -> bool {
+    let end: vec2f = size - reach;
+    // y doubled on purpose: Mesa makes min(x, y) >= reach of two comparisons with one limit, which loses a NaN
+    let in_x: bool = coordinate.x >= reach && coordinate.x <= end.x;
+    let in_y: bool = coordinate.y * 2.0 >= reach * 2.0 && coordinate.y * 2.0 <= end.y * 2.0;
+    return in_x && in_y && coordinate.z >= 0.0 && coordinate.z <= 1.0;
+}
+`,
+            "cascade_by_projection": `
+// umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
+//   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit
+//   light            the point, rotated into the light's directions
+//   scales, offsets  of the cascades;   size  of each map;   reach  of the filter, in texels
+fn umbrage_cascade_by_projection(light: vec3f, scales: mat4x4f, offsets: mat4x4f, size: vec2f, reach: f32) -> vec4f {
+    let a: vec3f = umbrage_cascade_coordinate(light, scales[0], offsets[0]);
+    let b: vec3f = umbrage_cascade_coordinate(light, scales[1], offsets[1]);
+    let c: vec3f = umbrage_cascade_coordinate(light, scales[2], offsets[2]);
+    let d: vec3f = umbrage_cascade_coordinate(light, scales[3], offsets[3]);
+    var found: vec4f = vec4f(65536.0, 65536.0, 0.0, 4.0);
+    found = select(found, vec4f(d, 3.0), umbrage_inside_cascade(d, size, reach));
+    found = select(found, vec4f(c, 2.0), umbrage_inside_cascade(c, size, reach));
+    found = select(found, vec4f(b, 1.0), umbrage_inside_cascade(b, size, reach));
+    return select(found, vec4f(a, 0.0), umbrage_inside_cascade(a, size, reach));
+}
+`,
+            "cascade_tile": `
+// umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
+fn umbrage_cascade_tile(number: f32, size: f32) -> vec2f {
+    let row: f32 = select(1.0, 0.0, number < 1.5);
+    return vec2f((number - row * 2.0) * size, row * size);
+}
+`,
+            "cascade_weight": `
+// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+fn umbrage_cascade_weight(v: f32) -> f32 {
+    let steps: f32 = select(select(0.0, 256.0, v >= 1.0), floor(v * 256.0), v > 0.0 && v < 1.0);
+    return steps * (1.0 / 256.0);
+}
+`,
+            "cascade_fade": `
+// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
+fn umbrage_cascade_fade(depth: f32, scale: f32, offset: f32) -> f32 {
+    let v: f32 = depth * scale + offset;
+    return umbrage_cascade_weight(v);
+}
+`,
+            "cascade_border_fade": `
+// umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
+//   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border
+fn umbrage_cascade_border_fade(coordinate: vec2f, size: vec2f, reach: f32, per_texel: f32) -> f32 {
+    let half_size: vec2f = size * 0.5;
+    let beyond: vec2f = abs(coordinate - half_size) - (half_size - reach);
+    let v: vec2f = beyond * per_texel + 1.0;
+    let x: f32 = umbrage_cascade_weight(v.x);
+    let y: f32 = umbrage_cascade_weight(v.y);
+    return select(y, x, x > y);
+}
+`,
+            "blend_cascades": `
+// umbrage_blend_cascades: visibilities of a cascade and of the next one, which counts by weight, mixed
+fn umbrage_blend_cascades(nearer: f32, farther: f32, weight: f32) -> f32 {
+    let sum: f32 = nearer + (farther - nearer) * weight;
+    return select(farther, sum, weight < 1.0);
+}
+`,
+            "inside_texel_space": `
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+fn umbrage_inside_texel_space(coord: vec2f) -> bool {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+`,
+            "dither_threshold": `
+// umbrage_dither_threshold: one of 16 thresholds, 1/32 to 31/32, for a position in pixels; each once in 4 x 4 pixels
+fn umbrage_dither_threshold(pixel: vec2f) -> f32 {
+    let whole: vec2f = select(vec2f(0.0, 0.0), floor(pixel), umbrage_inside_texel_space(pixel));
+    let high: vec2f = floor(whole * 0.5);
+    let above: vec2f = floor(whole * 0.25);
+    let b0: vec2f = whole - high * 2.0;
+    let b1: vec2f = high - above * 2.0;
+    let m: f32 = abs(b0.x - b0.y) * 8.0 + b0.y * 4.0 + abs(b1.x - b1.y) * 2.0 + b1.y;
+    return (m + 0.5) * (1.0 / 16.0);
+}
+`,
+            "dithered_cascade": `
+// umbrage_dithered_cascade: number of a cascade, or of the next one where its weight is above the pixel's threshold
+fn umbrage_dithered_cascade(number: f32, weight: f32, threshold: f32) -> f32 {
+    return number + select(0.0, 1.0, weight > threshold);
+}
+`,
             "cube_face": `
 // umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
 fn umbrage_cube_face(direction: vec3f) -> f32 {
@@ -6322,13 +6777,6 @@ fn umbrage_inside_map(size: vec2f, texel: vec2f) -> bool {
 fn umbrage_fetch_bordered(UMBRAGE_MAP map, size: vec2f, texel: vec2f, border: vec4f) -> vec4f {
     let value: vec4f = umbrage_fetch_clamped(map, size, texel);
     return select(border, value, umbrage_inside_map(size, texel));
-}
-`,
-            "inside_texel_space": `
-// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
-fn umbrage_inside_texel_space(coord: vec2f) -> bool {
-    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
-    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
 }
 `,
             "is_compared": `
@@ -7349,6 +7797,19 @@ const rows = [
     ["shadow_coordinate", "shadow_coordinate", "world to texels and depth, before the division", "b", 0, 0, "100", "none", false, []],
     ["tap_coordinate", "tap_coordinate", "a tap's coordinate from the middle's, before the division", "b", 0, 0, "100", "none", false, []],
     ["project_coordinate", "project_coordinate", "the division by w, lit behind the light", "c", 1, 0, "100", "none", false, []],
+    ["cascade_by_depth", "cascade_by_depth", "cascade that a view depth falls into", "a", 0, 0, "100", "none", false, []],
+    ["cascade_column", "cascade_column", "one of four columns, without an index", "a", 0, 0, "100", "none", false, []],
+    ["cascade_coordinate", "cascade_coordinate", "a point in the map of one cascade", "b", 0, 0, "100", "none", false, []],
+    ["inside_cascade", "inside_cascade", "coordinates whose filter stays inside a cascade", "b", 0, 0, "100", "none", false, []],
+    ["cascade_by_projection", "cascade_by_projection", "first cascade that holds a point and its filter", "b", 0, 0, "100", "none", false, ["cascade_coordinate", "inside_cascade"]],
+    ["cascade_tile", "cascade_tile", "first texel of a cascade in an atlas", "a", 0, 0, "100", "none", false, []],
+    ["cascade_weight", "cascade_weight", "a weight in steps of 1/256", "a", 0, 0, "100", "none", false, []],
+    ["cascade_fade", "cascade_fade", "weight of the next cascade, by view depth", "b", 0, 0, "100", "none", false, ["cascade_weight"]],
+    ["cascade_border_fade", "cascade_border_fade", "weight of the next cascade, by distance from the border", "b", 0, 0, "100", "none", false, ["cascade_weight"]],
+    ["blend_cascades", "blend_cascades", "two cascades' visibilities, mixed", "b", 0, 0, "100", "none", false, []],
+    ["inside_texel_space", "inside_texel_space", "coordinates a filter can take", "a", 0, 0, "100", "none", false, []],
+    ["dither_threshold", "dither_threshold", "one of 16 thresholds for a pixel", "a", 0, 0, "100", "none", false, ["inside_texel_space"]],
+    ["dithered_cascade", "dithered_cascade", "a cascade, or by its weight the next one", "a", 0, 0, "100", "none", false, []],
     ["cube_face", "cube_face", "face of a cube that a direction meets", "a", 0, 0, "100", "none", false, []],
     ["cube_coordinate", "cube_coordinate", "face, and where on it, that a direction meets", "c", 1, 0, "100", "none", false, ["cube_face"]],
     ["cube_direction", "cube_direction", "direction to a point of a cube's face", "b", 0, 0, "100", "none", false, []],
@@ -7431,7 +7892,6 @@ const rows = [
     ["inside_map", "inside_map", "whether a texel is one of the map's", "a", 0, 0, "100", "none", false, []],
     ["fetch_bordered", "fetch_bordered", "texel of a map, outside a border value", "a", 0, 0, "100", "none", false, ["fetch_clamped", "inside_map"]],
     ["fetch_depth", "fetch_depth", "stored depth of a texel", "a", 0, 0, "100", "fetch_depth", false, ["fetch_clamped", "fetch_bordered", "cleared_depth"]],
-    ["inside_texel_space", "inside_texel_space", "coordinates a filter can take", "a", 0, 0, "100", "none", false, []],
     ["beyond_far", "beyond_far", "receivers behind the far plane", "a", 0, 0, "100", "beyond_far", false, []],
     ["is_compared", "is_compared", "receivers that a filter compares; it takes the others as lit", "a", 0, 0, "100", "none", false, ["inside_texel_space", "beyond_far"]],
     ["compare", "compare", "one comparison", "a", 0, 0, "100", "compare", false, []],
@@ -7539,4 +7999,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, inside_texel_space, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

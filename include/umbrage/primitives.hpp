@@ -42,6 +42,10 @@
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/bounds.hpp>
+#include <umbrage/light/cascades/blend.hpp>
+#include <umbrage/light/cascades/cascades.hpp>
+#include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/cube_map.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/directional_light.hpp>

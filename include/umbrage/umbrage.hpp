@@ -8,6 +8,7 @@
 #include <umbrage/filter/filters.hpp>
 
 #include <umbrage/images/blur.hpp>
+#include <umbrage/images/depth_span.hpp>
 #include <umbrage/images/encode.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/min_max.hpp>

@@ -5409,154 +5409,187 @@ struct hull {
 
 }  // namespace umbrage
 
-// ---- umbrage/light/cube_map.hpp
-// Six square maps around a point light: which of them a direction meets and where, as textures of cubes have it, or as
-// six tiles of an atlas.
+// ---- umbrage/light/cascades/blend.hpp
+// From one cascade to the next without a line: both looked up and mixed, or one of them, chosen from pixel to pixel.
 //
-//     glm::vec3 at = umbrage::cube_coordinate(world - light);                      // (s, t, face)
-//     auto face = atlas.view().region(umbrage::cube_tile(int(at.z), size), {size, size});
-//     float visibility = umbrage::pcf_2x2(umbrage::clamped(face), glm::vec2(at) * float(size), depth);
+//     float weight = umbrage::cascade_fade(view_depth, scale.w, offset.w);        // of the next cascade
+//     visibility = umbrage::blend_cascades(visibility, visibility_of_next, weight);
+//     number = umbrage::dithered_cascade(number, weight, umbrage::dither_threshold(pixel));  // or this, looked up once
 //
+// Weights are multiples of 1/256, so that mixing visibilities of pcf_2x2, multiples of 2^-16, rounds nothing.
 
 namespace umbrage {
 
-/// Which way a face's camera looks and what is up for it, NDC y = -1 in its first row.
-struct cube_axes {
-    glm::ivec3 forward, up;
-};
-
-/// Faces in the order of their numbers: +x, -x, +y, -y, +z, -z. A right-handed view along them with 90 degrees each way
-/// has its NDC x and y where cube_coordinate has 2 s - 1 and 2 t - 1.
-/// @cite   OpenGL 4.6 specification, table 8.19: selection of cube map images
-inline const std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
-                                                  {{-1, 0, 0}, {0, -1, 0}},
-                                                  {{0, 1, 0}, {0, 0, 1}},
-                                                  {{0, -1, 0}, {0, 0, -1}},
-                                                  {{0, 0, 1}, {0, -1, 0}},
-                                                  {{0, 0, -1}, {0, -1, 0}}}};
-
-/// The face that a direction from the cube's middle meets.
-/// @param direction   of any length; where two faces meet, x goes before y and y before z
-/// @return            0 .. 5; where a NaN leaves no greatest component, 4 or 5
-/// @exactness         A: comparisons
+/// A weight in steps of 1/256.
+/// @param v       any; from 1 up 1, from 0 down and NaN 0
+/// @exactness     A
 template <real T>
-[[nodiscard]] constexpr int cube_face(glm::vec<3, T> direction) {
-    const auto magnitude = [](T v) { return v < T(0) ? -v : v; };
-    const auto at_least = [](T a, T b) { return !is_nan(a) && !is_nan(b) && a >= b; };
-    const T x = magnitude(direction.x), y = magnitude(direction.y), z = magnitude(direction.z);
-    const int axis = at_least(x, y) ? (at_least(x, z) ? 0 : 2) : (at_least(y, z) ? 1 : 2);
-    return 2 * axis + (!is_nan(direction[axis]) && direction[axis] < T(0) ? 1 : 0);
+[[nodiscard]] constexpr T cascade_weight(T v) {
+    if (is_nan(v) || !(v > T(0))) return T(0);
+    return v < T(1) ? T(static_cast<int>(v * T(256))) * T(1.0 / 256.0) : T(1);
 }
 
-/// Where on its face a direction meets the cube.
-/// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
-/// @return            (s, t, face): s and t from 0 to 1 over the face, times its size a filter's coordinate
-/// @formula           s = (sc + |m|) / 2|m|, t = (tc + |m|) / 2|m|, m the greatest component
-/// @exactness         C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
-/// @cite              OpenGL 4.6 specification, table 8.19
+/// Weight of the next cascade, growing towards the end of one.
+/// @param depth           along the camera's axis
+/// @param scale, offset   of the weight, the w of a cascade's own
+/// @return                0 .. 1 in steps of 1/256; NaN gives 0
+/// @formula               depth scale + offset
+/// @exactness             B: a product and a sum
 template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> cube_coordinate(glm::vec<3, T> direction) {
-    const int face = cube_face(direction), axis = face / 2;
-    const T m = direction[axis] < T(0) ? -direction[axis] : direction[axis];
-    const T flip = face % 2 == 0 ? T(1) : T(-1);
-    const T sc = axis == 0 ? direction.z * -flip : axis == 1 ? direction.x : direction.x * flip;
-    const T tc = axis == 1 ? direction.z * flip : -direction.y;
-    return {(sc + m) / (m + m), (tc + m) / (m + m), T(face)};
+[[nodiscard]] constexpr T cascade_fade(T depth, T scale, T offset) {
+    return cascade_weight(depth * scale + offset);
 }
 
-/// The direction to a point of a face: cube_coordinate's inverse.
-/// @param face   0 .. 5;   st  from 0 to 1 over the face
-/// @return       its greatest component is 1 or -1
-/// @exactness    B: 2 s - 1 rounds once
+/// Weight of the next cascade, growing towards the border of one's map: for selection by projection.
+/// @param coordinate   in texels;   size  of the map, in texels
+/// @param reach        of the filter, in texels: where the weight is 1
+/// @param per_texel    weight a texel: 1 / width of the band along the border
+/// @return             0 .. 1 in steps of 1/256; NaN gives 0
+/// @formula            1 - (distance from the border - reach) per_texel, where the border is nearest
+/// @exactness          B
 template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> cube_direction(T face, glm::vec<2, T> st) {
-    const T u = st.x * T(2) - T(1), v = st.y * T(2) - T(1);
-    if (face < T(0.5)) return {T(1), -v, -u};
-    if (face < T(1.5)) return {T(-1), -v, u};
-    if (face < T(2.5)) return {u, T(1), v};
-    if (face < T(3.5)) return {u, T(-1), -v};
-    if (face < T(4.5)) return {u, -v, T(1)};
-    return {-u, -v, T(-1)};
+[[nodiscard]] T cascade_border_fade(glm::vec<2, T> coordinate, glm::vec<2, T> size, T reach, T per_texel) {
+    const glm::vec<2, T> half = size * T(0.5);
+    const auto weight = [&](T c, T h) {
+        const T beyond = glm::abs(c - h) - (h - reach);
+        return cascade_weight(beyond * per_texel + T(1));
+    };
+    return glm::max(weight(coordinate.x, half.x), weight(coordinate.y, half.y));
 }
 
-/// First texel of a face in an atlas of 3 x 2 tiles: +x, -x, +y in the first row.
-/// @param face   0 .. 5;   size  of a tile, in texels
-/// @exactness    A
-[[nodiscard]] inline glm::ivec2 cube_tile(int face, int size) { return {face % 3 * size, face / 3 * size}; }
+/// Two cascades' visibilities, mixed.
+/// @param weight    of the farther cascade's, 0 .. 1
+/// @formula         nearer + (farther - nearer) weight, from weight 1 on farther alone
+/// @exactness       B; nothing rounds where visibilities are multiples of 2^-16 and weights of 1/256
+template <real T>
+[[nodiscard]] constexpr T blend_cascades(T nearer, T farther, T weight) {
+    return weight < T(1) ? nearer + (farther - nearer) * weight : farther;
+}
+
+/// A pixel's threshold, each of 16 once in every 4 x 4 of them, spread as evenly as can be.
+/// @param pixel     whole numbers or positions in pixels; of 2^15 and more, and NaN, all have the first
+/// @return          1/32, 3/32 .. 31/32
+/// @formula         (m + 1/2) / 16, m's bits from the highest: x0 xor y0, y0, x1 xor y1, y1, of x and y modulo 4
+/// @exactness       A
+/// @cite            Bayer: An optimum method for two-level rendition of continuous-tone pictures, ICC 1973
+template <real T>
+[[nodiscard]] T dither_threshold(glm::vec<2, T> pixel) {
+    if (!inside_texel_space(pixel)) return T(1.0 / 32.0);
+    const glm::vec<2, T> whole = glm::floor(pixel);
+    const glm::vec<2, T> high = glm::floor(whole * T(0.5)), above = glm::floor(whole * T(0.25));
+    const glm::vec<2, T> b0 = whole - high * T(2), b1 = high - above * T(2);
+    const T m = glm::abs(b0.x - b0.y) * T(8) + b0.y * T(4) + glm::abs(b1.x - b1.y) * T(2) + b1.y;
+    return (m + T(0.5)) * T(1.0 / 16.0);
+}
+
+/// The cascade that a pixel looks its shadow up in.
+/// @param number      of the cascade;   weight  of the next one, in steps of 1/256
+/// @param threshold   dither_threshold
+/// @return            number, or the next one where weight is above threshold
+/// @exactness         A
+template <real T>
+[[nodiscard]] constexpr T dithered_cascade(T number, T weight, T threshold) {
+    return number + (weight > threshold ? T(1) : T(0));
+}
 
 namespace glsl {
 
-inline constexpr snippet cube_face{
-    .name = "cube_face",
-    .summary = "face of a cube that a direction meets",
+inline constexpr snippet cascade_weight{
+    .name = "cascade_weight",
+    .summary = "a weight in steps of 1/256",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
-UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
-    UMBRAGE_HIGHP vec3 m = abs(direction);
-    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 1.0 : 0.0;
-    UMBRAGE_HIGHP float y = direction.y < 0.0 ? 3.0 : 2.0;
-    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 5.0 : 4.0;
-    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
-    return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
+// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP float steps = v > 0.0 && v < 1.0 ? floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
+    return steps * (1.0 / 256.0);
 }
 )GLSL",
 };
 
-inline constexpr snippet cube_coordinate{
-    .name = "cube_coordinate",
-    .summary = "face, and where on it, that a direction meets",
-    .exactness = tier::c,
-    .ulp = 1,
-    .needs = list<&cube_face>,
+inline constexpr snippet cascade_fade{
+    .name = "cascade_fade",
+    .summary = "weight of the next cascade, by view depth",
+    .exactness = tier::b,
+    .needs = list<&cascade_weight>,
     .source = R"GLSL(
-// umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
-UMBRAGE_HIGHP vec3 umbrage_cube_coordinate(UMBRAGE_HIGHP vec3 direction) {
-    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
-    bool on_x = face < 1.5;
-    bool on_y = face > 1.5 && face < 3.5;
-    UMBRAGE_HIGHP float along = on_x ? direction.x : (on_y ? direction.y : direction.z);
-    UMBRAGE_HIGHP float m = abs(along);
-    UMBRAGE_HIGHP float z = along < 0.0 ? -direction.z : direction.z;
-    UMBRAGE_HIGHP float x = along < 0.0 ? -direction.x : direction.x;
-    UMBRAGE_HIGHP float sc = on_x ? -z : (on_y ? direction.x : x);
-    UMBRAGE_HIGHP float tc = on_y ? z : -direction.y;
-    return vec3((sc + m) / (m + m), (tc + m) / (m + m), face);
+// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
+UMBRAGE_HIGHP float umbrage_cascade_fade(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float scale,
+                                         UMBRAGE_HIGHP float offset) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float v = depth * scale + offset;
+    return umbrage_cascade_weight(v);
 }
 )GLSL",
 };
 
-inline constexpr snippet cube_direction{
-    .name = "cube_direction",
-    .summary = "direction to a point of a cube's face",
+inline constexpr snippet cascade_border_fade{
+    .name = "cascade_border_fade",
+    .summary = "weight of the next cascade, by distance from the border",
+    .exactness = tier::b,
+    .needs = list<&cascade_weight>,
+    .source = R"GLSL(
+// umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
+//   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border
+UMBRAGE_HIGHP float umbrage_cascade_border_fade(UMBRAGE_HIGHP vec2 coordinate, UMBRAGE_HIGHP vec2 size,
+                                                UMBRAGE_HIGHP float reach, UMBRAGE_HIGHP float per_texel) {
+    UMBRAGE_HIGHP vec2 half_size = size * 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 beyond = abs(coordinate - half_size) - (half_size - reach);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 v = beyond * per_texel + 1.0;
+    UMBRAGE_HIGHP float x = umbrage_cascade_weight(v.x);
+    UMBRAGE_HIGHP float y = umbrage_cascade_weight(v.y);
+    return x > y ? x : y;
+}
+)GLSL",
+};
+
+inline constexpr snippet blend_cascades{
+    .name = "blend_cascades",
+    .summary = "two cascades' visibilities, mixed",
     .exactness = tier::b,
     .source = R"GLSL(
-// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
-UMBRAGE_HIGHP vec3 umbrage_cube_direction(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 st) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float u = st.x * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float v = st.y * 2.0 - 1.0;
-    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(1.0, -v, -u) : vec3(-1.0, -v, u);
-    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(u, 1.0, v) : vec3(u, -1.0, -v);
-    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(u, -v, 1.0) : vec3(-u, -v, -1.0);
-    return face < 1.5 ? x : (face < 3.5 ? y : z);
+// umbrage_blend_cascades: visibilities of a cascade and of the next one, which counts by weight, mixed
+UMBRAGE_HIGHP float umbrage_blend_cascades(UMBRAGE_HIGHP float nearer, UMBRAGE_HIGHP float farther,
+                                           UMBRAGE_HIGHP float weight) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = nearer + (farther - nearer) * weight;
+    return weight < 1.0 ? sum : farther;
 }
 )GLSL",
 };
 
-inline constexpr snippet cube_tile{
-    .name = "cube_tile",
-    .summary = "first texel of a face in an atlas",
+inline constexpr snippet dither_threshold{
+    .name = "dither_threshold",
+    .summary = "one of 16 thresholds for a pixel",
+    .exactness = tier::a,
+    .needs = list<&inside_texel_space>,
+    .source = R"GLSL(
+// umbrage_dither_threshold: one of 16 thresholds, 1/32 to 31/32, for a position in pixels; each once in 4 x 4 pixels
+UMBRAGE_HIGHP float umbrage_dither_threshold(UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 high = floor(whole * 0.5);
+    UMBRAGE_HIGHP vec2 above = floor(whole * 0.25);
+    UMBRAGE_HIGHP vec2 b0 = whole - high * 2.0;
+    UMBRAGE_HIGHP vec2 b1 = high - above * 2.0;
+    UMBRAGE_HIGHP float m = abs(b0.x - b0.y) * 8.0 + b0.y * 4.0 + abs(b1.x - b1.y) * 2.0 + b1.y;
+    return (m + 0.5) * (1.0 / 16.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet dithered_cascade{
+    .name = "dithered_cascade",
+    .summary = "a cascade, or by its weight the next one",
     .exactness = tier::a,
     .source = R"GLSL(
-// umbrage_cube_tile: first texel of a face, 0.0 to 5.0, in an atlas of 3 x 2 tiles of size texels
-UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP float size) {
-    UMBRAGE_HIGHP float row = face < 2.5 ? 0.0 : 1.0;
-    return vec2((face - row * 3.0) * size, row * size);
+// umbrage_dithered_cascade: number of a cascade, or of the next one where its weight is above the pixel's threshold
+UMBRAGE_HIGHP float umbrage_dithered_cascade(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float weight,
+                                             UMBRAGE_HIGHP float threshold) {
+    return number + (weight > threshold ? 1.0 : 0.0);
 }
 )GLSL",
 };
 
-inline constexpr auto cube_map_snippets = list<&cube_face, &cube_coordinate, &cube_direction, &cube_tile>;
+inline constexpr auto blend_snippets =
+    list<&cascade_weight, &cascade_fade, &cascade_border_fade, &blend_cascades, &dither_threshold, &dithered_cascade>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -5748,6 +5781,573 @@ template <real T = float>
     return detail::checked(space, function, depths);
 }
 
+}  // namespace umbrage
+
+// ---- umbrage/light/cascades/cascades.hpp
+// Cascades of a directional light: a map for each part of the camera's range, all of one rotation.
+//
+//     const umbrage::cascade_fit<float> fit{
+//         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f};
+//     const auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);
+//     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
+//     for (const auto& c : cascades) draw_depths(c.light);                   // a depth pass each
+//     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // see select.hpp for what takes them
+//
+
+namespace umbrage {
+
+/// One part of the camera's range and its map.
+template <real T>
+struct cascade {
+    light_space<T> light;                      ///< for the depth pass; its view is a rotation, one for
+                                               ///< all cascades
+    glm::vec<4, T> scale{T(0)}, offset{T(0)};  ///< from rotated points to texels and depth; w: 0
+    T begin = T(0), end = T(0);                ///< distances along the camera's axis
+};
+
+template <real T = float>
+struct cascade_fit {
+    frustum<T> camera{};                          ///< but for its planes, in place of which there are splits
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; of the world, as maps turn with it
+    bounding_box<T> scene{};                      ///< all casters and receivers
+    int map_size = 1024;                          ///< of each cascade, texels
+    T margin = T(2);                              ///< texels around: the filter's reach
+    T overlap = T(0);                             ///< share of a cascade that the next one holds too, 0 .. 1
+    clip_space clip{};
+};
+
+namespace detail {
+
+/// A fitted light, whose view is a rotation, as a cascade.
+template <real T>
+[[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, int map_size, const char* function) {
+    const glm::dmat4& p = light.projection;
+    const double half = map_size * 0.5, upward = light.clip.origin == texture_origin::bottom ? 1 : -1;
+    const double depth = light.clip.range == depth_range::zero_to_one ? 1 : 0.5;
+    const glm::dvec4 scale(p[0][0] * half, p[1][1] * half * upward, p[2][2] * depth, 0.0);
+    const glm::dvec4 offset((p[3][0] + 1) * half, (p[3][1] * upward + 1) * half, p[3][2] * depth + (1 - depth), 0.0);
+    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(p), light.clip};
+    const cascade<T> c{checked(cast, function, "camera, splits and scene"), glm::vec<4, T>(scale),
+                       glm::vec<4, T>(offset)};
+    const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
+    require(normal && all_finite(c.scale) && all_finite(c.offset), function, "camera, splits and scene",
+            "give too large or too small a cascade");
+    return c;
+}
+
+/// A cascade for each part, of light(frustum) in double.
+template <std::size_t Count, real T, class Light>
+[[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
+                                                          const std::array<T, Count + 1>& splits, const char* function,
+                                                          Light&& light) {
+    require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits", "must not begin below 0");
+    for (std::size_t i = 0; i < Count; ++i)
+        require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits", "must be in order");
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+    require(double(fit.map_size) - 2 * double(fit.margin) > 1, function, "map_size", "must be above 2 margin + 1");
+    require(fit.overlap >= T(0) && fit.overlap <= T(1), function, "overlap", "must lie between 0 and 1");
+    frustum<double> part{glm::dvec3(fit.camera.position), glm::dvec3(fit.camera.direction), glm::dvec3(fit.camera.up),
+                         double(fit.camera.tan_half_x), double(fit.camera.tan_half_y)};
+    std::array<cascade<T>, Count> all;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const double before = i > 0 ? double(splits[i]) - double(splits[i - 1]) : 0;
+        part.z_near = double(splits[i]) - double(fit.overlap) * before;
+        part.z_far = double(splits[i + 1]);
+        all[i] = as_cascade<T>(light(part), fit.map_size, function);
+        all[i].begin = splits[i];
+        all[i].end = splits[i + 1];
+    }
+    return all;
+}
+
+}  // namespace detail
+
+/// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
+/// camera's frustum, which does not change as the camera turns, and moves by whole texels.
+///
+/// Offsets are whole numbers, so that in float as in double a world point moves through a map by exactly as much, up to
+/// 2^23 texels from the world's origin: draw depths from rotated points by the projection alone, and what a map shows of
+/// a point keeps its bits too. In float, one matrix for both may move it by a hundredth of a texel.
+///
+/// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
+/// @return         the nearest first, from split to split
+/// @throws std::invalid_argument  splits out of order, map_size, margin or overlap out of range; what sphere_around and
+///                                fit_directional_light complain of; and what gives matrices that are not finite
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
+                                                                 const std::array<T, Count + 1>& splits) {
+    auto all = detail::make_cascades<Count>(fit, splits, "make_stable_cascades", [&](const frustum<double>& part) {
+        const double around = double(fit.margin);
+        return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
+                                              .up = glm::dvec3(fit.up),
+                                              .receivers = sphere_around(part),
+                                              .casters = bounding_box<double>{fit.scene.low, fit.scene.high},
+                                              .margin = around / (fit.map_size - 1 - 2 * around),
+                                              .snap_texels = fit.map_size,
+                                              .clip = fit.clip});
+    });
+    for (cascade<T>& c : all)
+        for (glm::length_t i = 0; i < 2; ++i) c.offset[i] = std::nearbyint(c.offset[i]);
+    return all;
+}
+
+/// Cascades of the greatest resolution: each map holds what its part of the camera's frustum has in common with the
+/// scene, and no more; where that is nothing, its part of the frustum. Texels change their size and place as the camera
+/// moves. The rest as for make_stable_cascades; the margin is that many texels or more.
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
+                                                                const std::array<T, Count + 1>& splits) {
+    return detail::make_cascades<Count>(fit, splits, "make_tight_cascades", [&](const frustum<double>& part) {
+        const bounding_box<double> scene{fit.scene.low, fit.scene.high};
+        const polyhedron seen = intersection(part, scene);
+        return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
+                                              .up = glm::dvec3(fit.up),
+                                              .receivers = seen.empty() ? hull(part) : hull(seen),
+                                              .casters = scene,
+                                              .margin = double(fit.margin) / (fit.map_size - 2 * double(fit.margin)),
+                                              .clip = fit.clip});
+    });
+}
+
+/// What a shader of up to four cascades takes: see select.hpp and blend.hpp.
+template <real T>
+struct cascade_uniforms {
+    glm::mat<4, 4, T> rotation{T(1)};               ///< world to the light's directions, for shadow_coordinate
+    glm::mat<4, 4, T> scales{T(0)}, offsets{T(0)};  ///< columns: a cascade's each; w: of cascade_fade
+    glm::vec<3, T> ends{T(0)};                      ///< of the cascades but the last, for cascade_by_depth
+};
+
+/// @param fade   share of each cascade over which the next one takes over, 0 .. 1; after the last, full light. As much
+///               overlap must have been asked for
+/// @return       where there are fewer than four, nothing falls into the others by depth or by projection
+/// @throws std::invalid_argument  fade out of range
+template <real T, std::size_t Count>
+[[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
+    static_assert(Count >= 1 && Count <= 4);
+    detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "must lie between 0 and 1");
+    cascade_uniforms<T> u;
+    u.rotation = cascades[0].light.view;
+    u.ends = glm::vec<3, T>(std::numeric_limits<T>::max());
+    for (glm::length_t i = 0; i < 4; ++i) {
+        if (i >= static_cast<glm::length_t>(Count)) {
+            u.offsets[i] = {T(65536), T(65536), T(0), T(0)};
+            continue;
+        }
+        const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
+        u.scales[i] = c.scale;
+        u.offsets[i] = c.offset;
+        if (const T width = fade * (c.end - c.begin); width > T(0)) {
+            u.scales[i].w = T(1) / width;
+            u.offsets[i].w = T(1) - c.end / width;
+        }
+        if (i + 1 < static_cast<glm::length_t>(Count)) u.ends[i] = c.end;
+    }
+    return u;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/cascades/select.hpp
+// Which of a directional light's cascades a receiver looks its shadow up in, and where in it: one rotation for all, a
+// scale and an offset for each.
+//
+//     glm::vec3 light(umbrage::shadow_coordinate(u.rotation, world));
+//     float number = umbrage::cascade_by_depth(view_depth, u.ends);
+//     glm::vec3 at = umbrage::cascade_coordinate(light, umbrage::cascade_column(u.scales, number),
+//                                                umbrage::cascade_column(u.offsets, number));
+//     float visibility = umbrage::pcf_2x2(umbrage::clamped(maps[int(number)]), glm::vec2(at), at.z - bias);
+//
+// In shaders the number is an array's layer, or chooses a tile of an atlas. Where arrays of uniforms take an index that
+// differs from pixel to pixel, they do for cascade_column.
+
+namespace umbrage {
+
+/// The cascade that a distance from the camera falls into.
+/// @param depth   along the camera's axis; NaN gives 0
+/// @param ends    of the first cascades but not of the last, ascending; infinity for one that is not there
+/// @return        0 .. 3. Ends of more cascades: the sum over them, three at a time
+/// @exactness     A: comparisons
+template <real T>
+[[nodiscard]] constexpr T cascade_by_depth(T depth, glm::vec<3, T> ends) {
+    const auto reaches = [depth](T end) { return !is_nan(depth) && depth >= end; };
+    return reaches(ends.y) ? (reaches(ends.z) ? T(3) : T(2)) : (reaches(ends.x) ? T(1) : T(0));
+}
+
+/// One of four columns.
+/// @param number   0 .. 3; above 3 the last
+/// @exactness      A
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> cascade_column(const glm::mat<4, 4, T>& columns, T number) {
+    return number < T(1.5) ? (number < T(0.5) ? columns[0] : columns[1]) : (number < T(2.5) ? columns[2] : columns[3]);
+}
+
+/// A point in the map of one cascade.
+/// @param light           the point, rotated into the light's directions
+/// @param scale, offset   of the cascade, see cascade; their w is not used
+/// @return                (x, y) in texels, depth: what filters take, without a division
+/// @formula               light scale + offset
+/// @exactness             B: a product and a sum each
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cascade_coordinate(glm::vec<3, T> light, glm::vec<4, T> scale,
+                                                          glm::vec<4, T> offset) {
+    return {light.x * scale.x + offset.x, light.y * scale.y + offset.y, light.z * scale.z + offset.z};
+}
+
+/// True for a coordinate whose filter stays inside the map, between the near and the far plane.
+/// @param size    of the map, in texels;   reach  of the filter, in texels
+/// @exactness     B: differences, exact where size and reach are multiples of 1/16
+template <real T>
+[[nodiscard]] constexpr bool inside_cascade(glm::vec<3, T> coordinate, glm::vec<2, T> size, T reach) {
+    const auto within = [](T low, T v, T high) { return !is_nan(v) && v >= low && v <= high; };
+    return within(reach, coordinate.x, size.x - reach) && within(reach, coordinate.y, size.y - reach) &&
+           within(T(0), coordinate.z, T(1));
+}
+
+/// The first cascade that holds a point and its filter, which is the finest, and where in it.
+/// @param light            the point, rotated into the light's directions
+/// @param scales, offsets  of four cascades, as cascade_coordinate takes them; see make_cascade_uniforms for fewer
+/// @param size             of each map, in texels;   reach  of the filter, in texels
+/// @return                 (x, y) in texels, depth, number; (65536, 65536, 0, 4), which every filter takes as lit,
+///                         where none holds it
+/// @exactness              B
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> cascade_by_projection(glm::vec<3, T> light, const glm::mat<4, 4, T>& scales,
+                                                             const glm::mat<4, 4, T>& offsets, glm::vec<2, T> size,
+                                                             T reach) {
+    for (glm::length_t i = 0; i < 4; ++i) {
+        const glm::vec<3, T> at = cascade_coordinate(light, scales[i], offsets[i]);
+        if (inside_cascade(at, size, reach)) return {at.x, at.y, at.z, T(i)};
+    }
+    return {T(65536), T(65536), T(0), T(4)};
+}
+
+/// First texel of a cascade in an atlas of 2 x 2 tiles.
+/// @param number   0 .. 3;   size  of a tile, in texels
+/// @exactness      A
+[[nodiscard]] inline glm::ivec2 cascade_tile(int number, int size) { return {number % 2 * size, number / 2 * size}; }
+
+namespace glsl {
+
+inline constexpr snippet cascade_by_depth{
+    .name = "cascade_by_depth",
+    .summary = "cascade that a view depth falls into",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
+//   ends  of the first three cascades, ascending
+UMBRAGE_HIGHP float umbrage_cascade_by_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec3 ends) {
+    UMBRAGE_HIGHP float low = depth >= ends.x ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float high = depth >= ends.z ? 3.0 : 2.0;
+    return depth >= ends.y ? high : low;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_column{
+    .name = "cascade_column",
+    .summary = "one of four columns, without an index",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+UMBRAGE_HIGHP vec4 umbrage_cascade_column(UMBRAGE_HIGHP mat4 columns, UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP vec4 low = number < 0.5 ? columns[0] : columns[1];
+    UMBRAGE_HIGHP vec4 high = number < 2.5 ? columns[2] : columns[3];
+    return number < 1.5 ? low : high;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_coordinate{
+    .name = "cascade_coordinate",
+    .summary = "a point in the map of one cascade",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
+UMBRAGE_HIGHP vec3 umbrage_cascade_coordinate(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP vec4 scale,
+                                              UMBRAGE_HIGHP vec4 offset) {
+    UMBRAGE_HIGHP vec3 start = vec3(offset.x, offset.y, offset.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 at = light * vec3(scale.x, scale.y, scale.z) + start;
+    return at;
+}
+)GLSL",
+};
+
+inline constexpr snippet inside_cascade{
+    .name = "inside_cascade",
+    .summary = "coordinates whose filter stays inside a cascade",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
+bool umbrage_inside_cascade(UMBRAGE_HIGHP vec3 coordinate, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float reach) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 end = size - reach;
+    // y doubled on purpose: Mesa makes min(x, y) >= reach of two comparisons with one limit, which loses a NaN
+    bool in_x = coordinate.x >= reach && coordinate.x <= end.x;
+    bool in_y = coordinate.y * 2.0 >= reach * 2.0 && coordinate.y * 2.0 <= end.y * 2.0;
+    return in_x && in_y && coordinate.z >= 0.0 && coordinate.z <= 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_by_projection{
+    .name = "cascade_by_projection",
+    .summary = "first cascade that holds a point and its filter",
+    .exactness = tier::b,
+    .needs = list<&cascade_coordinate, &inside_cascade>,
+    .source = R"GLSL(
+// umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
+//   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit
+//   light            the point, rotated into the light's directions
+//   scales, offsets  of the cascades;   size  of each map;   reach  of the filter, in texels
+UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP mat4 scales,
+                                                 UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec2 size,
+                                                 UMBRAGE_HIGHP float reach) {
+    UMBRAGE_HIGHP vec3 a = umbrage_cascade_coordinate(light, scales[0], offsets[0]);
+    UMBRAGE_HIGHP vec3 b = umbrage_cascade_coordinate(light, scales[1], offsets[1]);
+    UMBRAGE_HIGHP vec3 c = umbrage_cascade_coordinate(light, scales[2], offsets[2]);
+    UMBRAGE_HIGHP vec3 d = umbrage_cascade_coordinate(light, scales[3], offsets[3]);
+    UMBRAGE_HIGHP vec4 found = vec4(65536.0, 65536.0, 0.0, 4.0);
+    found = umbrage_inside_cascade(d, size, reach) ? vec4(d, 3.0) : found;
+    found = umbrage_inside_cascade(c, size, reach) ? vec4(c, 2.0) : found;
+    found = umbrage_inside_cascade(b, size, reach) ? vec4(b, 1.0) : found;
+    return umbrage_inside_cascade(a, size, reach) ? vec4(a, 0.0) : found;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_tile{
+    .name = "cascade_tile",
+    .summary = "first texel of a cascade in an atlas",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
+UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP float row = number < 1.5 ? 0.0 : 1.0;
+    return vec2((number - row * 2.0) * size, row * size);
+}
+)GLSL",
+};
+
+inline constexpr auto select_snippets = list<&cascade_by_depth, &cascade_column, &cascade_coordinate, &inside_cascade,
+                                             &cascade_by_projection, &cascade_tile>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/light/cascades/splits.hpp
+// Where a camera's range is cut into cascades.
+//
+//     auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);  // five distances, from 0.5 to 300
+//
+// Any other ascending distances do as well: these of one's own, or these with another first one, so that what is right
+// in front of the camera does not claim cascades.
+
+namespace umbrage {
+
+/// Between even splits and those by which distances grow by one factor.
+///
+/// @tparam Count           cascades
+/// @param z_near, z_far    distances along the camera's axis, 0 < z_near < z_far
+/// @param lambda           0 even, 1 by one factor
+/// @return                 Count + 1 distances, strictly ascending; the first and the last are z_near and z_far
+/// @throws std::invalid_argument  anything else, and a range too short to be cut
+/// @formula                lambda n (f / n)^(i / Count) + (1 - lambda) (n + (f - n) i / Count)
+/// @cite                   Zhang, Sun, Xu, Lun: Parallel-split shadow maps for large-scale virtual environments, 2006
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<T, Count + 1> practical_splits(T z_near, T z_far, T lambda) {
+    static_assert(Count > 0);
+    constexpr auto function = "practical_splits";
+    detail::require(is_finite(z_near) && z_near > T(0), function, "z_near", "must be finite and above 0");
+    detail::require(is_finite(z_far) && z_far > z_near, function, "z_far", "must be finite and above z_near");
+    detail::require(is_finite(lambda) && lambda >= T(0) && lambda <= T(1), function, "lambda",
+                    "must lie between 0 and 1");
+    const double n = static_cast<double>(z_near), f = static_cast<double>(z_far), log_n = std::log(n);
+    const double share = static_cast<double>(lambda), log_range = std::log(f) - log_n;  // f / n may overflow
+    std::array<T, Count + 1> splits;
+    splits[0] = z_near;
+    for (std::size_t i = 1; i < Count; ++i) {
+        const double at = static_cast<double>(i) / static_cast<double>(Count);
+        splits[i] = static_cast<T>(share * std::exp(log_n + log_range * at) + (1 - share) * (n + (f - n) * at));
+    }
+    splits[Count] = z_far;
+    for (std::size_t i = 0; i < Count; ++i)
+        detail::require(splits[i] < splits[i + 1], function, "z_near and z_far", "are too close together");
+    return splits;
+}
+
+/// Even splits.
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<T, Count + 1> uniform_splits(T z_near, T z_far) {
+    return practical_splits<Count>(z_near, z_far, T(0));
+}
+
+/// Splits that grow by one factor, so that a texel covers as many pixels in every cascade.
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<T, Count + 1> logarithmic_splits(T z_near, T z_far) {
+    return practical_splits<Count>(z_near, z_far, T(1));
+}
+
+/// Splits as shares of the range, which some engines take.
+/// @return   (split - n) / (f - n): 0 .. 1
+template <real T, std::size_t Size>
+[[nodiscard]] std::array<T, Size> split_shares(const std::array<T, Size>& splits) {
+    std::array<T, Size> shares;
+    for (std::size_t i = 0; i < Size; ++i) shares[i] = (splits[i] - splits.front()) / (splits.back() - splits.front());
+    return shares;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/cube_map.hpp
+// Six square maps around a point light: which of them a direction meets and where, as textures of cubes have it, or as
+// six tiles of an atlas.
+//
+//     glm::vec3 at = umbrage::cube_coordinate(world - light);                      // (s, t, face)
+//     auto face = atlas.view().region(umbrage::cube_tile(int(at.z), size), {size, size});
+//     float visibility = umbrage::pcf_2x2(umbrage::clamped(face), glm::vec2(at) * float(size), depth);
+//
+
+namespace umbrage {
+
+/// Which way a face's camera looks and what is up for it, NDC y = -1 in its first row.
+struct cube_axes {
+    glm::ivec3 forward, up;
+};
+
+/// Faces in the order of their numbers: +x, -x, +y, -y, +z, -z. A right-handed view along them with 90 degrees each way
+/// has its NDC x and y where cube_coordinate has 2 s - 1 and 2 t - 1.
+/// @cite   OpenGL 4.6 specification, table 8.19: selection of cube map images
+inline const std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
+                                                  {{-1, 0, 0}, {0, -1, 0}},
+                                                  {{0, 1, 0}, {0, 0, 1}},
+                                                  {{0, -1, 0}, {0, 0, -1}},
+                                                  {{0, 0, 1}, {0, -1, 0}},
+                                                  {{0, 0, -1}, {0, -1, 0}}}};
+
+/// The face that a direction from the cube's middle meets.
+/// @param direction   of any length; where two faces meet, x goes before y and y before z
+/// @return            0 .. 5; where a NaN leaves no greatest component, 4 or 5
+/// @exactness         A: comparisons
+template <real T>
+[[nodiscard]] constexpr int cube_face(glm::vec<3, T> direction) {
+    const auto magnitude = [](T v) { return v < T(0) ? -v : v; };
+    const auto at_least = [](T a, T b) { return !is_nan(a) && !is_nan(b) && a >= b; };
+    const T x = magnitude(direction.x), y = magnitude(direction.y), z = magnitude(direction.z);
+    const int axis = at_least(x, y) ? (at_least(x, z) ? 0 : 2) : (at_least(y, z) ? 1 : 2);
+    return 2 * axis + (!is_nan(direction[axis]) && direction[axis] < T(0) ? 1 : 0);
+}
+
+/// Where on its face a direction meets the cube.
+/// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
+/// @return            (s, t, face): s and t from 0 to 1 over the face, times its size a filter's coordinate
+/// @formula           s = (sc + |m|) / 2|m|, t = (tc + |m|) / 2|m|, m the greatest component
+/// @exactness         C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+/// @cite              OpenGL 4.6 specification, table 8.19
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_coordinate(glm::vec<3, T> direction) {
+    const int face = cube_face(direction), axis = face / 2;
+    const T m = direction[axis] < T(0) ? -direction[axis] : direction[axis];
+    const T flip = face % 2 == 0 ? T(1) : T(-1);
+    const T sc = axis == 0 ? direction.z * -flip : axis == 1 ? direction.x : direction.x * flip;
+    const T tc = axis == 1 ? direction.z * flip : -direction.y;
+    return {(sc + m) / (m + m), (tc + m) / (m + m), T(face)};
+}
+
+/// The direction to a point of a face: cube_coordinate's inverse.
+/// @param face   0 .. 5;   st  from 0 to 1 over the face
+/// @return       its greatest component is 1 or -1
+/// @exactness    B: 2 s - 1 rounds once
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_direction(T face, glm::vec<2, T> st) {
+    const T u = st.x * T(2) - T(1), v = st.y * T(2) - T(1);
+    if (face < T(0.5)) return {T(1), -v, -u};
+    if (face < T(1.5)) return {T(-1), -v, u};
+    if (face < T(2.5)) return {u, T(1), v};
+    if (face < T(3.5)) return {u, T(-1), -v};
+    if (face < T(4.5)) return {u, -v, T(1)};
+    return {-u, -v, T(-1)};
+}
+
+/// First texel of a face in an atlas of 3 x 2 tiles: +x, -x, +y in the first row.
+/// @param face   0 .. 5;   size  of a tile, in texels
+/// @exactness    A
+[[nodiscard]] inline glm::ivec2 cube_tile(int face, int size) { return {face % 3 * size, face / 3 * size}; }
+
+namespace glsl {
+
+inline constexpr snippet cube_face{
+    .name = "cube_face",
+    .summary = "face of a cube that a direction meets",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 m = abs(direction);
+    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float y = direction.y < 0.0 ? 3.0 : 2.0;
+    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 5.0 : 4.0;
+    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_coordinate{
+    .name = "cube_coordinate",
+    .summary = "face, and where on it, that a direction meets",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&cube_face>,
+    .source = R"GLSL(
+// umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
+UMBRAGE_HIGHP vec3 umbrage_cube_coordinate(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    bool on_x = face < 1.5;
+    bool on_y = face > 1.5 && face < 3.5;
+    UMBRAGE_HIGHP float along = on_x ? direction.x : (on_y ? direction.y : direction.z);
+    UMBRAGE_HIGHP float m = abs(along);
+    UMBRAGE_HIGHP float z = along < 0.0 ? -direction.z : direction.z;
+    UMBRAGE_HIGHP float x = along < 0.0 ? -direction.x : direction.x;
+    UMBRAGE_HIGHP float sc = on_x ? -z : (on_y ? direction.x : x);
+    UMBRAGE_HIGHP float tc = on_y ? z : -direction.y;
+    return vec3((sc + m) / (m + m), (tc + m) / (m + m), face);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_direction{
+    .name = "cube_direction",
+    .summary = "direction to a point of a cube's face",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
+UMBRAGE_HIGHP vec3 umbrage_cube_direction(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 st) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float u = st.x * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float v = st.y * 2.0 - 1.0;
+    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(1.0, -v, -u) : vec3(-1.0, -v, u);
+    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(u, 1.0, v) : vec3(u, -1.0, -v);
+    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(u, -v, 1.0) : vec3(-u, -v, -1.0);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_tile{
+    .name = "cube_tile",
+    .summary = "first texel of a face in an atlas",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cube_tile: first texel of a face, 0.0 to 5.0, in an atlas of 3 x 2 tiles of size texels
+UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP float row = face < 2.5 ? 0.0 : 1.0;
+    return vec2((face - row * 3.0) * size, row * size);
+}
+)GLSL",
+};
+
+inline constexpr auto cube_map_snippets = list<&cube_face, &cube_coordinate, &cube_direction, &cube_tile>;
+
+}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/light/directional_light.hpp
@@ -8118,6 +8718,80 @@ template <class From, class To, class ParallelFor = serial>
 requires detail::some_image<From, To>
 void blur(const From& from, To&& to, const blur_kernel& kernel, ParallelFor&& parallel = {}) {
     blur(detail::view_of(from), detail::view_of(to), kernel, parallel);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/depth_span.hpp
+// Between which distances a camera sees anything, so that cascades cover no more than that.
+//
+//     const auto seen = umbrage::measure_depths(camera_depths.view(), umbrage::cleared_depth(clip));
+//     const glm::vec2 range = umbrage::seen_range(seen, z_near, z_far, clip.direction);
+//     auto splits = umbrage::logarithmic_splits<4>(range.x, range.y);
+//
+
+namespace umbrage {
+
+/// Least and greatest of some depths.
+struct depth_span {
+    float least = std::numeric_limits<float>::max(), greatest = std::numeric_limits<float>::lowest();
+    [[nodiscard]] bool empty() const { return least > greatest; }
+};
+
+/// @param depths     any values; NaN and texels of the cleared depth, where nothing was drawn, do not count
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @exactness        A: selects, never computes
+/// @cite             Lauritzen, Salvi, Lefohn: Sample distribution shadow maps, I3D 2011
+template <class ParallelFor = serial>
+[[nodiscard]] depth_span measure_depths(image_view<const float> depths, float cleared, ParallelFor&& parallel = {}) {
+    constexpr auto lowest = std::numeric_limits<std::int32_t>::min(),
+                   highest = std::numeric_limits<std::int32_t>::max();
+    struct ends {
+        std::int32_t least = highest, greatest = lowest;
+    };
+    std::vector<ends> rows(depths.empty() ? 0 : static_cast<std::size_t>(depths.size.y));
+    const std::int32_t empty = detail::order_key(cleared);
+    parallel(static_cast<int>(rows.size()), [&](int first, int last) {
+        detail::on_best_isa([&](auto) UMBRAGE_INLINE {
+            for (int y = first; y < last; ++y) {
+                const float* row = depths.row(y);
+                ends found;
+                for (int x = 0; x < depths.size.x; ++x) {
+                    const std::int32_t key = detail::order_key(row[x]);
+                    const std::int32_t kept = detail::number_mask(row[x]) & -std::int32_t(key != empty);
+                    const std::int32_t low = (key & kept) | (highest & ~kept), high = (key & kept) | (lowest & ~kept);
+                    found.least = low < found.least ? low : found.least;
+                    found.greatest = high > found.greatest ? high : found.greatest;
+                }
+                rows[static_cast<std::size_t>(y)] = found;
+            }
+        });
+    });
+    ends all;
+    for (const ends& row : rows) {
+        all.least = row.least < all.least ? row.least : all.least;
+        all.greatest = row.greatest > all.greatest ? row.greatest : all.greatest;
+    }
+    if (all.least > all.greatest) return {};
+    return {detail::from_order_key(all.least), detail::from_order_key(all.greatest)};
+}
+
+/// Distances along a camera's axis between which its depths lie, and a thousandth more, which they may have lost to
+/// rounding.
+/// @param seen             depths in [0, 1] of a perspective camera
+/// @param z_near, z_far    the camera's, 0 < z_near < z_far; z_far may be infinite
+/// @return                 x < y within z_near .. z_far: all of it where nothing is seen
+template <real T>
+[[nodiscard]] glm::vec<2, T> seen_range(const depth_span& seen, T z_near, T z_far, depth_direction direction) {
+    if (seen.empty()) return {z_near, z_far};
+    const bool forward = direction == depth_direction::forward;
+    const T nearest = static_cast<T>(forward ? seen.least : seen.greatest);
+    const T farthest = static_cast<T>(forward ? seen.greatest : seen.least);
+    const auto distance = [&](T depth) {
+        return forward ? view_z_from_depth(depth, z_near, z_far) : view_z_from_reversed_depth(depth, z_near, z_far);
+    };
+    return {glm::max(distance(nearest) * T(1.0 - 1.0 / 1024), z_near),
+            glm::min(distance(farthest) * T(1.0 + 1.0 / 1024), z_far)};
 }
 
 }  // namespace umbrage
@@ -11555,7 +12229,7 @@ inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr
 inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::all*>(nullptr));
 
 // The rooms.
-inline constexpr auto light = collect(texture_matrix_snippets, cube_map_snippets);
+inline constexpr auto light = collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes =
     collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);

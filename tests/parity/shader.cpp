@@ -14,6 +14,7 @@ using umbrage::glsl::texture;
 namespace {
 
 constexpr std::string_view vec2_in[]{"vec2", "float2", "float2", "vec2f"};
+constexpr std::string_view vec3_in[]{"vec3", "float3", "float3", "vec3f"};
 constexpr std::string_view vec4_in[]{"vec4", "float4", "float4", "vec4f"};
 
 std::string pair(ivec2 v, dialect::language in) {
@@ -49,11 +50,13 @@ umbrage::glsl::binding bound_map::binding(dialect::language in) const {
 
 std::string bound_map::arguments(dialect::language in) const {
     const std::string map = name + (has_sampler(in) ? ", " + name + "_sampler" : "");
+    std::string chosen = which;
+    if (const auto at = chosen.find("vec3"); at != chosen.npos) chosen.replace(at, 4, vec3_in[in]);
     switch (as.texture) {
-        case texture::atlas: return map + (as.origin.empty() ? ", " + pair(origin, in) : "");
+        case texture::atlas: return map + (as.origin.empty() ? ", " + (which.empty() ? pair(origin, in) : chosen) : "");
         case texture::array:
         case texture::depth_array:
-        case texture::shadow_array: return map + ", 1.0";
+        case texture::shadow_array: return map + ", " + (which.empty() ? "1.0" : chosen);
         case texture::cube: return map + ", 3.0";
         default: return map;
     }

@@ -57,7 +57,7 @@ std::vector<std::string> functions_in(const std::string& header) {
     const std::regex inside("namespace detail \\{[^]*?\\}  // namespace detail");
     const std::string users = std::regex_replace(header, inside, "");
     const std::regex function(
-        "(?:^|\n)(?:\\[\\[nodiscard\\]\\] )?(?:inline |constexpr )*[a-zA-Z_:][\\w:<>, ]* (\\w+)\\(");
+        "(?:^|\n)(?:\\[\\[nodiscard\\]\\] )?(?:inline |constexpr )*[a-zA-Z_:][\\w:<>, +]* (\\w+)\\(");
     std::vector<std::string> names;
     for (std::sregex_iterator i(users.begin(), users.end(), function), end; i != end; ++i)
         if (std::find(names.begin(), names.end(), (*i)[1]) == names.end()) names.push_back((*i)[1]);
@@ -132,7 +132,8 @@ std::string filters() {
 
 std::string functions(const std::filesystem::path& folder) {
     std::map<std::string, std::string> rows;  // in the order of the headers' names
-    for (const auto& file : std::filesystem::directory_iterator(folder)) {
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder)) {
+        if (file.is_directory()) continue;
         std::ifstream in(file.path());
         const std::string header{std::istreambuf_iterator<char>(in), {}};
         std::string names;
@@ -140,7 +141,7 @@ std::string functions(const std::filesystem::path& folder) {
             if (!name.starts_with("umbrage_") &&
                 std::none_of(glsl::registry.begin(), glsl::registry.end(), [&](auto* s) { return s->name == name; }))
                 names += (names.empty() ? "" : ", ") + code(name);
-        const std::string place = folder.filename().string() + "/" + file.path().filename().string();
+        const std::string place = std::filesystem::relative(file.path(), folder.parent_path()).generic_string();
         if (!names.empty())
             rows[place] = "| " + names + " | " + opening_sentence(header) + " | " + code(place) + " |\n";
     }

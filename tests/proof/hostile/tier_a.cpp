@@ -17,6 +17,8 @@
 #include <umbrage/depth/foreign/threejs_legacy.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
+#include <umbrage/light/cascades/blend.hpp>
+#include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cube_map.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/view/overlay_texel.hpp>
@@ -152,6 +154,25 @@ void suite::all() const {
             return glm::ivec2(face, s.below(4096));
         },
         [](glm::ivec2 v) { return glm::vec2(cube_tile(v.x, v.y)); });
+    run(
+        "cascade_by_depth", inputs, [](source& s) { return s.level() * 4.0f; },
+        [](float depth) { return cascade_by_depth(depth, glm::vec3(1.0f, 1.5f, 3.25f)); });
+    run(
+        "cascade_column", inputs, [](source& s) { return float(s.below(5)); },
+        [](float number) { return cascade_column(glm::mat4(1.0f), number); });
+    run(
+        "cascade_tile", inputs, [](source& s) { return glm::ivec2(s.below(4), s.below(4096)); },
+        [](glm::ivec2 v) { return glm::vec2(cascade_tile(v.x, v.y)); });
+    run("cascade_weight", inputs, any, [](float v) { return cascade_weight(v); });
+    run(
+        "dither_threshold", inputs, [](source& s) { return s.coords(); },
+        [](glm::vec2 pixel) { return dither_threshold(pixel); });
+    run(
+        "dithered_cascade", inputs,
+        [](source& s) {
+            return glm::vec3(float(s.below(4)), float(s.below(257)) / 256.0f, float(s.below(16)) / 16.0f);
+        },
+        [](glm::vec3 v) { return dithered_cascade(v.x, v.y, v.z); });
 
     run(
         "inside_texel_space", inputs, [](source& s) { return s.coords(); },

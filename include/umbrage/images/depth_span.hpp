@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// Between which distances a camera sees anything, so that cascades cover no more than that.
+//
+//     const auto seen = umbrage::measure_depths(camera_depths.view(), umbrage::cleared_depth(clip));
+//     const glm::vec2 range = umbrage::seen_range(seen, z_near, z_far, clip.direction);
+//     auto splits = umbrage::logarithmic_splits<4>(range.x, range.y);
+//
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+
+#include <umbrage/clip_space.hpp>
+#include <umbrage/depth/kinds.hpp>
+#include <umbrage/image.hpp>
+#include <umbrage/images/parallel.hpp>
+#include <umbrage/simd/bits.hpp>
+#include <umbrage/simd/dispatch.hpp>
+
+namespace umbrage {
+
+/// Least and greatest of some depths.
+struct depth_span {
+    float least = std::numeric_limits<float>::max(), greatest = std::numeric_limits<float>::lowest();
+    [[nodiscard]] bool empty() const { return least > greatest; }
+};
+
+/// @param depths     any values; NaN and texels of the cleared depth, where nothing was drawn, do not count
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @exactness        A: selects, never computes
+/// @cite             Lauritzen, Salvi, Lefohn: Sample distribution shadow maps, I3D 2011
+template <class ParallelFor = serial>
+[[nodiscard]] depth_span measure_depths(image_view<const float> depths, float cleared, ParallelFor&& parallel = {}) {
+    constexpr auto lowest = std::numeric_limits<std::int32_t>::min(),
+                   highest = std::numeric_limits<std::int32_t>::max();
+    struct ends {
+        std::int32_t least = highest, greatest = lowest;
+    };
+    std::vector<ends> rows(depths.empty() ? 0 : static_cast<std::size_t>(depths.size.y));
+    const std::int32_t empty = detail::order_key(cleared);
+    parallel(static_cast<int>(rows.size()), [&](int first, int last) {
+        detail::on_best_isa([&](auto) UMBRAGE_INLINE {
+            for (int y = first; y < last; ++y) {
+                const float* row = depths.row(y);
+                ends found;
+                for (int x = 0; x < depths.size.x; ++x) {
+                    const std::int32_t key = detail::order_key(row[x]);
+                    const std::int32_t kept = detail::number_mask(row[x]) & -std::int32_t(key != empty);
+                    const std::int32_t low = (key & kept) | (highest & ~kept), high = (key & kept) | (lowest & ~kept);
+                    found.least = low < found.least ? low : found.least;
+                    found.greatest = high > found.greatest ? high : found.greatest;
+                }
+                rows[static_cast<std::size_t>(y)] = found;
+            }
+        });
+    });
+    ends all;
+    for (const ends& row : rows) {
+        all.least = row.least < all.least ? row.least : all.least;
+        all.greatest = row.greatest > all.greatest ? row.greatest : all.greatest;
+    }
+    if (all.least > all.greatest) return {};
+    return {detail::from_order_key(all.least), detail::from_order_key(all.greatest)};
+}
+
+/// Distances along a camera's axis between which its depths lie, and a thousandth more, which they may have lost to
+/// rounding.
+/// @param seen             depths in [0, 1] of a perspective camera
+/// @param z_near, z_far    the camera's, 0 < z_near < z_far; z_far may be infinite
+/// @return                 x < y within z_near .. z_far: all of it where nothing is seen
+template <real T>
+[[nodiscard]] glm::vec<2, T> seen_range(const depth_span& seen, T z_near, T z_far, depth_direction direction) {
+    if (seen.empty()) return {z_near, z_far};
+    const bool forward = direction == depth_direction::forward;
+    const T nearest = static_cast<T>(forward ? seen.least : seen.greatest);
+    const T farthest = static_cast<T>(forward ? seen.greatest : seen.least);
+    const auto distance = [&](T depth) {
+        return forward ? view_z_from_depth(depth, z_near, z_far) : view_z_from_reversed_depth(depth, z_near, z_far);
+    };
+    return {glm::max(distance(nearest) * T(1.0 - 1.0 / 1024), z_near),
+            glm::min(distance(farthest) * T(1.0 + 1.0 / 1024), z_far)};
+}
+
+}  // namespace umbrage

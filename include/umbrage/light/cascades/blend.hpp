@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+//
+// From one cascade to the next without a line: both looked up and mixed, or one of them, chosen from pixel to pixel.
+//
+//     float weight = umbrage::cascade_fade(view_depth, scale.w, offset.w);        // of the next cascade
+//     visibility = umbrage::blend_cascades(visibility, visibility_of_next, weight);
+//     number = umbrage::dithered_cascade(number, weight, umbrage::dither_threshold(pixel));  // or this, looked up once
+//
+// Weights are multiples of 1/256, so that mixing visibilities of pcf_2x2, multiples of 2^-16, rounds nothing.
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+
+#include <umbrage/filter/texel_space.hpp>
+#include <umbrage/scalar.hpp>
+#include <umbrage/shader/snippet.hpp>
+
+namespace umbrage {
+
+/// A weight in steps of 1/256.
+/// @param v       any; from 1 up 1, from 0 down and NaN 0
+/// @exactness     A
+template <real T>
+[[nodiscard]] constexpr T cascade_weight(T v) {
+    if (is_nan(v) || !(v > T(0))) return T(0);
+    return v < T(1) ? T(static_cast<int>(v * T(256))) * T(1.0 / 256.0) : T(1);
+}
+
+/// Weight of the next cascade, growing towards the end of one.
+/// @param depth           along the camera's axis
+/// @param scale, offset   of the weight, the w of a cascade's own
+/// @return                0 .. 1 in steps of 1/256; NaN gives 0
+/// @formula               depth scale + offset
+/// @exactness             B: a product and a sum
+template <real T>
+[[nodiscard]] constexpr T cascade_fade(T depth, T scale, T offset) {
+    return cascade_weight(depth * scale + offset);
+}
+
+/// Weight of the next cascade, growing towards the border of one's map: for selection by projection.
+/// @param coordinate   in texels;   size  of the map, in texels
+/// @param reach        of the filter, in texels: where the weight is 1
+/// @param per_texel    weight a texel: 1 / width of the band along the border
+/// @return             0 .. 1 in steps of 1/256; NaN gives 0
+/// @formula            1 - (distance from the border - reach) per_texel, where the border is nearest
+/// @exactness          B
+template <real T>
+[[nodiscard]] T cascade_border_fade(glm::vec<2, T> coordinate, glm::vec<2, T> size, T reach, T per_texel) {
+    const glm::vec<2, T> half = size * T(0.5);
+    const auto weight = [&](T c, T h) {
+        const T beyond = glm::abs(c - h) - (h - reach);
+        return cascade_weight(beyond * per_texel + T(1));
+    };
+    return glm::max(weight(coordinate.x, half.x), weight(coordinate.y, half.y));
+}
+
+/// Two cascades' visibilities, mixed.
+/// @param weight    of the farther cascade's, 0 .. 1
+/// @formula         nearer + (farther - nearer) weight, from weight 1 on farther alone
+/// @exactness       B; nothing rounds where visibilities are multiples of 2^-16 and weights of 1/256
+template <real T>
+[[nodiscard]] constexpr T blend_cascades(T nearer, T farther, T weight) {
+    return weight < T(1) ? nearer + (farther - nearer) * weight : farther;
+}
+
+/// A pixel's threshold, each of 16 once in every 4 x 4 of them, spread as evenly as can be.
+/// @param pixel     whole numbers or positions in pixels; of 2^15 and more, and NaN, all have the first
+/// @return          1/32, 3/32 .. 31/32
+/// @formula         (m + 1/2) / 16, m's bits from the highest: x0 xor y0, y0, x1 xor y1, y1, of x and y modulo 4
+/// @exactness       A
+/// @cite            Bayer: An optimum method for two-level rendition of continuous-tone pictures, ICC 1973
+template <real T>
+[[nodiscard]] T dither_threshold(glm::vec<2, T> pixel) {
+    if (!inside_texel_space(pixel)) return T(1.0 / 32.0);
+    const glm::vec<2, T> whole = glm::floor(pixel);
+    const glm::vec<2, T> high = glm::floor(whole * T(0.5)), above = glm::floor(whole * T(0.25));
+    const glm::vec<2, T> b0 = whole - high * T(2), b1 = high - above * T(2);
+    const T m = glm::abs(b0.x - b0.y) * T(8) + b0.y * T(4) + glm::abs(b1.x - b1.y) * T(2) + b1.y;
+    return (m + T(0.5)) * T(1.0 / 16.0);
+}
+
+/// The cascade that a pixel looks its shadow up in.
+/// @param number      of the cascade;   weight  of the next one, in steps of 1/256
+/// @param threshold   dither_threshold
+/// @return            number, or the next one where weight is above threshold
+/// @exactness         A
+template <real T>
+[[nodiscard]] constexpr T dithered_cascade(T number, T weight, T threshold) {
+    return number + (weight > threshold ? T(1) : T(0));
+}
+
+namespace glsl {
+
+inline constexpr snippet cascade_weight{
+    .name = "cascade_weight",
+    .summary = "a weight in steps of 1/256",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP float steps = v > 0.0 && v < 1.0 ? floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
+    return steps * (1.0 / 256.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_fade{
+    .name = "cascade_fade",
+    .summary = "weight of the next cascade, by view depth",
+    .exactness = tier::b,
+    .needs = list<&cascade_weight>,
+    .source = R"GLSL(
+// umbrage_cascade_fade: weight of the next cascade at a distance along the camera's axis; depth * scale + offset
+UMBRAGE_HIGHP float umbrage_cascade_fade(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float scale,
+                                         UMBRAGE_HIGHP float offset) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float v = depth * scale + offset;
+    return umbrage_cascade_weight(v);
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_border_fade{
+    .name = "cascade_border_fade",
+    .summary = "weight of the next cascade, by distance from the border",
+    .exactness = tier::b,
+    .needs = list<&cascade_weight>,
+    .source = R"GLSL(
+// umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
+//   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border
+UMBRAGE_HIGHP float umbrage_cascade_border_fade(UMBRAGE_HIGHP vec2 coordinate, UMBRAGE_HIGHP vec2 size,
+                                                UMBRAGE_HIGHP float reach, UMBRAGE_HIGHP float per_texel) {
+    UMBRAGE_HIGHP vec2 half_size = size * 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 beyond = abs(coordinate - half_size) - (half_size - reach);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 v = beyond * per_texel + 1.0;
+    UMBRAGE_HIGHP float x = umbrage_cascade_weight(v.x);
+    UMBRAGE_HIGHP float y = umbrage_cascade_weight(v.y);
+    return x > y ? x : y;
+}
+)GLSL",
+};
+
+inline constexpr snippet blend_cascades{
+    .name = "blend_cascades",
+    .summary = "two cascades' visibilities, mixed",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_blend_cascades: visibilities of a cascade and of the next one, which counts by weight, mixed
+UMBRAGE_HIGHP float umbrage_blend_cascades(UMBRAGE_HIGHP float nearer, UMBRAGE_HIGHP float farther,
+                                           UMBRAGE_HIGHP float weight) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = nearer + (farther - nearer) * weight;
+    return weight < 1.0 ? sum : farther;
+}
+)GLSL",
+};
+
+inline constexpr snippet dither_threshold{
+    .name = "dither_threshold",
+    .summary = "one of 16 thresholds for a pixel",
+    .exactness = tier::a,
+    .needs = list<&inside_texel_space>,
+    .source = R"GLSL(
+// umbrage_dither_threshold: one of 16 thresholds, 1/32 to 31/32, for a position in pixels; each once in 4 x 4 pixels
+UMBRAGE_HIGHP float umbrage_dither_threshold(UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 high = floor(whole * 0.5);
+    UMBRAGE_HIGHP vec2 above = floor(whole * 0.25);
+    UMBRAGE_HIGHP vec2 b0 = whole - high * 2.0;
+    UMBRAGE_HIGHP vec2 b1 = high - above * 2.0;
+    UMBRAGE_HIGHP float m = abs(b0.x - b0.y) * 8.0 + b0.y * 4.0 + abs(b1.x - b1.y) * 2.0 + b1.y;
+    return (m + 0.5) * (1.0 / 16.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet dithered_cascade{
+    .name = "dithered_cascade",
+    .summary = "a cascade, or by its weight the next one",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_dithered_cascade: number of a cascade, or of the next one where its weight is above the pixel's threshold
+UMBRAGE_HIGHP float umbrage_dithered_cascade(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float weight,
+                                             UMBRAGE_HIGHP float threshold) {
+    return number + (weight > threshold ? 1.0 : 0.0);
+}
+)GLSL",
+};
+
+inline constexpr auto blend_snippets =
+    list<&cascade_weight, &cascade_fade, &cascade_border_fade, &blend_cascades, &dither_threshold, &dithered_cascade>;
+
+}  // namespace glsl
+}  // namespace umbrage

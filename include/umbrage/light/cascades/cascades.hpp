@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+//
+// Cascades of a directional light: a map for each part of the camera's range, all of one rotation.
+//
+//     const umbrage::cascade_fit<float> fit{
+//         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f};
+//     const auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);
+//     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
+//     for (const auto& c : cascades) draw_depths(c.light);                   // a depth pass each
+//     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // see select.hpp for what takes them
+//
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <glm/common.hpp>
+#include <glm/mat4x4.hpp>
+
+#include <umbrage/light/bounds.hpp>
+#include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/light_space.hpp>
+
+namespace umbrage {
+
+/// One part of the camera's range and its map.
+template <real T>
+struct cascade {
+    light_space<T> light;                      ///< for the depth pass; its view is a rotation, one for
+                                               ///< all cascades
+    glm::vec<4, T> scale{T(0)}, offset{T(0)};  ///< from rotated points to texels and depth; w: 0
+    T begin = T(0), end = T(0);                ///< distances along the camera's axis
+};
+
+template <real T = float>
+struct cascade_fit {
+    frustum<T> camera{};                          ///< but for its planes, in place of which there are splits
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; of the world, as maps turn with it
+    bounding_box<T> scene{};                      ///< all casters and receivers
+    int map_size = 1024;                          ///< of each cascade, texels
+    T margin = T(2);                              ///< texels around: the filter's reach
+    T overlap = T(0);                             ///< share of a cascade that the next one holds too, 0 .. 1
+    clip_space clip{};
+};
+
+namespace detail {
+
+/// A fitted light, whose view is a rotation, as a cascade.
+template <real T>
+[[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, int map_size, const char* function) {
+    const glm::dmat4& p = light.projection;
+    const double half = map_size * 0.5, upward = light.clip.origin == texture_origin::bottom ? 1 : -1;
+    const double depth = light.clip.range == depth_range::zero_to_one ? 1 : 0.5;
+    const glm::dvec4 scale(p[0][0] * half, p[1][1] * half * upward, p[2][2] * depth, 0.0);
+    const glm::dvec4 offset((p[3][0] + 1) * half, (p[3][1] * upward + 1) * half, p[3][2] * depth + (1 - depth), 0.0);
+    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(p), light.clip};
+    const cascade<T> c{checked(cast, function, "camera, splits and scene"), glm::vec<4, T>(scale),
+                       glm::vec<4, T>(offset)};
+    const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
+    require(normal && all_finite(c.scale) && all_finite(c.offset), function, "camera, splits and scene",
+            "give too large or too small a cascade");
+    return c;
+}
+
+/// A cascade for each part, of light(frustum) in double.
+template <std::size_t Count, real T, class Light>
+[[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
+                                                          const std::array<T, Count + 1>& splits, const char* function,
+                                                          Light&& light) {
+    require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits", "must not begin below 0");
+    for (std::size_t i = 0; i < Count; ++i)
+        require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits", "must be in order");
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+    require(double(fit.map_size) - 2 * double(fit.margin) > 1, function, "map_size", "must be above 2 margin + 1");
+    require(fit.overlap >= T(0) && fit.overlap <= T(1), function, "overlap", "must lie between 0 and 1");
+    frustum<double> part{glm::dvec3(fit.camera.position), glm::dvec3(fit.camera.direction), glm::dvec3(fit.camera.up),
+                         double(fit.camera.tan_half_x), double(fit.camera.tan_half_y)};
+    std::array<cascade<T>, Count> all;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const double before = i > 0 ? double(splits[i]) - double(splits[i - 1]) : 0;
+        part.z_near = double(splits[i]) - double(fit.overlap) * before;
+        part.z_far = double(splits[i + 1]);
+        all[i] = as_cascade<T>(light(part), fit.map_size, function);
+        all[i].begin = splits[i];
+        all[i].end = splits[i + 1];
+    }
+    return all;
+}
+
+}  // namespace detail
+
+/// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
+/// camera's frustum, which does not change as the camera turns, and moves by whole texels.
+///
+/// Offsets are whole numbers, so that in float as in double a world point moves through a map by exactly as much, up to
+/// 2^23 texels from the world's origin: draw depths from rotated points by the projection alone, and what a map shows of
+/// a point keeps its bits too. In float, one matrix for both may move it by a hundredth of a texel.
+///
+/// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
+/// @return         the nearest first, from split to split
+/// @throws std::invalid_argument  splits out of order, map_size, margin or overlap out of range; what sphere_around and
+///                                fit_directional_light complain of; and what gives matrices that are not finite
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
+                                                                 const std::array<T, Count + 1>& splits) {
+    auto all = detail::make_cascades<Count>(fit, splits, "make_stable_cascades", [&](const frustum<double>& part) {
+        const double around = double(fit.margin);
+        return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
+                                              .up = glm::dvec3(fit.up),
+                                              .receivers = sphere_around(part),
+                                              .casters = bounding_box<double>{fit.scene.low, fit.scene.high},
+                                              .margin = around / (fit.map_size - 1 - 2 * around),
+                                              .snap_texels = fit.map_size,
+                                              .clip = fit.clip});
+    });
+    for (cascade<T>& c : all)
+        for (glm::length_t i = 0; i < 2; ++i) c.offset[i] = std::nearbyint(c.offset[i]);
+    return all;
+}
+
+/// Cascades of the greatest resolution: each map holds what its part of the camera's frustum has in common with the
+/// scene, and no more; where that is nothing, its part of the frustum. Texels change their size and place as the camera
+/// moves. The rest as for make_stable_cascades; the margin is that many texels or more.
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
+                                                                const std::array<T, Count + 1>& splits) {
+    return detail::make_cascades<Count>(fit, splits, "make_tight_cascades", [&](const frustum<double>& part) {
+        const bounding_box<double> scene{fit.scene.low, fit.scene.high};
+        const polyhedron seen = intersection(part, scene);
+        return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
+                                              .up = glm::dvec3(fit.up),
+                                              .receivers = seen.empty() ? hull(part) : hull(seen),
+                                              .casters = scene,
+                                              .margin = double(fit.margin) / (fit.map_size - 2 * double(fit.margin)),
+                                              .clip = fit.clip});
+    });
+}
+
+/// What a shader of up to four cascades takes: see select.hpp and blend.hpp.
+template <real T>
+struct cascade_uniforms {
+    glm::mat<4, 4, T> rotation{T(1)};               ///< world to the light's directions, for shadow_coordinate
+    glm::mat<4, 4, T> scales{T(0)}, offsets{T(0)};  ///< columns: a cascade's each; w: of cascade_fade
+    glm::vec<3, T> ends{T(0)};                      ///< of the cascades but the last, for cascade_by_depth
+};
+
+/// @param fade   share of each cascade over which the next one takes over, 0 .. 1; after the last, full light. As much
+///               overlap must have been asked for
+/// @return       where there are fewer than four, nothing falls into the others by depth or by projection
+/// @throws std::invalid_argument  fade out of range
+template <real T, std::size_t Count>
+[[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
+    static_assert(Count >= 1 && Count <= 4);
+    detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "must lie between 0 and 1");
+    cascade_uniforms<T> u;
+    u.rotation = cascades[0].light.view;
+    u.ends = glm::vec<3, T>(std::numeric_limits<T>::max());
+    for (glm::length_t i = 0; i < 4; ++i) {
+        if (i >= static_cast<glm::length_t>(Count)) {
+            u.offsets[i] = {T(65536), T(65536), T(0), T(0)};
+            continue;
+        }
+        const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
+        u.scales[i] = c.scale;
+        u.offsets[i] = c.offset;
+        if (const T width = fade * (c.end - c.begin); width > T(0)) {
+            u.scales[i].w = T(1) / width;
+            u.offsets[i].w = T(1) - c.end / width;
+        }
+        if (i + 1 < static_cast<glm::length_t>(Count)) u.ends[i] = c.end;
+    }
+    return u;
+}
+
+}  // namespace umbrage

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+//
+// Which of a directional light's cascades a receiver looks its shadow up in, and where in it: one rotation for all, a
+// scale and an offset for each.
+//
+//     glm::vec3 light(umbrage::shadow_coordinate(u.rotation, world));
+//     float number = umbrage::cascade_by_depth(view_depth, u.ends);
+//     glm::vec3 at = umbrage::cascade_coordinate(light, umbrage::cascade_column(u.scales, number),
+//                                                umbrage::cascade_column(u.offsets, number));
+//     float visibility = umbrage::pcf_2x2(umbrage::clamped(maps[int(number)]), glm::vec2(at), at.z - bias);
+//
+// In shaders the number is an array's layer, or chooses a tile of an atlas. Where arrays of uniforms take an index that
+// differs from pixel to pixel, they do for cascade_column.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/scalar.hpp>
+#include <umbrage/shader/snippet.hpp>
+
+namespace umbrage {
+
+/// The cascade that a distance from the camera falls into.
+/// @param depth   along the camera's axis; NaN gives 0
+/// @param ends    of the first cascades but not of the last, ascending; infinity for one that is not there
+/// @return        0 .. 3. Ends of more cascades: the sum over them, three at a time
+/// @exactness     A: comparisons
+template <real T>
+[[nodiscard]] constexpr T cascade_by_depth(T depth, glm::vec<3, T> ends) {
+    const auto reaches = [depth](T end) { return !is_nan(depth) && depth >= end; };
+    return reaches(ends.y) ? (reaches(ends.z) ? T(3) : T(2)) : (reaches(ends.x) ? T(1) : T(0));
+}
+
+/// One of four columns.
+/// @param number   0 .. 3; above 3 the last
+/// @exactness      A
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> cascade_column(const glm::mat<4, 4, T>& columns, T number) {
+    return number < T(1.5) ? (number < T(0.5) ? columns[0] : columns[1]) : (number < T(2.5) ? columns[2] : columns[3]);
+}
+
+/// A point in the map of one cascade.
+/// @param light           the point, rotated into the light's directions
+/// @param scale, offset   of the cascade, see cascade; their w is not used
+/// @return                (x, y) in texels, depth: what filters take, without a division
+/// @formula               light scale + offset
+/// @exactness             B: a product and a sum each
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cascade_coordinate(glm::vec<3, T> light, glm::vec<4, T> scale,
+                                                          glm::vec<4, T> offset) {
+    return {light.x * scale.x + offset.x, light.y * scale.y + offset.y, light.z * scale.z + offset.z};
+}
+
+/// True for a coordinate whose filter stays inside the map, between the near and the far plane.
+/// @param size    of the map, in texels;   reach  of the filter, in texels
+/// @exactness     B: differences, exact where size and reach are multiples of 1/16
+template <real T>
+[[nodiscard]] constexpr bool inside_cascade(glm::vec<3, T> coordinate, glm::vec<2, T> size, T reach) {
+    const auto within = [](T low, T v, T high) { return !is_nan(v) && v >= low && v <= high; };
+    return within(reach, coordinate.x, size.x - reach) && within(reach, coordinate.y, size.y - reach) &&
+           within(T(0), coordinate.z, T(1));
+}
+
+/// The first cascade that holds a point and its filter, which is the finest, and where in it.
+/// @param light            the point, rotated into the light's directions
+/// @param scales, offsets  of four cascades, as cascade_coordinate takes them; see make_cascade_uniforms for fewer
+/// @param size             of each map, in texels;   reach  of the filter, in texels
+/// @return                 (x, y) in texels, depth, number; (65536, 65536, 0, 4), which every filter takes as lit,
+///                         where none holds it
+/// @exactness              B
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> cascade_by_projection(glm::vec<3, T> light, const glm::mat<4, 4, T>& scales,
+                                                             const glm::mat<4, 4, T>& offsets, glm::vec<2, T> size,
+                                                             T reach) {
+    for (glm::length_t i = 0; i < 4; ++i) {
+        const glm::vec<3, T> at = cascade_coordinate(light, scales[i], offsets[i]);
+        if (inside_cascade(at, size, reach)) return {at.x, at.y, at.z, T(i)};
+    }
+    return {T(65536), T(65536), T(0), T(4)};
+}
+
+/// First texel of a cascade in an atlas of 2 x 2 tiles.
+/// @param number   0 .. 3;   size  of a tile, in texels
+/// @exactness      A
+[[nodiscard]] inline glm::ivec2 cascade_tile(int number, int size) { return {number % 2 * size, number / 2 * size}; }
+
+namespace glsl {
+
+inline constexpr snippet cascade_by_depth{
+    .name = "cascade_by_depth",
+    .summary = "cascade that a view depth falls into",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
+//   ends  of the first three cascades, ascending
+UMBRAGE_HIGHP float umbrage_cascade_by_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec3 ends) {
+    UMBRAGE_HIGHP float low = depth >= ends.x ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float high = depth >= ends.z ? 3.0 : 2.0;
+    return depth >= ends.y ? high : low;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_column{
+    .name = "cascade_column",
+    .summary = "one of four columns, without an index",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+UMBRAGE_HIGHP vec4 umbrage_cascade_column(UMBRAGE_HIGHP mat4 columns, UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP vec4 low = number < 0.5 ? columns[0] : columns[1];
+    UMBRAGE_HIGHP vec4 high = number < 2.5 ? columns[2] : columns[3];
+    return number < 1.5 ? low : high;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_coordinate{
+    .name = "cascade_coordinate",
+    .summary = "a point in the map of one cascade",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
+UMBRAGE_HIGHP vec3 umbrage_cascade_coordinate(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP vec4 scale,
+                                              UMBRAGE_HIGHP vec4 offset) {
+    UMBRAGE_HIGHP vec3 start = vec3(offset.x, offset.y, offset.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 at = light * vec3(scale.x, scale.y, scale.z) + start;
+    return at;
+}
+)GLSL",
+};
+
+inline constexpr snippet inside_cascade{
+    .name = "inside_cascade",
+    .summary = "coordinates whose filter stays inside a cascade",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
+bool umbrage_inside_cascade(UMBRAGE_HIGHP vec3 coordinate, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP float reach) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 end = size - reach;
+    // y doubled on purpose: Mesa makes min(x, y) >= reach of two comparisons with one limit, which loses a NaN
+    bool in_x = coordinate.x >= reach && coordinate.x <= end.x;
+    bool in_y = coordinate.y * 2.0 >= reach * 2.0 && coordinate.y * 2.0 <= end.y * 2.0;
+    return in_x && in_y && coordinate.z >= 0.0 && coordinate.z <= 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_by_projection{
+    .name = "cascade_by_projection",
+    .summary = "first cascade that holds a point and its filter",
+    .exactness = tier::b,
+    .needs = list<&cascade_coordinate, &inside_cascade>,
+    .source = R"GLSL(
+// umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
+//   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit
+//   light            the point, rotated into the light's directions
+//   scales, offsets  of the cascades;   size  of each map;   reach  of the filter, in texels
+UMBRAGE_HIGHP vec4 umbrage_cascade_by_projection(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP mat4 scales,
+                                                 UMBRAGE_HIGHP mat4 offsets, UMBRAGE_HIGHP vec2 size,
+                                                 UMBRAGE_HIGHP float reach) {
+    UMBRAGE_HIGHP vec3 a = umbrage_cascade_coordinate(light, scales[0], offsets[0]);
+    UMBRAGE_HIGHP vec3 b = umbrage_cascade_coordinate(light, scales[1], offsets[1]);
+    UMBRAGE_HIGHP vec3 c = umbrage_cascade_coordinate(light, scales[2], offsets[2]);
+    UMBRAGE_HIGHP vec3 d = umbrage_cascade_coordinate(light, scales[3], offsets[3]);
+    UMBRAGE_HIGHP vec4 found = vec4(65536.0, 65536.0, 0.0, 4.0);
+    found = umbrage_inside_cascade(d, size, reach) ? vec4(d, 3.0) : found;
+    found = umbrage_inside_cascade(c, size, reach) ? vec4(c, 2.0) : found;
+    found = umbrage_inside_cascade(b, size, reach) ? vec4(b, 1.0) : found;
+    return umbrage_inside_cascade(a, size, reach) ? vec4(a, 0.0) : found;
+}
+)GLSL",
+};
+
+inline constexpr snippet cascade_tile{
+    .name = "cascade_tile",
+    .summary = "first texel of a cascade in an atlas",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cascade_tile: first texel of a cascade, 0.0 to 3.0, in an atlas of 2 x 2 tiles of size texels
+UMBRAGE_HIGHP vec2 umbrage_cascade_tile(UMBRAGE_HIGHP float number, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP float row = number < 1.5 ? 0.0 : 1.0;
+    return vec2((number - row * 2.0) * size, row * size);
+}
+)GLSL",
+};
+
+inline constexpr auto select_snippets = list<&cascade_by_depth, &cascade_column, &cascade_coordinate, &inside_cascade,
+                                             &cascade_by_projection, &cascade_tile>;
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// Where a camera's range is cut into cascades.
+//
+//     auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);  // five distances, from 0.5 to 300
+//
+// Any other ascending distances do as well: these of one's own, or these with another first one, so that what is right
+// in front of the camera does not claim cascades.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <umbrage/light/light_space.hpp>
+
+namespace umbrage {
+
+/// Between even splits and those by which distances grow by one factor.
+///
+/// @tparam Count           cascades
+/// @param z_near, z_far    distances along the camera's axis, 0 < z_near < z_far
+/// @param lambda           0 even, 1 by one factor
+/// @return                 Count + 1 distances, strictly ascending; the first and the last are z_near and z_far
+/// @throws std::invalid_argument  anything else, and a range too short to be cut
+/// @formula                lambda n (f / n)^(i / Count) + (1 - lambda) (n + (f - n) i / Count)
+/// @cite                   Zhang, Sun, Xu, Lun: Parallel-split shadow maps for large-scale virtual environments, 2006
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<T, Count + 1> practical_splits(T z_near, T z_far, T lambda) {
+    static_assert(Count > 0);
+    constexpr auto function = "practical_splits";
+    detail::require(is_finite(z_near) && z_near > T(0), function, "z_near", "must be finite and above 0");
+    detail::require(is_finite(z_far) && z_far > z_near, function, "z_far", "must be finite and above z_near");
+    detail::require(is_finite(lambda) && lambda >= T(0) && lambda <= T(1), function, "lambda",
+                    "must lie between 0 and 1");
+    const double n = static_cast<double>(z_near), f = static_cast<double>(z_far), log_n = std::log(n);
+    const double share = static_cast<double>(lambda), log_range = std::log(f) - log_n;  // f / n may overflow
+    std::array<T, Count + 1> splits;
+    splits[0] = z_near;
+    for (std::size_t i = 1; i < Count; ++i) {
+        const double at = static_cast<double>(i) / static_cast<double>(Count);
+        splits[i] = static_cast<T>(share * std::exp(log_n + log_range * at) + (1 - share) * (n + (f - n) * at));
+    }
+    splits[Count] = z_far;
+    for (std::size_t i = 0; i < Count; ++i)
+        detail::require(splits[i] < splits[i + 1], function, "z_near and z_far", "are too close together");
+    return splits;
+}
+
+/// Even splits.
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<T, Count + 1> uniform_splits(T z_near, T z_far) {
+    return practical_splits<Count>(z_near, z_far, T(0));
+}
+
+/// Splits that grow by one factor, so that a texel covers as many pixels in every cascade.
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<T, Count + 1> logarithmic_splits(T z_near, T z_far) {
+    return practical_splits<Count>(z_near, z_far, T(1));
+}
+
+/// Splits as shares of the range, which some engines take.
+/// @return   (split - n) / (f - n): 0 .. 1
+template <real T, std::size_t Size>
+[[nodiscard]] std::array<T, Size> split_shares(const std::array<T, Size>& splits) {
+    std::array<T, Size> shares;
+    for (std::size_t i = 0; i < Size; ++i) shares[i] = (splits[i] - splits.front()) / (splits.back() - splits.front());
+    return shares;
+}
+
+}  // namespace umbrage

@@ -1,0 +1,26 @@
+// umbrage 0.1.0, MIT License: blend_cascades
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_BLEND_CASCADES
+#define UMBRAGE_HAS_BLEND_CASCADES
+// umbrage_blend_cascades: visibilities of a cascade and of the next one, which counts by weight, mixed
+UMBRAGE_HIGHP float umbrage_blend_cascades(UMBRAGE_HIGHP float nearer, UMBRAGE_HIGHP float farther,
+                                           UMBRAGE_HIGHP float weight) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = nearer + (farther - nearer) * weight;
+    return weight < 1.0 ? sum : farther;
+}
+#endif

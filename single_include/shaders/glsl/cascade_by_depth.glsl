@@ -1,0 +1,27 @@
+// umbrage 0.1.0, MIT License: cascade_by_depth
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CASCADE_BY_DEPTH
+#define UMBRAGE_HAS_CASCADE_BY_DEPTH
+// umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
+//   ends  of the first three cascades, ascending
+UMBRAGE_HIGHP float umbrage_cascade_by_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec3 ends) {
+    UMBRAGE_HIGHP float low = depth >= ends.x ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float high = depth >= ends.z ? 3.0 : 2.0;
+    return depth >= ends.y ? high : low;
+}
+#endif

@@ -1,0 +1,26 @@
+// umbrage 0.1.0, MIT License: cascade_column
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CASCADE_COLUMN
+#define UMBRAGE_HAS_CASCADE_COLUMN
+// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+UMBRAGE_HIGHP vec4 umbrage_cascade_column(UMBRAGE_HIGHP mat4 columns, UMBRAGE_HIGHP float number) {
+    UMBRAGE_HIGHP vec4 low = number < 0.5 ? columns[0] : columns[1];
+    UMBRAGE_HIGHP vec4 high = number < 2.5 ? columns[2] : columns[3];
+    return number < 1.5 ? low : high;
+}
+#endif

@@ -1,0 +1,27 @@
+// umbrage 0.1.0, MIT License: cascade_coordinate
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CASCADE_COORDINATE
+#define UMBRAGE_HAS_CASCADE_COORDINATE
+// umbrage_cascade_coordinate: a point, rotated into the light's directions, in a cascade's map: texels and depth
+UMBRAGE_HIGHP vec3 umbrage_cascade_coordinate(UMBRAGE_HIGHP vec3 light, UMBRAGE_HIGHP vec4 scale,
+                                              UMBRAGE_HIGHP vec4 offset) {
+    UMBRAGE_HIGHP vec3 start = vec3(offset.x, offset.y, offset.z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec3 at = light * vec3(scale.x, scale.y, scale.z) + start;
+    return at;
+}
+#endif

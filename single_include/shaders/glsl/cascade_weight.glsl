@@ -1,0 +1,25 @@
+// umbrage 0.1.0, MIT License: cascade_weight
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CASCADE_WEIGHT
+#define UMBRAGE_HAS_CASCADE_WEIGHT
+// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+UMBRAGE_HIGHP float umbrage_cascade_weight(UMBRAGE_HIGHP float v) {
+    UMBRAGE_HIGHP float steps = v > 0.0 && v < 1.0 ? floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
+    return steps * (1.0 / 256.0);
+}
+#endif

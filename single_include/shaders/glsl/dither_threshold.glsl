@@ -1,0 +1,39 @@
+// umbrage 0.1.0, MIT License: dither_threshold
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DITHER_THRESHOLD
+#define UMBRAGE_HAS_DITHER_THRESHOLD
+// umbrage_dither_threshold: one of 16 thresholds, 1/32 to 31/32, for a position in pixels; each once in 4 x 4 pixels
+UMBRAGE_HIGHP float umbrage_dither_threshold(UMBRAGE_HIGHP vec2 pixel) {
+    UMBRAGE_HIGHP vec2 whole = umbrage_inside_texel_space(pixel) ? floor(pixel) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 high = floor(whole * 0.5);
+    UMBRAGE_HIGHP vec2 above = floor(whole * 0.25);
+    UMBRAGE_HIGHP vec2 b0 = whole - high * 2.0;
+    UMBRAGE_HIGHP vec2 b1 = high - above * 2.0;
+    UMBRAGE_HIGHP float m = abs(b0.x - b0.y) * 8.0 + b0.y * 4.0 + abs(b1.x - b1.y) * 2.0 + b1.y;
+    return (m + 0.5) * (1.0 / 16.0);
+}
+#endif

@@ -1,0 +1,9 @@
+// umbrage 0.1.0, MIT License: dithered_cascade
+
+#ifndef UMBRAGE_HAS_DITHERED_CASCADE
+#define UMBRAGE_HAS_DITHERED_CASCADE
+// umbrage_dithered_cascade: number of a cascade, or of the next one where its weight is above the pixel's threshold
+float umbrage_dithered_cascade(float number, float weight, float threshold) {
+    return number + (weight > threshold ? 1.0 : 0.0);
+}
+#endif

@@ -1,0 +1,13 @@
+// umbrage 0.1.0, MIT License: inside_cascade
+
+#ifndef UMBRAGE_HAS_INSIDE_CASCADE
+#define UMBRAGE_HAS_INSIDE_CASCADE
+// umbrage_inside_cascade: whether a filter of some reach around a coordinate stays inside a map of size texels
+precise bool umbrage_inside_cascade(float3 coordinate, float2 size, float reach) {
+    precise float2 end = size - reach;
+    // y doubled on purpose: Mesa makes min(x, y) >= reach of two comparisons with one limit, which loses a NaN
+    bool in_x = coordinate.x >= reach && coordinate.x <= end.x;
+    bool in_y = coordinate.y * 2.0 >= reach * 2.0 && coordinate.y * 2.0 <= end.y * 2.0;
+    return in_x && in_y && coordinate.z >= 0.0 && coordinate.z <= 1.0;
+}
+#endif

@@ -1,0 +1,14 @@
+// umbrage 0.1.0, MIT License: blend_cascades
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_BLEND_CASCADES
+#define UMBRAGE_HAS_BLEND_CASCADES
+// umbrage_blend_cascades: visibilities of a cascade and of the next one, which counts by weight, mixed
+inline float umbrage_blend_cascades(float nearer, float farther, float weight) {
+    float sum = nearer + (farther - nearer) * weight;
+    return weight < 1.0 ? sum : farther;
+}
+#endif

@@ -1,0 +1,28 @@
+// umbrage 0.1.0, MIT License: cascade_border_fade
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CASCADE_WEIGHT
+#define UMBRAGE_HAS_CASCADE_WEIGHT
+// umbrage_cascade_weight: v taken down to steps of 1/256, from 0.0 to 1.0; NaN is 0.0
+inline float umbrage_cascade_weight(float v) {
+    float steps = v > 0.0 && v < 1.0 ? metal::floor(v * 256.0) : (v >= 1.0 ? 256.0 : 0.0);
+    return steps * (1.0 / 256.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CASCADE_BORDER_FADE
+#define UMBRAGE_HAS_CASCADE_BORDER_FADE
+// umbrage_cascade_border_fade: weight of the next cascade, 1.0 from reach texels off the border of a map on
+//   coordinate, size  in texels;   per_texel  weight a texel, 1.0 / width of the band along the border
+inline float umbrage_cascade_border_fade(float2 coordinate, float2 size, float reach, float per_texel) {
+    float2 half_size = size * 0.5;
+    float2 beyond = metal::abs(coordinate - half_size) - (half_size - reach);
+    float2 v = beyond * per_texel + 1.0;
+    float x = umbrage_cascade_weight(v.x);
+    float y = umbrage_cascade_weight(v.y);
+    return x > y ? x : y;
+}
+#endif

@@ -1,0 +1,16 @@
+// umbrage 0.1.0, MIT License: cascade_by_depth
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CASCADE_BY_DEPTH
+#define UMBRAGE_HAS_CASCADE_BY_DEPTH
+// umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
+//   ends  of the first three cascades, ascending
+inline float umbrage_cascade_by_depth(float depth, float3 ends) {
+    float low = depth >= ends.x ? 1.0 : 0.0;
+    float high = depth >= ends.z ? 3.0 : 2.0;
+    return depth >= ends.y ? high : low;
+}
+#endif

@@ -1,0 +1,15 @@
+// umbrage 0.1.0, MIT License: cascade_column
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CASCADE_COLUMN
+#define UMBRAGE_HAS_CASCADE_COLUMN
+// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+inline float4 umbrage_cascade_column(metal::float4x4 columns, float number) {
+    float4 low = number < 0.5 ? columns[0] : columns[1];
+    float4 high = number < 2.5 ? columns[2] : columns[3];
+    return number < 1.5 ? low : high;
+}
+#endif

@@ -1,0 +1,18 @@
+// umbrage 0.1.0, MIT License: cascade_by_projection
+// Paste along: cascade_coordinate.wgsl, inside_cascade.wgsl
+
+// umbrage_cascade_by_projection: (texels, texels, depth, number) in the first of four cascades that holds a point and
+//   its filter; where none does, number 4.0 and a coordinate that every filter takes as lit
+//   light            the point, rotated into the light's directions
+//   scales, offsets  of the cascades;   size  of each map;   reach  of the filter, in texels
+fn umbrage_cascade_by_projection(light: vec3f, scales: mat4x4f, offsets: mat4x4f, size: vec2f, reach: f32) -> vec4f {
+    let a: vec3f = umbrage_cascade_coordinate(light, scales[0], offsets[0]);
+    let b: vec3f = umbrage_cascade_coordinate(light, scales[1], offsets[1]);
+    let c: vec3f = umbrage_cascade_coordinate(light, scales[2], offsets[2]);
+    let d: vec3f = umbrage_cascade_coordinate(light, scales[3], offsets[3]);
+    var found: vec4f = vec4f(65536.0, 65536.0, 0.0, 4.0);
+    found = select(found, vec4f(d, 3.0), umbrage_inside_cascade(d, size, reach));
+    found = select(found, vec4f(c, 2.0), umbrage_inside_cascade(c, size, reach));
+    found = select(found, vec4f(b, 1.0), umbrage_inside_cascade(b, size, reach));
+    return select(found, vec4f(a, 0.0), umbrage_inside_cascade(a, size, reach));
+}

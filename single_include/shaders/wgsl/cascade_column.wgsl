@@ -1,0 +1,8 @@
+// umbrage 0.1.0, MIT License: cascade_column
+
+// umbrage_cascade_column: a column of a matrix by its number, 0.0 to 3.0, for languages without dynamic indices
+fn umbrage_cascade_column(columns: mat4x4f, number: f32) -> vec4f {
+    let low: vec4f = select(columns[1], columns[0], number < 0.5);
+    let high: vec4f = select(columns[3], columns[2], number < 2.5);
+    return select(high, low, number < 1.5);
+}

@@ -1,0 +1,6 @@
+// umbrage 0.1.0, MIT License: dithered_cascade
+
+// umbrage_dithered_cascade: number of a cascade, or of the next one where its weight is above the pixel's threshold
+fn umbrage_dithered_cascade(number: f32, weight: f32, threshold: f32) -> f32 {
+    return number + select(0.0, 1.0, weight > threshold);
+}

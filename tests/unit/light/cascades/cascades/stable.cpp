@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+//
+// Cascades that hold what they should: the oracle is points that the camera sees, and for the stable ones the same
+// points in another frame.
+#include <doctest/doctest.h>
+
+#include <umbrage/light/cascades/cascades.hpp>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/images/rasterize.hpp>
+#include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/cascades/splits.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+#include "../../clip_spaces.hpp"
+
+using namespace umbrage;
+
+namespace {
+
+const bounding_box<double> scene{{-400, -5, -350}, {380, 60, 420}};
+
+glm::dvec3 random_vector(std::mt19937& random) {
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const double x = unit(random), y = unit(random), z = unit(random);
+    return {x, y, z};
+}
+
+/// A camera somewhere in the scene, and the light.
+cascade_fit<double> random_fit(std::mt19937& random, clip_space clip) {
+    cascade_fit<double> fit{.direction = random_vector(random), .scene = scene, .margin = 3.5, .clip = clip};
+    fit.camera.position = random_vector(random) * 200.0;
+    fit.camera.direction = random_vector(random);
+    fit.camera.up = random_vector(random);
+    const glm::dvec3 tangents = random_vector(random);
+    fit.camera.tan_half_x = 0.7 + 0.5 * tangents.x;
+    fit.camera.tan_half_y = 0.7 + 0.5 * tangents.y;
+    fit.map_size = random() % 2 ? 512 : 333;
+    fit.overlap = random() % 2 ? 0.25 : 0.0;
+    return fit;
+}
+
+/// A point that the camera sees, x and y from -1 to 1 over the picture.
+glm::dvec3 seen(const frustum<double>& camera, double x, double y, double depth) {
+    const glm::dmat4 view = look_along(camera.position, camera.direction, camera.up, handedness::right);
+    return glm::inverse(view) * glm::dvec4(x * camera.tan_half_x * depth, y * camera.tan_half_y * depth, -depth, 1.0);
+}
+
+/// What is outside of a cascade of points of its part, how many were tried, and how far its two ways to texels differ.
+struct found {
+    int outside = 0, tried = 0;
+    double apart = 0;
+};
+template <class Make>
+found of_all_conventions(bool in_scene, Make make) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> share(0, 1);
+    found f;
+    for (const clip_space clip : all_clip_spaces())
+        for (int i = 0; i < 20; ++i) {
+            const auto fit = random_fit(random, clip);
+            const auto splits = practical_splits<3>(0.5, 150.0, 0.8);
+            const std::array<cascade<double>, 3> all = make(fit, splits);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const glm::dmat4 m = texture_matrix(all[k].light, glm::ivec2(fit.map_size));
+                const double from = k ? splits[k] - fit.overlap * (splits[k] - splits[k - 1]) : splits[0];
+                for (int j = 0; j < 60; ++j) {
+                    const bool corner = j < 8;
+                    const glm::dvec3 any = random_vector(random);
+                    const double x = corner ? (j & 1) * 2 - 1 : any.x, y = corner ? (j & 2) - 1 : any.y;
+                    const double at = corner ? (j & 4) / 4 : share(random);
+                    const glm::dvec3 p = seen(fit.camera, x, y, from + (splits[k + 1] - from) * at);
+                    const bool inside =
+                        glm::all(glm::lessThanEqual(scene.low, p)) && glm::all(glm::lessThanEqual(p, scene.high));
+                    if (in_scene && !inside) continue;
+                    const glm::dvec3 rotated(all[k].light.view * glm::dvec4(p, 1));
+                    const glm::dvec3 texel = cascade_coordinate(rotated, all[k].scale, all[k].offset);
+                    f.outside += !inside_cascade(texel, glm::dvec2(fit.map_size), fit.margin);
+                    ++f.tried;
+                    const glm::dvec3 by_matrix = through(m, p);
+                    for (glm::length_t a = 0; a < 3; ++a) f.apart = worse(f.apart, std::abs(texel[a] - by_matrix[a]));
+                }
+            }
+        }
+    return f;
+}
+
+}  // namespace
+
+TEST_CASE("make_stable_cascades: each holds its part of the frustum and its filter, in every convention") {
+    const found f = of_all_conventions(false, [](const auto& fit, const auto& splits) {
+        const auto all = make_stable_cascades<3>(fit, splits);
+        for (std::size_t k = 0; k < 3; ++k) {
+            CHECK(all[k].begin == splits[k]);
+            CHECK(all[k].end == splits[k + 1]);
+        }
+        return all;
+    });
+    CHECK(f.outside == 0);
+    CHECK(f.apart < 1e-8);
+}
+
+TEST_CASE("make_tight_cascades: each holds what its part of the frustum has of the scene, in every convention") {
+    const found f = of_all_conventions(true, [](const auto& fit, const auto& splits) {
+        const auto tight = make_tight_cascades<3>(fit, splits), stable = make_stable_cascades<3>(fit, splits);
+        for (std::size_t k = 0; k < 3; ++k)
+            for (glm::length_t i = 0; i < 2; ++i)
+                CHECK(std::abs(tight[k].scale[i]) >= 0.95 * std::abs(stable[k].scale[i]));
+        return tight;
+    });
+    CHECK(f.outside == 0);
+    CHECK(f.tried > 5000);
+    CHECK(f.apart < 1e-8);
+}
+
+TEST_CASE_TEMPLATE("make_stable_cascades: 3 km out, points move by whole texels and their depths not at all", T, float,
+                   double) {
+    std::mt19937 random(3);
+    const glm::dvec3 middle(3000, 20, -3000);
+    std::vector<glm::vec<3, T>> points, first;
+    for (int i = 0; i < 200; ++i) points.push_back(glm::vec<3, T>(middle + 15.0 * random_vector(random)));
+    std::vector<glm::dvec3> first_by_matrix;
+    double by_matrix = 0, farthest = 0;
+    for (int frame = 0; frame < 100; ++frame) {
+        const double a = 0.37 * frame;
+        cascade_fit<T> fit{.direction = {T(0.3), T(-1), T(0.2)},
+                           .scene = {glm::vec<3, T>(middle - 500.0), glm::vec<3, T>(middle + 500.0)}};
+        fit.camera.position = glm::vec<3, T>(middle + 5.0 * random_vector(random));
+        fit.camera.direction = glm::vec<3, T>(glm::dvec3(std::cos(a), 0.3 * std::sin(3 * a), std::sin(a)));
+        fit.camera.tan_half_x = fit.camera.tan_half_y = T(0.6);
+        const auto cascade = make_stable_cascades<2>(fit, std::array{T(0.5), T(12), T(40)})[1];  // 36 m
+        const glm::mat<4, 4, T> m = texture_matrix(cascade.light, {1024, 1024});
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const glm::vec<3, T> rotated(shadow_coordinate(cascade.light.view, points[i]));
+            const glm::vec<3, T> at = cascade_coordinate(rotated, cascade.scale, cascade.offset);
+            const glm::dvec3 other(shadow_coordinate(m, points[i]));
+            if (frame == 0) first.push_back(at), first_by_matrix.push_back(other);
+            const glm::vec<3, T> moved = at - first[i];
+            CHECK(moved.x == std::round(moved.x));
+            CHECK(moved.y == std::round(moved.y));
+            CHECK(moved.z == T(0));
+            farthest = worse(farthest, std::abs(double(moved.x)));
+            for (glm::length_t axis = 0; axis < 2; ++axis)
+                by_matrix = worse(by_matrix, std::abs(other[axis] - first_by_matrix[i][axis] - double(moved[axis])));
+        }
+    }
+    CHECK(farthest > 100);
+    CHECK(by_matrix < (sizeof(T) == 4 ? 0.01 : 1e-9));
+}
+
+TEST_CASE("make_stable_cascades: what a map shows of fixed points never changes while the camera moves and turns") {
+    std::mt19937 random(4);
+    const glm::vec3 middle(2900, 10, 1700), direction(0.4f, -1, 0.3f);
+    const auto vector = [&] { return glm::vec3(random_vector(random)); };
+    const glm::mat4 rotation(look_along(glm::dvec3(0), glm::dvec3(direction), glm::dvec3(0, 1, 0), handedness::right));
+    std::vector<glm::vec3> positions;
+    std::vector<glm::uvec3> triangles;
+    for (unsigned i = 0; i < 300; ++i) {
+        const glm::vec3 at = middle + vector() * glm::vec3(20, 5, 20);
+        for (int k = 0; k < 3; ++k) positions.push_back(glm::vec3(shadow_coordinate(rotation, at + 2.0f * vector())));
+        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    std::vector<glm::vec3> points;
+    for (int i = 0; i < 4000; ++i)
+        points.push_back(glm::vec3(shadow_coordinate(rotation, middle + vector() * glm::vec3(25, 8, 25))));
+
+    for (const clip_space clip : {vulkan_clip_space, clip_space{.range = depth_range::minus_one_to_one,
+                                                     .direction = depth_direction::reversed,
+                                                     .origin = texture_origin::top}}) {
+        std::vector<float> known(points.size(), -1.0f);
+        std::size_t changed = 0, again = 0, partly = 0;
+        for (int frame = 0; frame < 12; ++frame) {
+            const float a = 0.61f * static_cast<float>(frame);
+            cascade_fit<float> fit{
+                .direction = direction, .scene = {middle - 60.0f, middle + 60.0f}, .map_size = 256, .clip = clip};
+            fit.camera.position = middle + vector() * 6.0f;
+            fit.camera.direction = glm::vec3(std::cos(a), -0.2f, std::sin(a));
+            const auto cascade = make_stable_cascades<1>(fit, std::array{0.5f, 15.0f})[0];
+            CHECK(cascade.light.view == rotation);
+            image<float> map({256, 256}, cleared_depth(clip));
+            rasterize_depth(map, {positions, triangles}, cascade.light.projection, clip);
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const glm::vec3 at = cascade_coordinate(points[i], cascade.scale, cascade.offset);
+                if (!inside_cascade(at, glm::vec2(256), 1.5f)) continue;
+                const float visibility = pcf_2x2(clamped(map), glm::vec2(at), at.z, comparison{clip.direction});
+                if (known[i] >= 0.0f) ++again, changed += visibility != known[i];
+                known[i] = visibility;
+                partly += visibility > 0.0f && visibility < 1.0f;
+            }
+        }
+        CHECK(changed == 0);
+        CHECK(again > 5000);
+        CHECK(partly > 300);
+    }
+}
