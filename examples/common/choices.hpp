@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The library's encodings and filters on a command line, by their own names.
+// The library's encodings, filters and biases on a command line, by their own names.
 //
 //     example::add_encoding(app, options.encoding);
 //
@@ -15,7 +15,7 @@
 
 namespace example {
 
-/// --encoding and --filter; Text is a std::string, or an optional one.
+/// --encoding, --filter and --bias; Text is a std::string, or an optional one.
 template <class Text>
 CLI::Option* add_choice(CLI::App& app, const char* option, Text& value, const std::vector<std::string>& names,
                         const char* about) {
@@ -30,6 +30,10 @@ CLI::Option* add_encoding(CLI::App& app, Text& value) {
 template <class Text>
 CLI::Option* add_filter(CLI::App& app, Text& value) {
     return add_choice(app, "--filter", value, filter_names(), "how texels become visibility");
+}
+template <class Text>
+CLI::Option* add_bias(CLI::App& app, Text& value) {
+    return add_choice(app, "--bias", value, bias_names(), "what keeps surfaces from shadowing themselves");
 }
 
 }  // namespace example

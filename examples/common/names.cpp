@@ -2,7 +2,9 @@
 #include "names.hpp"
 
 #include <umbrage/depth/encodings.hpp>
-#include <umbrage/filter/filters.hpp>
+
+#include "biases.hpp"
+#include "filters.hpp"
 
 namespace example {
 
@@ -24,10 +26,21 @@ const std::vector<std::string>& filter_names() {
     return names;
 }
 
-float reach_of(std::string_view filter) {
+const std::vector<std::string>& bias_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        biases::all::for_each([&](const auto& bias) { all.emplace_back(bias.name); });
+        return all;
+    }();
+    return names;
+}
+
+float reach_of(std::string_view filter, std::optional<float> radius) {
     float reach = 0;
-    umbrage::with_filter(filter, [&](const auto& f) { reach = f.reach(); });
+    with_filter(filter, radius, [&](const auto& f) { reach = f.reach(); });
     return reach;
 }
+
+bool moves_stored_depths(std::string_view bias) { return bias == biases::receiver_plane::name; }
 
 }  // namespace example

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What the library's encodings and filters are called, in the order of its lists.
+// What the library's encodings, filters and biases are called, in the order of its lists.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,8 +12,12 @@ namespace example {
 
 [[nodiscard]] const std::vector<std::string>& encoding_names();
 [[nodiscard]] const std::vector<std::string>& filter_names();
+[[nodiscard]] const std::vector<std::string>& bias_names();
 
-/// Reach of a filter by its name, as its default has it.
-[[nodiscard]] float reach_of(std::string_view filter);
+/// Reach of a filter by its name; of a box or a disc of its own radius, or of another.
+[[nodiscard]] float reach_of(std::string_view filter, std::optional<float> radius = {});
+
+/// Whether a bias, by its name, moves stored depths along the receiver's plane.
+[[nodiscard]] bool moves_stored_depths(std::string_view bias);
 
 }  // namespace example

@@ -14,13 +14,13 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include <umbrage/bias/acne_free.hpp>
 #include <umbrage/bias/light_units.hpp>
 #include <umbrage/bias/normal_offset.hpp>
 #include <umbrage/depth/kinds.hpp>
@@ -30,6 +30,7 @@
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/shade/lighting.hpp>
 
+#include "biases.hpp"
 #include "camera.hpp"
 #include "scene.hpp"
 
@@ -58,11 +59,6 @@ enum class shading_kind {
     darken,           ///< shadow multiplies the lit picture by `ambient`, and so does turning away from the light
 };
 
-/// Texels along the normal that keep a surface from shadowing itself at any angle, under a filter of that reach.
-[[nodiscard]] constexpr float lift_for(float reach) {
-    return umbrage::offset_width(reach + umbrage::snapping_reach<float>, 1.0f);
-}
-
 struct shadow_system {
     std::string_view name;   ///< of its program
     std::string_view title;  ///< for people
@@ -78,10 +74,12 @@ struct shadow_system {
     std::string_view encoding = "depth32f";  ///< one of umbrage::encodings
     receiver_kind receiver = receiver_kind::plain;
 
-    std::string_view filter = "hard";  ///< one of umbrage::filters; pcf_2x2_dx_sdk adds the bias on the map's side
+    std::string_view filter = "hard";  ///< one of umbrage::filters; pcf_2x2_dx_sdk adds epsilon on the map's side
     test_kind test = test_kind::less_equal;
-    float bias = 0x1p-18f;  ///< in the map's depth; epsilon where the original says so
-    float lift = lift_for(umbrage::filters::hard{}.reach());  ///< texels, see lifted(); the originals had none
+    std::optional<float> radius{};            ///< of a box or a disc, texels; without one as it is by itself
+    float epsilon = 0x1p-18f;                 ///< constant bias in the map's depth
+    std::string_view bias = "normal_offset";  ///< one of example::biases; the originals had none
+    float reach = covered(umbrage::filters::hard{}.reach());  ///< texels that it covers
 
     shading_kind shading = shading_kind::diffuse_ambient;
     float ambient = 0.22f;
@@ -97,8 +95,8 @@ inline constexpr shadow_system radeon_8500{
     .encoding = "rg11",
     .receiver = receiver_kind::scaled,
     .filter = "four_tap",
-    .bias = 1.5f / 2048,  // the look-up rounds down by up to one code
-    .lift = lift_for(umbrage::filters::four_tap{}.reach()),
+    .epsilon = 1.5f / 2048,  // the look-up rounds down by up to one code
+    .reach = covered(umbrage::filters::four_tap{}.reach()),
 };
 
 /// Microsoft DirectX SDK, ShadowMap: a spot light, z/w in a float map, 2x2 percentage-closer filtering.
@@ -111,8 +109,8 @@ inline constexpr shadow_system dx_sdk{
     .map_size = 512,
     .depth = depth_kind::projected,
     .filter = "pcf_2x2_dx_sdk",
-    .bias = 0.00005f,
-    .lift = lift_for(umbrage::filters::pcf_2x2_dx_sdk{}.reach()),
+    .epsilon = 0.00005f,
+    .reach = covered(umbrage::filters::pcf_2x2_dx_sdk{}.reach()),
     .textured = true,
 };
 
@@ -124,7 +122,7 @@ inline constexpr shadow_system exercise{
     .map_size = 320,  // more makes the map wider, not finer
     .filter = "hard",
     .test = test_kind::exercise,
-    .bias = 0.0005f,
+    .epsilon = 0.0005f,
     .scene_scale = 2.5f,
 };
 
@@ -137,7 +135,7 @@ inline constexpr shadow_system self_shadowing{
     .encoding = "rg11",
     .receiver = receiver_kind::encoded,
     .filter = "hard",
-    .bias = 0.5f / 2048,  // both sides round down alike
+    .epsilon = 0.5f / 2048,  // both sides round down alike
     .shading = shading_kind::darken,
     .ambient = 0.4f,
 };
@@ -192,14 +190,14 @@ struct light {
 [[nodiscard]] light make_light(const shadow_system& s, const scene& scene, float azimuth, float elevation, int map_size,
                                umbrage::clip_space clip = picture_clip);
 
-/// The point to look up instead of the surface itself. Without a lift a system has the bias in depth alone, as the
-/// originals had.
+/// The point to look up instead of the surface itself, by a normal offset. With a reach of 0 a system has epsilon
+/// alone, as the originals had.
 /// @param normal  of the flat triangle, which is what the map holds; of length one, on the camera's side
 [[nodiscard]] inline glm::vec3 lifted(const shadow_system& s, const light& l, glm::vec3 position, glm::vec3 normal,
                                       int map_size) {
     const glm::vec3 way = l.spot ? (position - l.position) / l.w(position) : l.direction;
-    return position +
-           umbrage::normal_offset(normal, l.direction, way, s.lift * l.texel_world(position, map_size), 0.0f);
+    return position + umbrage::normal_offset(normal, l.direction, way,
+                                             umbrage::offset_width(s.reach, l.texel_world(position, map_size)), 0.0f);
 }
 
 /// Procedural texture of `textured` systems, a chequered solid that things are cut from: a factor for the colour.

@@ -2,20 +2,22 @@
 //
 // Acne against detachment: the exercise's shadow, by several biases, where rays to the light have another opinion.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <glm/trigonometric.hpp>
 
-#include <umbrage/bias/acne_free.hpp>
 #include <umbrage/bias/constant.hpp>
-#include <umbrage/bias/slope.hpp>
+#include <umbrage/bias/receiver_plane.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
+#include <biases.hpp>
 #include <rays.hpp>
 
 #include "sections.hpp"
@@ -34,13 +36,19 @@ struct scene_of_biases {
     glm::mat4 to_texels = umbrage::texture_matrix(light.space, map.size());
     umbrage::image<by_rays> expected = traced(stage, light, system.map_size, 1);
 
-    /// Visibility of what is looked up at point(surface), with bias(surface) in z/w.
-    template <class Point, class Bias>
-    [[nodiscard]] umbrage::image<float> visibility(Point&& point, Bias&& bias) const {
+    bias_light seen_by = make_bias_light(light.space, light.direction, map.size(),
+                                         covered(umbrage::filters::hard{}.reach()), light.w(stage.scene.target));
+
+    /// Visibility under by(surface), a receiver_bias.
+    template <class By>
+    [[nodiscard]] umbrage::image<float> visibility(By&& by) const {
         const auto fetch = umbrage::bordered(map, 1.0f);
         return stage.visibility([&](const example::surface& s) {
-            const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, point(s)));
-            return umbrage::hard(fetch, glm::vec2(p), umbrage::biased(p.z, bias(s)));
+            const receiver_bias moved = by(s);
+            const glm::vec3 p =
+                umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, s.position + moved.offset));
+            return umbrage::hard(umbrage::on_receiver_plane(fetch, moved.slope, glm::vec2(p)), glm::vec2(p),
+                                 umbrage::biased(p.z, moved.depth + 0x1p-20f));
         });
     }
 };
@@ -65,23 +73,31 @@ void add_bias(page& page, const scene_of_biases& on, std::string_view id, std::s
                together_and_alone(std::move(snippets)));
 }
 
+/// A name as a title.
+std::string titled(std::string_view name) {
+    std::string out(name);
+    std::ranges::replace(out, '_', ' ');
+    out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
+    return out;
+}
+
 }  // namespace
 
 void add_biases(page& page, const settings& o, const std::filesystem::path& folder) {
     shadow_system system = exercise;
     system.depth = depth_kind::projected;
     const scene_of_biases on{.stage{system, {.output = folder, .size = o.size}}, .system = system};
-    const float epsilon = exercise.bias * exercise.z_far / (exercise.z_far - exercise.z_near);  // of its linear depth
-    const glm::mat4 planes = umbrage::plane_matrix(on.to_texels);
-    const float reach = umbrage::filters::hard{}.reach() + umbrage::snapping_reach<float>, rounding = 0x1p-20f;
-    const auto slope_of = [&](const surface& s) { return umbrage::plane_slope(planes, s.face_normal, s.position); };
-    const auto itself = [](const surface& s) { return s.position; };
-    const auto constant = [](float bias) { return [bias](const surface&) { return bias; }; };
+    const float epsilon =
+        exercise.epsilon * exercise.z_far / (exercise.z_far - exercise.z_near);  // of its linear depth
+    const auto point_of = [&](const surface& s) {
+        return bias_point{s.position, s.face_normal, on.light.direction, on.light.w(s.position)};
+    };
+    const auto constant = [](float bias) { return [bias](const surface&) { return receiver_bias{.depth = bias}; }; };
 
     float steepest = 0;  // bias of what the light meets at up to 87 degrees
     on.stage.for_each_surface([&](glm::ivec2, const surface& s) {
         if (glm::dot(s.face_normal, -on.light.direction) > std::cos(glm::radians(87.0f)))
-            steepest = std::max(steepest, umbrage::acne_free_bias(slope_of(s), reach, rounding));
+            steepest = std::max(steepest, biases::acne_free{}(on.seen_by, point_of(s)).depth);
     });
 
     page.section(
@@ -92,24 +108,16 @@ void add_biases(page& page, const settings& o, const std::filesystem::path& fold
              system.map_size, system.map_size));
     add_bias(page, on, "epsilon", "The exercise's epsilon",
              "0.0005 of the far plane's distance, whatever the slope: too little for all but what faces the light.",
-             on.visibility(itself, constant(epsilon)), {glsl::biased});
-    add_bias(page, on, "constant", "A constant that suffices",
+             on.visibility(constant(epsilon)), {glsl::biased});
+    add_bias(page, on, "steepest", "A constant that suffices",
              text("%.3f in depth, which the steepest surface needs up to 87 degrees from the light: shadows of what is "
                   "nearer are lost.",
                   double(steepest)),
-             on.visibility(itself, constant(steepest)), {glsl::biased});
-    add_bias(
-        page, on, "acne_free", "The smallest bias",
-        "By the slope of each surface, the filter's reach and the map's error: no plane shadows itself, and none is "
-        "biased by more than that takes.",
-        on.visibility(itself, [&](const surface& s) { return umbrage::acne_free_bias(slope_of(s), reach, rounding); }),
-        {glsl::plane_slope, glsl::acne_free_bias, glsl::biased});
-    add_bias(page, on, "normal_offset", "Normal offset",
-             "Looked up off the surface, by what its tilt asks for: nothing where light falls straight on it.",
-             on.visibility(
-                 [&](const surface& s) { return lifted(system, on.light, s.position, s.face_normal, system.map_size); },
-                 constant(rounding)),
-             {glsl::texels_to_world, glsl::normal_offset, glsl::biased});
+             on.visibility(constant(steepest)), {glsl::biased});
+    biases::all::for_each([&](const auto& bias) {
+        add_bias(page, on, bias.name, titled(bias.name), bias.about,
+                 on.visibility([&](const surface& s) { return bias(on.seen_by, point_of(s)); }), bias.snippets());
+    });
 }
 
 }  // namespace gallery

@@ -54,7 +54,7 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
     const float cleared = light.depth(system, umbrage::cleared_depth(light.space.clip));
     for (float& d : depth.texels())
         if (d == cleared) d = 1;  // as a target holds it where nothing was drawn
-    system.bias = rounding;
+    system.epsilon = rounding;
     const auto exact = visibility_of(system, stage, light, depth);
 
     page.section(
@@ -68,7 +68,7 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
         const stored_depth map = stored(depth, name, 1.0f);
         const double bound = std::max(encoding.error().below, encoding.error().above);
         if (map.error > bound) throw std::logic_error("the encoding " + name + " is worse than stated");
-        system.bias = rounding + static_cast<float>(encoding.error().below);
+        system.epsilon = rounding + static_cast<float>(encoding.error().below);
         const auto visibility = visibility_of(system, stage, light, map.depth);
         picture shaded = stage.shade(system, light, visibility);
         std::size_t other = 0;

@@ -25,8 +25,8 @@ void add_filter(page& page, const settings& o, const std::filesystem::path& fold
                 const std::vector<glsl::snippet>& snippets) {
     shadow_system system = radeon_8500;
     system.map_size = 256;
-    system.lift = lift_for(reach);
-    system.bias = 0x1p-18f;  // floats, rounded twice
+    system.reach = covered(reach);
+    system.epsilon = 0x1p-18f;  // floats, rounded twice
     stage stage(system, {.output = folder, .size = 3});
     const glm::ivec2 size(o.size * 2 / 3);
     stage.camera = make_camera({.target = {-1.75f, 0, 0.35f}, .elevation = 55, .distance = 7.5f, .fov = 10});
@@ -39,7 +39,7 @@ void add_filter(page& page, const settings& o, const std::filesystem::path& fold
     stage.for_each_surface([&](glm::ivec2 pixel, const surface& s) {
         const glm::vec3 point = lifted(system, light, s.position, s.face_normal, system.map_size);
         const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, point));
-        receivers[pixel] = {p.x, p.y, umbrage::biased(light.depth(system, p.z), system.bias)};
+        receivers[pixel] = {p.x, p.y, umbrage::biased(light.depth(system, p.z), system.epsilon)};
     });
 
     umbrage::image<float> visibility(size);

@@ -93,16 +93,16 @@ umbrage::image<float> visibility_of(const example::shadow_system& s, const examp
         const glm::vec3 p = project_coordinate(shadow_coordinate(to_texels, point));
         const float depth = light.depth(s, p.z);
         if (s.test == example::test_kind::exercise)
-            return umbrage::compare_exercise(depth, outside_lit(glm::ivec2(glm::floor(glm::vec2(p)))), s.bias);
+            return umbrage::compare_exercise(depth, outside_lit(glm::ivec2(glm::floor(glm::vec2(p)))), s.epsilon);
         const float cone = light.cone(at.position);
-        if (s.filter == "pcf_2x2_dx_sdk") return cone * umbrage::pcf_2x2_dx_sdk(fetch, glm::vec2(p), depth, s.bias);
+        if (s.filter == "pcf_2x2_dx_sdk") return cone * umbrage::pcf_2x2_dx_sdk(fetch, glm::vec2(p), depth, s.epsilon);
         if (s.filter == "hard")
-            return cone * umbrage::hard(fetch, glm::vec2(p), receiver_of(s, umbrage::biased(depth, s.bias)));
+            return cone * umbrage::hard(fetch, glm::vec2(p), receiver_of(s, umbrage::biased(depth, s.epsilon)));
         std::array<glm::vec3, 4> tap;
         for (std::size_t i = 0; i < 4; ++i) tap[i] = project_coordinate(shadow_coordinate(taps[i], point));
         return cone * umbrage::four_tap(fetch, glm::vec2(tap[0]), glm::vec2(tap[1]), glm::vec2(tap[2]),
                                         glm::vec2(tap[3]),
-                                        receiver_of(s, umbrage::biased(light.depth(s, tap[0].z), s.bias)));
+                                        receiver_of(s, umbrage::biased(light.depth(s, tap[0].z), s.epsilon)));
     });
 }
 

@@ -70,8 +70,8 @@ void add_system(page& page, const settings& o, const std::filesystem::path& fold
                        .elevation = system.elevation,
                        .size = o.size,
                        .map_size = system.map_size,
-                       .lift = system.lift,
-                       .bias = system.bias,
+                       .reach = system.reach,
+                       .epsilon = system.epsilon,
                        .encoding = std::string(system.encoding),
                        .filter = std::string(system.filter)};
     double depth_ms = 0, camera_ms = 0, visibility_ms = 0, shade_ms = 0;

@@ -125,7 +125,7 @@ TEST_CASE("self_shadowing: darkened, and every bit of the look-up texture is use
     for (int high = 1; high < 8; ++high) CHECK(share(map, [&](glm::u8vec3 texel) { return texel.g == high * 32; }) > 0);
     CHECK(share(map, [](glm::u8vec3 texel) { return texel.g % 32 != 0 || texel.b != 0; }) == 0);
     stands_all_lights("self_shadowing");
-    CHECK(!runs("self_shadowing", "--rays --lift 0 2> /dev/null"));  // acne, which rays do notice
+    CHECK(!runs("self_shadowing", "--rays --reach 0 2> /dev/null"));  // acne, which rays do notice
 }
 
 TEST_CASE("originals: a mesh from a file") {
@@ -173,7 +173,7 @@ TEST_CASE("originals: encodings, filters and biases are there to try") {
         REQUIRE(runs(program, "--rays --filter box"));
         const auto soft = picture(program, "visibility.png");
         CHECK(share(soft, [](glm::u8vec3 p) { return !black(p) && !white(p); }) > 0.01);
-        REQUIRE(runs(program, "--bias 0.5"));
+        REQUIRE(runs(program, "--epsilon 0.5"));
         CHECK(share(picture(program, "visibility.png"), black) < 0.5 * share(own, black) + 0.05);
     }
 }

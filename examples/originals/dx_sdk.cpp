@@ -32,8 +32,8 @@ void run(const options& o) {
         const glm::vec3 point = lifted(system, light, s.position, s.face_normal, o.map_size);
         const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
         const float lit = system.filter == dx_sdk.filter
-                              ? umbrage::pcf_2x2_dx_sdk(fetch, glm::vec2(p), p.z, system.bias)
-                              : filtered(system, fetch, glm::vec2(p), umbrage::biased(p.z, system.bias));
+                              ? umbrage::pcf_2x2_dx_sdk(fetch, glm::vec2(p), p.z, system.epsilon)
+                              : filtered(system, fetch, glm::vec2(p), umbrage::biased(p.z, system.epsilon));
         return light.cone(s.position) * lit;
     });
 

@@ -41,8 +41,8 @@ frame render(const shadow_system& system, const stage& stage, float azimuth, flo
         const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
         const float current = light.depth(system, p.z);
         if (system.filter != exercise.filter)
-            return filtered(system, fetch, glm::vec2(p), umbrage::biased(current, system.bias));
-        return umbrage::compare_exercise(current, fetch(glm::ivec2(glm::floor(glm::vec2(p)))), system.bias);
+            return filtered(system, fetch, glm::vec2(p), umbrage::biased(current, system.epsilon));
+        return umbrage::compare_exercise(current, fetch(glm::ivec2(glm::floor(glm::vec2(p)))), system.epsilon);
     });
 
     // Shade.

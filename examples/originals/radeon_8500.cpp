@@ -67,7 +67,7 @@ void run(const options& o) {
             };
             std::array<glm::vec3, 4> at;
             for (std::size_t tap = 0; tap < 4; ++tap) at[tap] = project(taps[tap]);
-            const float receiver = scale(umbrage::biased(light.depth(system, at[0].z), system.bias));
+            const float receiver = scale(umbrage::biased(light.depth(system, at[0].z), system.epsilon));
             const auto xy = [](glm::vec3 p) { return glm::vec2(p.x, p.y); };
             const float lit = system.filter == radeon_8500.filter
                                   ? umbrage::four_tap(fetch, xy(at[0]), xy(at[1]), xy(at[2]), xy(at[3]), receiver)

@@ -51,7 +51,7 @@ void run(const options& o) {
         return stage.visibility([&](const surface& s) {
             const glm::vec3 point = lifted(system, light, s.position, s.face_normal, o.map_size);
             const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(world_to_texels, point));
-            return filtered(system, fetch, glm::vec2(p), scale(umbrage::biased(p.z, system.bias)));
+            return filtered(system, fetch, glm::vec2(p), scale(umbrage::biased(p.z, system.epsilon)));
         });
     };
     const bool own = system.encoding == self_shadowing.encoding;

@@ -24,7 +24,7 @@ std::optional<options> read_options(const shadow_system& s, int argc, char** arg
     options o{.azimuth = s.azimuth,
               .elevation = s.elevation,
               .map_size = s.map_size,
-              .bias = s.bias,
+              .epsilon = s.epsilon,
               .encoding = std::string(s.encoding),
               .filter = std::string(s.filter)};
     CLI::App app{std::string(s.title), std::string(s.name)};
@@ -35,11 +35,11 @@ std::optional<options> read_options(const shadow_system& s, int argc, char** arg
     app.add_option("--elevation", o.elevation, "90 is straight above")->check(within(5, 90));
     app.add_option("--size", o.size, "width of the picture, pixels; its height is two thirds")->check(within(3, 4096));
     app.add_option("--map-size", o.map_size, "texels along an edge")->check(within(16, 8192));
-    app.add_option("--lift", o.lift,
-                   "texels along the normal; 0 leaves the original's bias alone, unset it is what the "
-                   "filter's reach asks for")
+    app.add_option("--reach", o.reach,
+                   "texels that a normal offset covers; 0 leaves the original's bias alone, without it they are what "
+                   "the filter's own reach asks for")
         ->check(within(0, 16));
-    app.add_option("--bias,--epsilon", o.bias, "in the map's depth")->check(within(-1, 1));
+    app.add_option("--epsilon", o.epsilon, "constant bias in the map's depth")->check(within(-1, 1));
     add_encoding(app, o.encoding)
         ->description("how a depth is stored; all but the original's own are decoded by their readers");
     add_filter(app, o.filter);

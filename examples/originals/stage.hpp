@@ -29,15 +29,15 @@ struct options {
     std::filesystem::path output = "out", mesh{};
     float azimuth = 0, elevation = 0;
     int size = 960, map_size = 0;
-    std::optional<float> lift{};  ///< unset: what the filter's reach asks for
-    float bias = 0;
+    std::optional<float> reach{};  ///< without one what the filter's own asks for
+    float epsilon = 0;
     std::string encoding{}, filter{};
     bool rays = false;
 
     /// The system as these options want it.
     [[nodiscard]] shadow_system of(shadow_system s) const {
-        s.lift = lift.value_or(lift_for(reach_of(filter)));
-        s.bias = bias;
+        s.reach = reach.value_or(covered(reach_of(filter)));
+        s.epsilon = epsilon;
         s.encoding = encoding;
         s.filter = filter;
         return s;

@@ -1,91 +1,23 @@
 // SPDX-License-Identifier: MIT
-//
-// Runs shadow_render as a newcomer would, and looks at what comes out.
-#include <doctest/doctest.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <memory>
-#include <utility>
 #include <string>
-
-#include <sys/wait.h>
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#include <stb/stb_image.h>
-
-#include <glm/gtc/type_precision.hpp>
-#include <glm/vec2.hpp>
+#include <utility>
 
 #include <umbrage/depth/float_bits.hpp>
 #include <umbrage/depth/rg.hpp>
-#include <umbrage/image.hpp>
 
-#include <choices.hpp>
-#include <scene.hpp>
+#include <names.hpp>
 #include <srgb.hpp>
 
+#include "check.hpp"
+
+using namespace shadow_render_check;
+
 namespace {
-
-const std::filesystem::path folder = std::filesystem::path(WORK_DIR) / "check";
-
-std::string quoted(const std::filesystem::path& path) { return std::string("'").append(path.string()).append("' "); }
-
-struct result {
-    int code;
-    std::string said;  ///< on either stream
-};
-
-result run(const std::string& arguments) {
-    std::filesystem::create_directories(folder);
-    const std::string command = quoted(PROGRAM) + arguments + " 2>&1";
-    FILE* pipe = popen(command.c_str(), "r");
-    REQUIRE(pipe);
-    result out{0, {}};
-    for (int c; (c = std::fgetc(pipe)) != EOF;) out.said += static_cast<char>(c);
-    const int status = pclose(pipe);
-    out.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return out;
-}
-
-/// A failure that a person can read: the right code, and one line that says `why`.
-void fails(const std::string& arguments, int code, const std::string& why) {
-    CAPTURE(arguments);
-    const result r = run(arguments);
-    CHECK_MESSAGE(r.code == code, r.said);
-    CHECK_MESSAGE(r.said.find(why) != std::string::npos, r.said);
-    CHECK_MESSAGE(r.said.find('\n') == r.said.size() - 1, r.said);
-}
-
-std::string output(const std::string& name) { return std::string("--quiet --output ").append(quoted(folder / name)); }
-
-umbrage::image<glm::u8vec4> picture(const std::string& name, const char* file) {
-    int width = 0, height = 0, channels = 0;
-    const std::unique_ptr<stbi_uc, void (*)(void*)> data(
-        stbi_load((folder / name / file).string().c_str(), &width, &height, &channels, 4), stbi_image_free);
-    REQUIRE(data);
-    umbrage::image<glm::u8vec4> out({width, height});
-    const stbi_uc* from = data.get();
-    for (glm::u8vec4& texel : out.texels()) {
-        texel = {from[0], from[1], from[2], from[3]};
-        from += 4;
-    }
-    return out;
-}
-
-std::string file(const std::string& name, const std::string& content) {
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / name, std::ios::binary) << content;
-    return quoted(folder / name);
-}
 
 /// Share of a mask's pixels that are in full shadow.
 double dark(const umbrage::image<glm::u8vec4>& mask) {
@@ -93,8 +25,6 @@ double dark(const umbrage::image<glm::u8vec4>& mask) {
     for (glm::u8vec4 p : mask.texels()) count += p.r == 0;
     return count / static_cast<double>(mask.texels().size());
 }
-
-const std::string small = "--width 240 --height 160 --map-size 256 ";
 
 }  // namespace
 
@@ -155,27 +85,6 @@ TEST_CASE("shadow_render: every encoding and every filter shades alike") {
     for (const char* edge : {"lower", "centre"}) agrees(std::string("--encoding rg11 --edge ") + edge, 0.01);
     for (const char* filter : {"hard", "four_tap", "pcf_2x2_dx_sdk", "box --radius 1", "hierarchical_box --radius 1"})
         agrees(std::string("--filter ") + filter, 0.03);
-}
-
-TEST_CASE("shadow_render: no acne on what a light lights, from any side") {
-    const auto shadowed_front = [](const std::string& options) {  // of the floor, which nothing stands before
-        CAPTURE(options);
-        REQUIRE(run(output("lit") + small + "--encoding rg9 " + options).code == 0);
-        const auto mask = picture("lit", "visibility.png");
-        int shadowed = 0;
-        for (int y = 145; y < 160; ++y)
-            for (int x = 20; x < 220; ++x) shadowed += mask[{x, y}].r != 255;
-        return shadowed;
-    };
-    for (const char* light : {"--light spot ", "--light directional "})
-        for (const char* filter : {"--filter hard ", "--filter four_tap ", "--filter pcf_2x2 ",
-                                   "--filter box --radius 3 ", "--filter disc16 --radius 3 "})
-            for (const char* angles :
-                 {"--azimuth 20 --elevation 20", "--azimuth 300 --elevation 50", "--elevation 90"}) {
-                const std::string options = std::string(light) + filter + angles;
-                CHECK_MESSAGE(shadowed_front(options) == 0, options);
-            }
-    CHECK(shadowed_front("--bias 0 --azimuth 20 --elevation 20") > 100);  // without the bias there is plenty
 }
 
 TEST_CASE("to_srgb: the curve's bytes, on both sides of every step") {
@@ -252,7 +161,7 @@ TEST_CASE("shadow_render: impossible options") {
     for (const char* value : {"0", "-1", "100000", "99999999999999999999", "nan", "1.5", "many"})
         fails(std::string("--map-size ") + value, 2, "--map-size");
     for (const char* option :
-         {"--azimuth", "--elevation", "--cone", "--distance", "--bias", "--fov", "--camera-azimuth"})
+         {"--azimuth", "--elevation", "--cone", "--distance", "--reach", "--fov", "--camera-azimuth"})
         for (const char* value : {"nan", "-nan", "inf", "1e30", "up"})
             fails(std::string(option) + " " + value, 2, option);
     fails("--cone 180", 2, "--cone");
@@ -263,6 +172,8 @@ TEST_CASE("shadow_render: impossible options") {
     fails("--radius 9", 2, "--radius");
     fails("--encoding none", 2, "--encoding");
     fails("--filter none", 2, "--filter");
+    fails("--bias none", 2, "--bias");
+    fails("--reach -1", 2, "--reach");
     fails("--light none", 2, "--light");
     fails("--no-such-option", 2, "--no-such-option");
     fails("one.obj two.obj", 2, "two.obj");

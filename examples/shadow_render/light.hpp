@@ -43,6 +43,12 @@ struct light {
         return spot() ? even : depth;
     }
 
+    /// The way back.
+    [[nodiscard]] float projected_depth(float even) const {
+        const float depth = umbrage::depth_from_view_z(even * z_far, z_near, z_far);
+        return spot() ? depth : even;
+    }
+
     [[nodiscard]] float cone(glm::vec3 p) const {
         const float inside = umbrage::spot_cone(direction, p - position, cos_outer);
         return spot() ? inside : 1.0f;

@@ -4,8 +4,8 @@
 //
 //     light -> depth pass -> encode -> [map] -> fetch -> decode -> compare -> filter -> visibility -> shade
 //
-// Start reading at render(). The filter is chosen in filter.cpp; the bias is in view.hpp, the light on things in
-// shade.hpp.
+// Start reading at render(). The filter is chosen in filter.cpp; the bias is in receivers.cpp, the light on
+// things in shade.hpp.
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
@@ -14,8 +14,10 @@
 
 #include <umbrage/images/rasterize.hpp>
 
+#include <biases.hpp>
 #include <camera.hpp>
 #include <command_line.hpp>
+#include <names.hpp>
 #include <progress.hpp>
 #include <scene.hpp>
 #include <shadow_map.hpp>
@@ -23,6 +25,7 @@
 #include "filter.hpp"
 #include "options.hpp"
 #include "pictures.hpp"
+#include "receivers.hpp"
 #include "shade.hpp"
 #include "view.hpp"
 
@@ -52,13 +55,13 @@ void render(const options& o, const example::scene& scene) {
     // Camera pass: the triangle behind each sample, and where that looks into the map.
     progress.stage("camera pass", [&] { view.seen = example::camera_pass(scene.geometry, view.camera, sample_size); });
     const receivers receivers = progress.stage("receivers", [&] {
-        const float bias = o.bias.value_or(automatic_bias(reach_of(o)));
-        return receivers_of(view, o.map_size, bias, map.below, progress.bands());
+        const float reach = o.reach.value_or(example::covered(example::reach_of(o.filter, o.radius)));
+        return receivers_of(view, o, reach, map.below, progress);
     });
 
     // Visibility: fetch, compare, filter.
     const auto visibility =
-        progress.stage("visibility", [&] { return visibility_of(o, map.depth, receivers, progress); });
+        progress.stage("visibility", [&] { return visibility_of(o, map.depth, view.lamp, receivers, progress); });
 
     // Shade.
     auto picture = progress.stage("shade", [&] { return shade(view, visibility, o.samples, progress.bands()); });

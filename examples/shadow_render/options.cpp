@@ -66,9 +66,12 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
 
     group("Filter");
     example::add_filter(app, o.filter);
-    app.add_option("--radius", o.radius, "of a box or a disc, texels")->check(within(0, 8));
-    app.add_option("--bias", o.bias, "along the surface's normal, texels; without it, what the filter needs")
-        ->check(within(-100, 100));
+    app.add_option("--radius", o.radius, "of a box, whole, or a disc, texels")->check(within(0, 8));
+
+    group("Bias");
+    example::add_bias(app, o.bias);
+    app.add_option("--reach", o.reach, "texels that it covers; without it, what the filter's own asks for")
+        ->check(within(0, 16));
 
     group("Picture");
     app.add_option("--width", o.width, "pixels")->check(within(1, 8192));

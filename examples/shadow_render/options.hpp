@@ -28,8 +28,9 @@ struct options {
     float edge = umbrage::upper_edge<float>;  ///< of a code's interval, that decoding answers
 
     std::string filter = "pcf_2x2";
-    int radius = 2;             ///< of a box or a disc
-    std::optional<float> bias;  ///< texels; unset: what the filter needs
+    float radius = 2;  ///< of a box or a disc
+    std::string bias = "normal_offset";
+    std::optional<float> reach{};  ///< texels that the bias covers; without one what the filter needs
 
     int width = 960, height = 640, samples = 2;
     float camera_azimuth = 0, camera_elevation = 30, camera_distance = 7.5f, fov = 35;

@@ -4,77 +4,19 @@
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <memory>
 #include <string>
 
-#include <sys/wait.h>
+#include <names.hpp>
 
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#include <stb/stb_image.h>
-
-#include <choices.hpp>
-
+#include "check.hpp"
 #include "headless.hpp"
 #include "session.hpp"
 #include "silhouettes.hpp"
 
+using namespace viewer_check;
+
 namespace {
-
-using picture = umbrage::image<glm::u8vec3>;
-
-const std::filesystem::path folder = std::filesystem::current_path();  // each test's own: they run side by side
-
-std::string quoted(const std::filesystem::path& path) { return std::string("'").append(path.string()).append("' "); }
-
-struct result {
-    int code;
-    std::string said;  ///< on either stream
-};
-
-result run(const std::string& command) {
-    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-    REQUIRE(pipe);
-    result out{0, {}};
-    for (int c; (c = std::fgetc(pipe)) != EOF;) out.said += static_cast<char>(c);
-    const int status = pclose(pipe);
-    out.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return out;
-}
-
-picture load(const std::filesystem::path& file) {
-    int width = 0, height = 0, channels = 0;
-    const std::unique_ptr<stbi_uc, void (*)(void*)> data(
-        stbi_load(file.string().c_str(), &width, &height, &channels, 3), stbi_image_free);
-    REQUIRE_MESSAGE(data, file.string());
-    picture out({width, height});
-    for (std::size_t i = 0; i < out.texels().size(); ++i)
-        out.texels()[i] = {data.get()[3 * i], data.get()[3 * i + 1], data.get()[3 * i + 2]};
-    return out;
-}
-
-/// What the viewer draws.
-picture viewed(const std::string& arguments, const std::string& in = {}) {
-    const std::filesystem::path file = folder / "viewed.png";
-    std::filesystem::remove(file);
-    const result r = run(in + quoted(VIEWER) + "--screenshot " + quoted(file) + arguments);
-    CAPTURE(arguments);
-    REQUIRE_MESSAGE(r.code == 0, r.said);
-    return load(file);
-}
-
-int differing(const picture& a, const picture& b) {
-    REQUIRE(a.size() == b.size());
-    int count = 0;
-    for (std::size_t i = 0; i < a.texels().size(); ++i) count += a.texels()[i] != b.texels()[i];
-    return count;
-}
 
 /// The CPU's program against the viewer, pixel by pixel.
 void same_shadow(const example::shadow_system& system, int width, const std::string& viewer_only = {}) {
@@ -134,12 +76,6 @@ void same_shadow_everywhere(example::shadow_system system) {
         }
 }
 
-/// How many times as many pixels as under a box of radius 1 see a texel that compares otherwise; no fewer than there.
-int pixels_a_texel(const std::string& filter) {
-    const float times = std::max(example::reach_of(filter) / 1.5f, 1.0f);
-    return static_cast<int>(times * times);
-}
-
 }  // namespace
 
 TEST_CASE("radeon_8500: the viewer's shadow is the CPU's") {
@@ -151,36 +87,6 @@ TEST_CASE("exercise: the viewer's shadow is the CPU's") { same_shadow_everywhere
 TEST_CASE("self_shadowing: the viewer's shadow is the CPU's") {
     same_shadow_everywhere(example::self_shadowing);
     same_shadow(example::self_shadowing, 960, "--es2");
-}
-
-TEST_CASE("choices: every encoding and filter draws, fine encodings as floats do") {
-    const std::string small = "--headless --mask --width 300 --height 200 --system dx_sdk ";
-    for (const std::string& filter : example::filter_names()) {
-        const std::string with_filter = small + "--filter " + filter;
-        const picture floats = viewed(with_filter + " --encoding depth32f");
-        CHECK(floats[{138, 86}] != floats[{120, 190}]);  // the ball's shadow on the box, the floor in front
-        // of a filter that comes in sizes some encodings will do
-        const bool alike = filter != "pcf_2x2" && filter.find_last_not_of("0123456789") + 1 < filter.size();
-        for (const std::string& encoding : example::encoding_names()) {
-            if (alike && encoding != "rg11" && encoding != "rg16") continue;
-            const int other = differing(viewed(with_filter + " --encoding " + encoding), floats);
-            CAPTURE(filter);
-            CAPTURE(encoding);
-            const bool coarse = encoding >= "rg10" && encoding <= "rg14";
-            if (encoding == "rg9") CHECK(other > 150);
-            else if (!coarse) CHECK(other < 15 * pixels_a_texel(filter));
-        }
-    }
-}
-
-TEST_CASE("choices: a mesh from a file, a finer map, a bias that lights everything") {
-    std::ofstream(folder / "tent.obj") << "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0.3 1 0.3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
-    const std::string small = "--headless --mask --width 300 --height 200 ";
-    const picture usual = viewed(small);
-    CHECK(differing(viewed(small + "--mesh " + quoted(folder / "tent.obj")), usual) > 1000);
-    CHECK(differing(viewed(small + "--map-size 64"), usual) > 100);
-    const picture lit = viewed(small + "--bias 1 --system exercise");
-    CHECK(differing(lit, picture(lit.size(), glm::u8vec3(255))) == 0);
 }
 
 TEST_CASE("refusals: one line and an exit code") {
@@ -195,6 +101,9 @@ TEST_CASE("refusals: one line and an exit code") {
     fails("--headless --es2 --encoding float-bits", 2, "float_bits");
     fails("--headless --system nothing", 2, "nothing");
     fails("--headless --map-size 0", 2, "0");
+    fails("--headless --bias none", 2, "--bias");
+    fails("--headless --radius 9", 2, "--radius");
+    fails("--headless --reach nan", 2, "--reach");
     fails("--headless --mesh no_such_file.obj", 1, "no_such_file.obj");
     fails("--headless --screenshot /no/such/folder/a.png", 1, "cannot write");
     fails("--frames 1", 1, "no window", "env -u DISPLAY -u WAYLAND_DISPLAY ");
@@ -212,9 +121,24 @@ TEST_CASE("keys: each changes what the text says it does") {
     CHECK(s.system.receiver == example::receiver_kind::plain);
     s.encode("rg11");
     CHECK(s.system.receiver == example::receiver_kind::scaled);
-    const float bias = s.system.bias;
+    const float epsilon = s.system.epsilon;
     s.press('+');
-    CHECK(s.system.bias > bias);
+    CHECK(s.system.epsilon > epsilon);
+    s.press('B');
+    CHECK(s.system.bias == "acne_free");
+    CHECK(s.system.receiver == example::receiver_kind::scaled);
+    s.bias("receiver_plane");
+    CHECK(s.system.receiver == example::receiver_kind::plain);
+    s.press('B');
+    CHECK(s.system.bias == "normal_offset");  // all the way round
+    CHECK(s.system.receiver == example::receiver_kind::scaled);
+    s.filter("disc16");
+    const float reach = s.system.reach;
+    s.press('K');
+    CHECK(*s.system.radius == 3);
+    CHECK(s.system.reach > reach);
+    for (int i = 0; i < 20; ++i) s.press('J');
+    CHECK(*s.system.radius == 0);
     s.press('M');
     CHECK(s.system.map_size == 2048);
     s.press('N');

@@ -3,7 +3,8 @@
 // The systems on OpenGL, live.
 //
 //     session   what is looked at, and what keys change of it
-//     programs  shaders put together from the library's snippets: change a filter there, in filter_of()
+//     parts     a system's map, bias and filter as GLSL: change a filter there, in filter_of()
+//     programs  shaders put together from them and the library's snippets
 //     renderer  light's pass, camera's pass, map in the corner
 //     window, headless   where OpenGL comes from
 #include <chrono>

@@ -33,9 +33,12 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.add_option("--elevation", o.elevation, "90 is straight above")->check(within(lowest_light, 90));
     example::add_encoding(app, o.encoding)->type_name("NAME");
     example::add_filter(app, o.filter);
+    app.add_option("--radius", o.radius, "of a box, whole, or a disc, texels")->check(within(0, largest_radius));
     app.add_option("--map-size", o.map_size, "texels along an edge")->check(within(smallest_map, largest_map));
-    app.add_option("--bias", o.bias, "in the map's depth")->check(within(-1, 1));
-    app.add_option("--lift", o.lift, "texels along the surface's normal")->check(within(0, 16));
+    example::add_bias(app, o.bias);
+    app.add_option("--reach", o.reach, "texels that the bias covers; without it, what the filter's own asks for")
+        ->check(within(0, 16));
+    app.add_option("--epsilon", o.epsilon, "constant bias besides, in the map's depth")->check(within(-1, 1));
 
     app.option_defaults()->group("Picture");
     app.add_option("--width", o.width, "pixels")->check(within(16, 8192));

@@ -16,9 +16,9 @@ struct options {
     example::up_axis up = example::up_axis::y;
 
     std::optional<float> azimuth{}, elevation{};  ///< of the light
-    std::optional<std::string> encoding{}, filter{};
+    std::optional<std::string> encoding{}, filter{}, bias{};
     std::optional<int> map_size{};
-    std::optional<float> bias{}, lift{};
+    std::optional<float> radius{}, reach{}, epsilon{};
 
     int width = 960, height = 640;
     bool es2 = false;   ///< OpenGL ES 2 and GLSL 100

@@ -4,11 +4,12 @@
 #include <cstddef>
 #include <vector>
 
-#include <umbrage/bias/light_units.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
+#include <biases.hpp>
+#include <names.hpp>
 #include <srgb.hpp>
 
 #include "stored_as.hpp"
@@ -41,10 +42,12 @@ glm::mat4 opengl(glm::mat4 m) {
     return m;
 }
 
-/// The system's bias, and what a decoder of others may answer below the depth it was given.
-float bias_of(const example::shadow_system& s) {
-    if (s.receiver != example::receiver_kind::plain) return s.bias;
-    return s.bias + encoding_called(s.encoding).below;
+/// The system's epsilon, and what a decoder of others may answer below the depth it was given; twice where depths
+/// become z/w, of which texels nearer to the light than the receiver have more a world unit.
+float epsilon_of(const example::shadow_system& s) {
+    if (s.receiver != example::receiver_kind::plain) return s.epsilon;
+    const float one = s.epsilon + encoding_called(s.encoding).below;
+    return example::moves_stored_depths(s.bias) ? 2 * one : one;
 }
 
 void bind(int unit, GLuint texture) {
@@ -141,6 +144,8 @@ void renderer::depth_pass(const session& s, const example::light& l) {
 void renderer::camera_pass(const session& s, const example::light& l, glm::ivec2 size) {
     const example::camera camera = example::make_camera(s.camera);
     const glm::mat4 world_to_texels = umbrage::texture_matrix(l.space, map_->size);
+    const example::bias_light bias =
+        example::make_bias_light(l.space, l.direction, map_->size, s.system.reach, l.w(s.scene.target));
     glViewport(0, 0, size.x, size.y);
     clear(s.mask ? glm::vec4(1) : glm::vec4(glm::vec3(example::to_srgb(example::sky)) / 255.0f, 1));
     updated(camera_, camera_stages(s.system, dialect(), s.mask))
@@ -149,9 +154,11 @@ void renderer::camera_pass(const session& s, const example::light& l, glm::ivec2
         .set("light_direction", l.direction)
         .set("light_position", glm::vec4(l.position, l.spot ? 1 : 0))
         .set("cos_outer", l.cos_outer)
-        .set("units", umbrage::make_light_units(l.space, map_->size))
-        .set("lift", s.system.lift)
-        .set("bias", bias_of(s.system))
+        .set("units", bias.units)
+        .set("plane_matrix", bias.planes)
+        .set("reach", bias.reach)
+        .set("constant", bias.constant)
+        .set("epsilon", epsilon_of(s.system))
         .set("ambient", s.system.ambient)
         .set("planes", glm::vec3(l.z_near, l.z_far, 1 / l.z_far))
         .set("world_to_texels", world_to_texels)

@@ -7,6 +7,7 @@
 
 #include <choices.hpp>
 #include <command_line.hpp>
+#include <names.hpp>
 
 #include "stored_as.hpp"
 
@@ -41,9 +42,11 @@ session::session(const options& o) : es2(o.es2), mask(o.mask), text(o.text), map
     if (o.elevation) system.elevation = *o.elevation;
     if (o.encoding) encode(*o.encoding);
     if (o.filter) filter(*o.filter);
+    if (o.radius) radius(*o.radius);
+    if (o.bias) bias(*o.bias);
     if (o.map_size) system.map_size = *o.map_size;
-    if (o.bias) system.bias = *o.bias;
-    if (o.lift) system.lift = *o.lift;
+    if (o.epsilon) system.epsilon = *o.epsilon;
+    if (o.reach) system.reach = *o.reach;
 }
 
 void session::select(const example::shadow_system& s) {
@@ -61,14 +64,30 @@ void session::select(const example::shadow_system& s) {
 void session::encode(std::string_view name) {
     if (es2 && !encoding_called(name).on_es2())
         throw example::usage_error("OpenGL ES 2 cannot do the encoding " + std::string(name));
-    const example::shadow_system& original = system_called(system.name);
     system.encoding = listed(example::encoding_names(), name);
-    system.receiver = name == original.encoding ? original.receiver : example::receiver_kind::plain;
+    settle_receiver();
+}
+
+/// An original's own receivers go with its own encoding, and with depths that stay where they are stored.
+void session::settle_receiver() {
+    const example::shadow_system& original = system_called(system.name);
+    const bool own = system.encoding == original.encoding && !example::moves_stored_depths(system.bias);
+    system.receiver = own ? original.receiver : example::receiver_kind::plain;
 }
 
 void session::filter(std::string_view name) {
     system.filter = listed(example::filter_names(), name);
-    system.lift = example::lift_for(example::reach_of(name));
+    system.reach = example::covered(example::reach_of(name, system.radius));
+}
+
+void session::radius(float texels) {
+    system.radius = std::clamp(texels, 0.0f, largest_radius);
+    filter(system.filter);
+}
+
+void session::bias(std::string_view name) {
+    system.bias = listed(example::bias_names(), name);
+    settle_receiver();
 }
 
 void session::next_encoding() {
@@ -78,7 +97,7 @@ void session::next_encoding() {
 }
 
 void session::press(int pressed) {
-    constexpr float step = 3;
+    constexpr float step = 3, usual_radius = 2;
     switch (pressed) {
         case '1':
         case '2':
@@ -90,8 +109,11 @@ void session::press(int pressed) {
         }
         case 'E': next_encoding(); break;
         case 'F': filter(after(example::filter_names(), system.filter)); break;
-        case '+': system.bias *= 1.25f; break;
-        case '-': system.bias *= 0.8f; break;
+        case 'B': bias(after(example::bias_names(), system.bias)); break;
+        case 'J': radius(system.radius.value_or(usual_radius) - 1); break;
+        case 'K': radius(system.radius.value_or(usual_radius) + 1); break;
+        case '+': system.epsilon *= 1.25f; break;
+        case '-': system.epsilon *= 0.8f; break;
         case 'M': system.map_size = std::min(system.map_size * 2, largest_map / 2); break;
         case 'N': system.map_size = std::max(system.map_size / 2, smallest_map); break;
         case 'T': map = !map; break;
@@ -128,9 +150,10 @@ void session::resize(glm::ivec2 size) {
 
 std::string session::describe() const {
     std::ostringstream out;
-    out << system.title << "\nencoding " << system.encoding << ", filter " << system.filter << "\nbias " << system.bias
-        << ", map " << system.map_size << " x " << system.map_size << "\nlight: azimuth " << system.azimuth
-        << ", elevation " << system.elevation << '\n';
+    out << system.title << "\nencoding " << system.encoding << ", filter " << system.filter;
+    if (system.radius) out << " (radius " << *system.radius << " if any)";
+    out << "\nbias " << system.bias << ", epsilon " << system.epsilon << "\nmap " << system.map_size << " x "
+        << system.map_size << "\nlight: azimuth " << system.azimuth << ", elevation " << system.elevation << '\n';
     return out.str();
 }
 

@@ -18,6 +18,7 @@
 namespace viewer {
 
 inline constexpr float lowest_light = 5;
+inline constexpr float largest_radius = 8;  ///< of a box or a disc, texels
 inline constexpr int smallest_map = 16, largest_map = 8192;
 
 /// Keys that stand for no letter.
@@ -30,8 +31,8 @@ inline constexpr std::string_view keys =
     "right drag, arrows  light\n"
     "L  light goes round\n"
     "1 2 3 4  system\n"
-    "E  encoding, F  filter\n"
-    "+ -  bias, M N  map size\n"
+    "E  encoding, F  filter, B  bias\n"
+    "J K  radius, + -  epsilon, M N  map size\n"
     "T  map, V  visibility alone\n"
     "H  this text, R  reset\n"
     "P  screenshot, Esc  quit\n";
@@ -52,8 +53,11 @@ public:
     /// @param name  one of example::encoding_names()
     /// @throws example::usage_error  it does not run on OpenGL ES 2
     void encode(std::string_view name);
-    /// @param name  one of example::filter_names(); the lift follows its reach
+    /// @param name  one of example::filter_names(); the bias covers its reach
     void filter(std::string_view name);
+    void radius(float texels);  ///< of a box or a disc
+    /// @param name  one of example::bias_names()
+    void bias(std::string_view name);
 
     /// A letter, a digit, '+', '-' or one of viewer::key. Others are ignored.
     void press(int pressed);
@@ -66,6 +70,7 @@ public:
 
 private:
     void next_encoding();
+    void settle_receiver();
 
     std::filesystem::path mesh_file_;
     example::up_axis up_;

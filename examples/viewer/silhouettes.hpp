@@ -62,7 +62,7 @@ private:
     [[nodiscard]] bool lit(const example::surface& s, glm::vec3 position) const {
         const glm::vec3 point = example::lifted(system_, light_, position, s.face_normal, system_.map_size);
         const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels_, point));
-        const float receiver = umbrage::biased(light_.depth(system_, p.z), system_.bias);
+        const float receiver = umbrage::biased(light_.depth(system_, p.z), system_.epsilon);
         return light_.cone(position) * umbrage::hard(umbrage::clamped(map_), glm::vec2(p), receiver) > 0;
     }
 

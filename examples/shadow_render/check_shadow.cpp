@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <names.hpp>
+
+#include "check.hpp"
+
+using namespace shadow_render_check;
+
+namespace {
+
+/// Pixels in shadow of the floor in front, which nothing stands before.
+int shadowed_floor(const std::string& options) {
+    CAPTURE(options);
+    REQUIRE(run(output("lit") + small + options).code == 0);
+    const auto mask = picture("lit", "visibility.png");
+    int shadowed = 0;
+    for (int y = 145; y < 160; ++y)
+        for (int x = 20; x < 220; ++x) shadowed += mask[{x, y}].r != 255;
+    return shadowed;
+}
+
+}  // namespace
+
+TEST_CASE("shadow_render: no acne on what a light lights, from any side") {
+    const auto shadowed_front = [](const std::string& options) { return shadowed_floor("--encoding rg9 " + options); };
+    for (const char* light : {"--light spot ", "--light directional "})
+        for (const char* filter : {"--filter hard ", "--filter four_tap ", "--filter pcf_2x2 ",
+                                   "--filter box --radius 3 ", "--filter disc16 --radius 3 "})
+            for (const char* angles :
+                 {"--azimuth 20 --elevation 20", "--azimuth 300 --elevation 50", "--elevation 90"}) {
+                const std::string options = std::string(light) + filter + angles;
+                CHECK_MESSAGE(shadowed_front(options) == 0, options);
+            }
+    CHECK(shadowed_front("--reach 0 --azimuth 20 --elevation 20") > 100);  // without the bias there is plenty
+}
+
+TEST_CASE("shadow_render: with every bias the floor is lit and shadows are where they belong") {
+    REQUIRE(run(output("reference") + small).code == 0);
+    const auto reference = picture("reference", "visibility.png");
+    for (const std::string& bias : example::bias_names()) {
+        CAPTURE(bias);
+        CHECK(shadowed_floor("--filter box --bias " + bias) == 0);
+        REQUIRE(run(output("other") + small + "--bias " + bias).code == 0);
+        const auto mask = picture("other", "visibility.png");
+        int differ = 0;
+        for (int y = 0; y < 160; ++y)
+            for (int x = 0; x < 240; ++x) differ += std::abs(mask[{x, y}].r - reference[{x, y}].r) > 64;
+        CHECK(differ < 0.03 * 240 * 160);
+        CHECK((differ > 0) == (bias != "normal_offset"));
+        CHECK(mask[{120, 65}].r == 0);  // the ball's shadow on the box
+        // a plane of its own keeps a receiver lit without any bias
+        CHECK((shadowed_floor("--reach 0 --elevation 30 --bias " + bias) > 100) == !example::moves_stored_depths(bias));
+    }
+}
+
+TEST_CASE("shadow_render: a disc's radius makes edges softer") {
+    const auto soft = [](const std::string& radius) {
+        REQUIRE(run(output("soft") + small + "--filter disc32 --radius " + radius).code == 0);
+        const auto mask = picture("soft", "visibility.png");
+        return std::ranges::count_if(mask.texels(), [](glm::u8vec4 p) { return p.r != 0 && p.r != 255; });
+    };
+    CHECK(soft("6") > 2 * soft("1.5"));
+}

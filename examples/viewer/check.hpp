@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+//
+// Runs the viewer, and looks at its pictures.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+
+#include <glm/gtc/type_precision.hpp>
+
+#include <umbrage/image.hpp>
+
+namespace viewer_check {
+
+using picture = umbrage::image<glm::u8vec3>;
+
+inline const std::filesystem::path folder = std::filesystem::current_path();  // each test's own: they run side by side
+
+struct result {
+    int code;
+    std::string said;  ///< on either stream
+};
+[[nodiscard]] result run(const std::string& command);
+
+[[nodiscard]] std::string quoted(const std::filesystem::path& path);
+[[nodiscard]] picture load(const std::filesystem::path& file);
+
+/// What the viewer draws.
+[[nodiscard]] picture viewed(const std::string& arguments, const std::string& in = {});
+
+[[nodiscard]] int differing(const picture& a, const picture& b);
+
+}  // namespace viewer_check

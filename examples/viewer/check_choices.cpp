@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <names.hpp>
+#include <systems.hpp>
+
+#include "check.hpp"
+
+using namespace viewer_check;
+
+namespace {
+
+/// How many times as many pixels as under a box of radius 1 see a texel that compares otherwise; no fewer than there.
+int pixels_a_texel(const std::string& filter) {
+    const float times = std::max(example::reach_of(filter) / 1.5f, 1.0f);
+    return static_cast<int>(times * times);
+}
+
+}  // namespace
+
+TEST_CASE("choices: every encoding and filter draws, fine encodings as floats do") {
+    const std::string small = "--headless --mask --width 300 --height 200 --system dx_sdk ";
+    for (const std::string& filter : example::filter_names()) {
+        const std::string with_filter = small + "--filter " + filter;
+        const picture floats = viewed(with_filter + " --encoding depth32f");
+        CHECK(floats[{138, 86}] != floats[{120, 190}]);  // the ball's shadow on the box, the floor in front
+        // of a filter that comes in sizes some encodings will do
+        const bool alike = filter != "pcf_2x2" && filter.find_last_not_of("0123456789") + 1 < filter.size();
+        for (const std::string& encoding : example::encoding_names()) {
+            if (alike && encoding != "rg11" && encoding != "rg16") continue;
+            const int other = differing(viewed(with_filter + " --encoding " + encoding), floats);
+            CAPTURE(filter);
+            CAPTURE(encoding);
+            const bool coarse = encoding >= "rg10" && encoding <= "rg14";
+            if (encoding == "rg9") CHECK(other > 150);
+            else if (!coarse) CHECK(other < 15 * pixels_a_texel(filter));
+        }
+    }
+}
+
+TEST_CASE("choices: every bias on every system keeps what is lit lit, and shadows where they are") {
+    for (const char* kind : {"", "--es2 "})
+        for (const example::shadow_system& system : example::systems) {
+            if (*kind && system.name != "radeon_8500") continue;
+            const std::string small =
+                std::string("--headless --mask --width 300 --height 200 --system ").append(system.name) + " " + kind;
+            const picture usual = viewed(small + "--filter box");
+            for (const std::string& bias : example::bias_names()) {
+                CAPTURE(bias);
+                CAPTURE(system.name);
+                const picture mask = viewed(small + "--filter box --bias " + bias);
+                CHECK(mask[{150, 195}] == glm::u8vec3(255));  // the floor in front
+                CHECK(mask[{148, 82}] == glm::u8vec3(0));     // the ball's shadow on the box
+                const int other = differing(mask, usual);
+                CHECK((other > 0) == (bias != "normal_offset"));
+                CHECK(other < 0.08 * 300 * 200);
+            }
+        }
+}
+
+TEST_CASE("choices: a disc's radius, and what a bias is to reach") {
+    const std::string small = "--headless --mask --width 300 --height 200 --filter disc16 ";
+    CHECK(differing(viewed(small + "--radius 6"), viewed(small)) > 500);
+    CHECK(differing(viewed(small + "--radius 2"), viewed(small)) == 0);
+    CHECK(differing(viewed(small + "--reach 0"), viewed(small)) > 500);
+}
+
+TEST_CASE("choices: a mesh from a file, a finer map, an epsilon that lights everything") {
+    std::ofstream(folder / "tent.obj") << "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0.3 1 0.3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    const std::string small = "--headless --mask --width 300 --height 200 ";
+    const picture usual = viewed(small);
+    CHECK(differing(viewed(small + "--mesh " + quoted(folder / "tent.obj")), usual) > 1000);
+    CHECK(differing(viewed(small + "--map-size 64"), usual) > 100);
+    const picture lit = viewed(small + "--epsilon 1 --system exercise");
+    CHECK(differing(lit, picture(lit.size(), glm::u8vec3(255))) == 0);
+}

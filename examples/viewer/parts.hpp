@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+//
+// The parts of a system as GLSL: how its map is written and read, which filter and which bias it has.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <umbrage/shader/bind.hpp>
+#include <umbrage/shader/glsl.hpp>
+
+#include <systems.hpp>
+
+namespace viewer {
+
+namespace glsl = umbrage::glsl;
+using snippets = std::vector<glsl::snippet>;
+
+/// How a system writes the map, an expression of `depth`, and reads it: as its encoding does, or through the look-up
+/// texture of 2048 x 1 texels and pixel shader 1.4's r / 8 + g.
+struct storage {
+    snippets writers;
+    std::string write;
+    glsl::binding map;
+};
+[[nodiscard]] storage storage_of(const example::shadow_system& s);
+
+/// float map_depth(float z), the system's kind of depth from z/w in [0, 1], and what it calls; `planes`, declared
+/// ahead, are z_near, z_far, 1 / z_far.
+[[nodiscard]] std::string map_depth(const example::shadow_system& s);
+[[nodiscard]] const snippets& depth_snippets();
+inline constexpr const char* planes = "uniform vec3 planes;\n";
+
+/// The way back, of an expression.
+[[nodiscard]] std::string projected(const example::shadow_system& s, const std::string& depth);
+
+/// What a bias does to a receiver, and, ahead of the snippets, to stored depths.
+struct bias {
+    snippets uses;
+    std::string statement, ahead;
+};
+[[nodiscard]] bias bias_of(const example::shadow_system& s, const glsl::binding& map);
+
+struct filter {
+    snippets uses;
+    std::string visibility;  ///< expression of p, depth, biased, receiver and epsilon
+};
+[[nodiscard]] filter filter_of(const example::shadow_system& s);
+
+/// The side that is compared with the map, an expression of `depth`, biased.
+[[nodiscard]] std::string receiver_of(const example::shadow_system& s);
+
+}  // namespace viewer
