@@ -341,6 +341,8 @@ export const window_hardware3: Snippet;
 export const window_hardware5: Snippet;
 /** window of 7 x 7 by 16 of them */
 export const window_hardware7: Snippet;
+/** visibility where bounds of a filter's texels suffice */
+export const bounds_lit: Snippet;
 /** texels across a light as world units */
 export const texels_to_world: Snippet;
 /** clamp of a bias to [0, 1], NaN to 1 */

@@ -1593,14 +1593,12 @@ UMBRAGE_HIGHP float umbrage_tent2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
     UMBRAGE_HIGHP vec2 w2 = s * 8.0;
     UMBRAGE_HIGHP vec2 w1 = 4096.0 - w0 - w2;
     UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
-    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, -1.0), receiver);
-    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
-    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(-1.0, 1.0), receiver);
-    UMBRAGE_HIGHP float e = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
-    UMBRAGE_HIGHP float f = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
-    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
-    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, texel + vec2(1.0, -1.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, texel + vec2(-1.0, 1.0), receiver);
+    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, texel + vec2(1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
     return compared ? n * (1.0 / 16777216.0) : 1.0;
 }
 `,
@@ -1629,14 +1627,12 @@ UMBRAGE_HIGHP float umbrage_quadratic_b_spline(UMBRAGE_MAP map, UMBRAGE_HIGHP ve
     UMBRAGE_HIGHP vec2 w2 = floor(s * s * (1.0 / 32.0));
     UMBRAGE_HIGHP vec2 w1 = 4096.0 - w0 - w2;
     UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
-    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, -1.0), receiver);
-    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
-    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(-1.0, 1.0), receiver);
-    UMBRAGE_HIGHP float e = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
-    UMBRAGE_HIGHP float f = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
-    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
-    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, texel + vec2(1.0, -1.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, texel + vec2(-1.0, 1.0), receiver);
+    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, texel + vec2(1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
     return compared ? n * (1.0 / 16777216.0) : 1.0;
 }
 `,
@@ -1849,6 +1845,21 @@ UMBRAGE_HIGHP float umbrage_window_hardware7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     row += w3.x * umbrage_lit_filtered(map, size, vec2(p3.x, p3.y), receiver);
     n += w3.y * row;
     return compared ? n / (whole * whole) : 1.0;
+}
+`,
+            "bounds_lit": `
+// umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
+//   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
+//   coord, receiver  as the filter takes them
+UMBRAGE_HIGHP float umbrage_bounds_lit(UMBRAGE_MAP bounds, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 place) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
+    UMBRAGE_HIGHP float all = umbrage_compare(receiver, b.x);
+    UMBRAGE_HIGHP float some = umbrage_compare(receiver, b.y);
+    UMBRAGE_HIGHP float known = b.x <= b.y && all == some ? all : -1.0;  // not of a NaN
+    return compared ? known : 1.0;
 }
 `,
             "texels_to_world": `
@@ -3483,14 +3494,12 @@ float umbrage_tent2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) 
     float2 w2 = s * 8.0;
     float2 w1 = 4096.0 - w0 - w2;
     float4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
-    float b = umbrage_lit(map, size, texel + float2(1.0, -1.0), receiver);
-    float c = umbrage_lit(map, size, texel + float2(1.0, 0.0), receiver);
-    float d = umbrage_lit(map, size, texel + float2(-1.0, 1.0), receiver);
-    float e = umbrage_lit(map, size, texel + float2(0.0, 1.0), receiver);
-    float f = umbrage_lit(map, size, texel + float2(1.0, 1.0), receiver);
-    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
-    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    float4 b = umbrage_lit_2x2(map, size, texel + float2(1.0, -1.0), receiver);
+    float4 c = umbrage_lit_2x2(map, size, texel + float2(-1.0, 1.0), receiver);
+    float4 d = umbrage_lit_2x2(map, size, texel + float2(1.0, 1.0), receiver);
+    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
     return compared ? n * (1.0 / 16777216.0) : 1.0;
 }
 `,
@@ -3517,14 +3526,12 @@ float umbrage_quadratic_b_spline(UMBRAGE_MAP map, float2 size, float2 coord, flo
     float2 w2 = floor(s * s * (1.0 / 32.0));
     float2 w1 = 4096.0 - w0 - w2;
     float4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
-    float b = umbrage_lit(map, size, texel + float2(1.0, -1.0), receiver);
-    float c = umbrage_lit(map, size, texel + float2(1.0, 0.0), receiver);
-    float d = umbrage_lit(map, size, texel + float2(-1.0, 1.0), receiver);
-    float e = umbrage_lit(map, size, texel + float2(0.0, 1.0), receiver);
-    float f = umbrage_lit(map, size, texel + float2(1.0, 1.0), receiver);
-    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
-    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    float4 b = umbrage_lit_2x2(map, size, texel + float2(1.0, -1.0), receiver);
+    float4 c = umbrage_lit_2x2(map, size, texel + float2(-1.0, 1.0), receiver);
+    float4 d = umbrage_lit_2x2(map, size, texel + float2(1.0, 1.0), receiver);
+    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
     return compared ? n * (1.0 / 16777216.0) : 1.0;
 }
 `,
@@ -3726,6 +3733,20 @@ float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float
     row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p3.y), receiver);
     n += w3.y * row;
     return compared ? n / (whole * whole) : 1.0;
+}
+`,
+            "bounds_lit": `
+// umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
+//   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
+//   coord, receiver  as the filter takes them
+float umbrage_bounds_lit(UMBRAGE_MAP bounds, float2 size, float2 coord, float receiver, float2 place) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
+    float4 b = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
+    float all = umbrage_compare(receiver, b.x);
+    float some = umbrage_compare(receiver, b.y);
+    float known = b.x <= b.y && all == some ? all : -1.0;  // not of a NaN
+    return compared ? known : 1.0;
 }
 `,
             "texels_to_world": `
@@ -5333,14 +5354,12 @@ inline float umbrage_tent2(UMBRAGE_MAP map, float2 size, float2 coord, float rec
     float2 w2 = s * 8.0;
     float2 w1 = 4096.0 - w0 - w2;
     float4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
-    float b = umbrage_lit(map, size, texel + float2(1.0, -1.0), receiver);
-    float c = umbrage_lit(map, size, texel + float2(1.0, 0.0), receiver);
-    float d = umbrage_lit(map, size, texel + float2(-1.0, 1.0), receiver);
-    float e = umbrage_lit(map, size, texel + float2(0.0, 1.0), receiver);
-    float f = umbrage_lit(map, size, texel + float2(1.0, 1.0), receiver);
-    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
-    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    float4 b = umbrage_lit_2x2(map, size, texel + float2(1.0, -1.0), receiver);
+    float4 c = umbrage_lit_2x2(map, size, texel + float2(-1.0, 1.0), receiver);
+    float4 d = umbrage_lit_2x2(map, size, texel + float2(1.0, 1.0), receiver);
+    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
     return compared ? n * (1.0 / 16777216.0) : 1.0;
 }
 `,
@@ -5367,14 +5386,12 @@ inline float umbrage_quadratic_b_spline(UMBRAGE_MAP map, float2 size, float2 coo
     float2 w2 = metal::floor(s * s * (1.0 / 32.0));
     float2 w1 = 4096.0 - w0 - w2;
     float4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
-    float b = umbrage_lit(map, size, texel + float2(1.0, -1.0), receiver);
-    float c = umbrage_lit(map, size, texel + float2(1.0, 0.0), receiver);
-    float d = umbrage_lit(map, size, texel + float2(-1.0, 1.0), receiver);
-    float e = umbrage_lit(map, size, texel + float2(0.0, 1.0), receiver);
-    float f = umbrage_lit(map, size, texel + float2(1.0, 1.0), receiver);
-    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
-    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    float4 b = umbrage_lit_2x2(map, size, texel + float2(1.0, -1.0), receiver);
+    float4 c = umbrage_lit_2x2(map, size, texel + float2(-1.0, 1.0), receiver);
+    float4 d = umbrage_lit_2x2(map, size, texel + float2(1.0, 1.0), receiver);
+    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
     return compared ? n * (1.0 / 16777216.0) : 1.0;
 }
 `,
@@ -5577,6 +5594,20 @@ inline float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord
     row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p3.y), receiver);
     n += w3.y * row;
     return compared ? n / (whole * whole) : 1.0;
+}
+`,
+            "bounds_lit": `
+// umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
+//   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
+//   coord, receiver  as the filter takes them
+inline float umbrage_bounds_lit(UMBRAGE_MAP bounds, float2 size, float2 coord, float receiver, float2 place) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
+    float4 b = umbrage_fetch_clamped(bounds, size, metal::floor((x + place.x) * place.y));
+    float all = umbrage_compare(receiver, b.x);
+    float some = umbrage_compare(receiver, b.y);
+    float known = b.x <= b.y && all == some ? all : -1.0;  // not of a NaN
+    return compared ? known : 1.0;
 }
 `,
             "texels_to_world": `
@@ -7183,14 +7214,12 @@ fn umbrage_tent2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f
     let w2: vec2f = s * 8.0;
     let w1: vec2f = 4096.0 - w0 - w2;
     let a: vec4f = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
-    let b: f32 = umbrage_lit(map, size, texel + vec2f(1.0, -1.0), receiver);
-    let c: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 0.0), receiver);
-    let d: f32 = umbrage_lit(map, size, texel + vec2f(-1.0, 1.0), receiver);
-    let e: f32 = umbrage_lit(map, size, texel + vec2f(0.0, 1.0), receiver);
-    let f: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 1.0), receiver);
-    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
-    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    let b: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(1.0, -1.0), receiver);
+    let c: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(-1.0, 1.0), receiver);
+    let d: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(1.0, 1.0), receiver);
+    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
     return select(1.0, n * (1.0 / 16777216.0), compared);
 }
 `,
@@ -7217,14 +7246,12 @@ fn umbrage_quadratic_b_spline(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiv
     let w2: vec2f = floor(s * s * (1.0 / 32.0));
     let w1: vec2f = 4096.0 - w0 - w2;
     let a: vec4f = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
-    let b: f32 = umbrage_lit(map, size, texel + vec2f(1.0, -1.0), receiver);
-    let c: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 0.0), receiver);
-    let d: f32 = umbrage_lit(map, size, texel + vec2f(-1.0, 1.0), receiver);
-    let e: f32 = umbrage_lit(map, size, texel + vec2f(0.0, 1.0), receiver);
-    let f: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 1.0), receiver);
-    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
-    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    let b: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(1.0, -1.0), receiver);
+    let c: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(-1.0, 1.0), receiver);
+    let d: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(1.0, 1.0), receiver);
+    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
     return select(1.0, n * (1.0 / 16777216.0), compared);
 }
 `,
@@ -7426,6 +7453,20 @@ fn umbrage_window_hardware7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     row += w3.x * umbrage_lit_filtered(map, size, vec2f(p3.x, p3.y), receiver);
     n += w3.y * row;
     return select(1.0, n / (whole * whole), compared);
+}
+`,
+            "bounds_lit": `
+// umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
+//   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
+//   coord, receiver  as the filter takes them
+fn umbrage_bounds_lit(UMBRAGE_MAP bounds, size: vec2f, coord: vec2f, receiver: f32, place: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
+    let b: vec4f = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
+    let all: f32 = umbrage_compare(receiver, b.x);
+    let some: f32 = umbrage_compare(receiver, b.y);
+    let known: f32 = select(-1.0, all, b.x <= b.y && all == some);  // not of a NaN
+    return select(1.0, known, compared);
 }
 `,
             "texels_to_world": `
@@ -7915,9 +7956,9 @@ const rows = [
     ["box_count", "box_count", "lit texels in a box of radius 0..8", "a", 0, 0, "100", "none", false, ["is_compared", "lit"]],
     ["box_scale", "box_scale", "1 / (2r+1)^2", "a", 0, 0, "100", "none", false, []],
     ["box", "box", "lit share of a box of radius 0..8", "b", 0, 0, "100", "none", false, ["box_count", "box_scale"]],
-    ["tent2", "tent2", "sliding window 1 1", "a", 0, 0, "100", "none", false, ["is_compared", "lit", "lit_2x2"]],
+    ["tent2", "tent2", "sliding window 1 1", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
     ["tent3", "tent3", "sliding window 1 2 1", "a", 0, 0, "100", "none", false, ["window_sum3"]],
-    ["quadratic_b_spline", "quadratic_b_spline", "quadratic B-spline of 3 x 3 texels", "a", 0, 0, "100", "none", false, ["is_compared", "lit", "lit_2x2"]],
+    ["quadratic_b_spline", "quadratic_b_spline", "quadratic B-spline of 3 x 3 texels", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
     ["binomial5", "binomial5", "sliding window 1 4 6 4 1", "a", 0, 0, "100", "none", false, ["window_sum5"]],
     ["castano_dyadic5", "castano_dyadic5", "sliding window 5 16 22 16 5", "a", 0, 0, "100", "none", false, ["window_sum5"]],
     ["castano5", "castano5", "sliding window 1 3 4 3 1", "b", 0, 0, "100", "none", false, ["window_sum5"]],
@@ -7929,6 +7970,7 @@ const rows = [
     ["window_hardware3", "window_hardware3", "window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
     ["window_hardware5", "window_hardware5", "window of 5 x 5 by 9 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
     ["window_hardware7", "window_hardware7", "window of 7 x 7 by 16 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
+    ["bounds_lit", "bounds_lit", "visibility where bounds of a filter's texels suffice", "a", 0, 0, "100", "none", false, ["is_compared", "compare", "fetch_clamped"]],
     ["texels_to_world", "texels_to_world", "texels across a light as world units", "b", 0, 0, "100", "none", false, []],
     ["clamp_bias", "clamp_bias", "clamp of a bias to [0, 1], NaN to 1", "a", 0, 0, "100", "none", false, []],
     ["world_to_depth", "world_to_depth", "world units along a light as depth", "c", 1, 0, "100", "none", false, ["clamp_bias"]],
@@ -7999,4 +8041,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

@@ -3749,6 +3749,65 @@ inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_sp
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/filter/bounds_lit.hpp
+// Whether a filter has to be asked at all: where all texels that it may touch are lit, or none is, one look-up into
+// their bounds says so, and what it says are the filter's bits. In shaders, with bounds of make_filter_bounds as a map:
+//
+//     float lit = umbrage_bounds_lit_sun_bounds(bounds, bounds_size, coord, receiver, place);
+//     if (lit < 0.0) lit = umbrage_binomial7_sun(map, size, coord, receiver);
+//
+// Pays off for filters of many texels, and where shadows have more inside than border.
+
+namespace umbrage {
+
+/// What every filter of a reach gives where bounds suffice.
+/// @param bounds     ivec2 -> vec2, least and greatest depth of the texels that it may touch; the least is a NaN where
+///                   one of them is
+/// @param coord      receiver in texels of the map, as the filter takes it
+/// @param receiver   depth, as the filter takes it
+/// @param place      which bounds are a receiver's, see make_filter_bounds
+/// @return           1 where all are lit, 0 where none is, else -1: ask the filter
+/// @formula          [receiver <= least] where that is [receiver <= greatest], else -1; both of the bounds
+///                   at floor((floor(256 coord) + place.x) place.y)
+/// @exactness        A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T bounds_lit(Fetch&& bounds, glm::vec<2, T> coord, T receiver, glm::vec<2, T> place,
+                           Compare is_lit = {}) {
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const glm::vec<2, T> b(bounds(glm::ivec2(glm::floor((glm::floor(coord * T(256)) + place.x) * place.y))));
+    const T all = compare(receiver, b.x, is_lit), some = compare(receiver, b.y, is_lit);
+    return all == some && !is_nan(b.x) && b.x <= b.y ? all : T(-1);
+}
+
+namespace glsl {
+
+inline constexpr snippet bounds_lit{
+    .name = "bounds_lit",
+    .summary = "visibility where bounds of a filter's texels suffice",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &compare, &fetch_clamped>,
+    .source = R"GLSL(
+// umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
+//   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
+//   coord, receiver  as the filter takes them
+UMBRAGE_HIGHP float umbrage_bounds_lit(UMBRAGE_MAP bounds, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 place) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
+    UMBRAGE_HIGHP float all = umbrage_compare(receiver, b.x);
+    UMBRAGE_HIGHP float some = umbrage_compare(receiver, b.y);
+    UMBRAGE_HIGHP float known = b.x <= b.y && all == some ? all : -1.0;  // not of a NaN
+    return compared ? known : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr auto bounds_lit_snippets = list<&bounds_lit>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/filter/pcf/box.hpp
 // Percentage-closer filtering with a (2r+1) x (2r+1) box of equal weights.
 //
@@ -4151,6 +4210,12 @@ struct rotated_disc {
         return umbrage::disc<32>(fetch, coord, receiver, radius_texels, turn, is_lit);
     }
 };
+
+/// The same result; for images of receivers it first asks, for all texels within reach, whether they are all lit or all
+/// in shadow. Pays off for large radii, and where shadows have more inside than border.
+///
+///     umbrage::filters::hierarchical_disc filter{umbrage::filters::disc<32>};
+struct hierarchical_disc : rotated_disc {};
 
 template <int Points>
 inline constexpr rotated_disc disc{Points, 2.0f, {}, glsl::disc<Points>.name, &glsl::disc<Points>};
@@ -4689,6 +4754,9 @@ inline constexpr auto pcf_2x2_hardware_snippets = list<&lit_filtered, &pcf_2x2_h
 //     constexpr umbrage::window_row row = umbrage::make_window_row(5, {1, 3, 8});
 //     float softer = umbrage::window(umbrage::clamped(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
 //
+// In a shader a window asks for 2 x 2 texels at a time: bound to a map with `gather`, one of 3 x 3 weights takes 4
+// gathers, one of 5 x 5 takes 9, one of 7 x 7 takes 16.
+//
 // A window of n x n weights touches n + 1 texels an axis: each texel has its own weight and that of its neighbour, as
 // much of either as the window has moved. The library's rows of weights are in windows.hpp.
 
@@ -5083,14 +5151,12 @@ UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE
     UMBRAGE_HIGHP vec2 w2 = $e;
     UMBRAGE_HIGHP vec2 w1 = 4096.0 - w0 - w2;
     UMBRAGE_HIGHP vec4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
-    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, -1.0), receiver);
-    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
-    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(-1.0, 1.0), receiver);
-    UMBRAGE_HIGHP float e = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
-    UMBRAGE_HIGHP float f = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
-    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
-    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    UMBRAGE_HIGHP vec4 b = umbrage_lit_2x2(map, size, texel + vec2(1.0, -1.0), receiver);
+    UMBRAGE_HIGHP vec4 c = umbrage_lit_2x2(map, size, texel + vec2(-1.0, 1.0), receiver);
+    UMBRAGE_HIGHP vec4 d = umbrage_lit_2x2(map, size, texel + vec2(1.0, 1.0), receiver);
+    UMBRAGE_HIGHP float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
     return compared ? n * (1.0 / 16777216.0) : 1.0;
 }
 )GLSL",
@@ -5101,7 +5167,7 @@ UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE
 template <int Size>
 inline constexpr auto window_needs = list<&window_sum<Size>>;
 template <>
-inline constexpr auto window_needs<2> = list<&is_compared, &lit, &lit_2x2>;
+inline constexpr auto window_needs<2> = list<&is_compared, &lit_2x2>;
 
 }  // namespace detail
 
@@ -7891,6 +7957,13 @@ struct disc_blocks {
         const texel_bytes memory(map);
         const int last_x = map.size.x - 1, last_y = map.size.y - 1 - rows;
         alignas(64) std::int32_t offsets[block];
+        locate(receivers, at, pixel_y);
+        for (int i = 0; i < block; ++i)
+            offsets[i] = memory.offset(clamp_int(at.x[i] >> 8, last_x), clamp_int((at.y[i] >> 8) - rows, last_y));
+        prefetch(memory, offsets, 2 * rows);
+    }
+    template <class Receivers>
+    UMBRAGE_INLINE void locate(const Receivers& receivers, placed& at, int pixel_y) const {
         at.row = pixel_y & 15;
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
@@ -7898,9 +7971,7 @@ struct disc_blocks {
             at.x[i] = floor_int(masked(receivers.x(i), at.compared[i]) * 256.0f);
             at.y[i] = floor_int(masked(receivers.y(i), at.compared[i]) * 256.0f);
             at.z[i] = receivers.z(i);
-            offsets[i] = memory.offset(clamp_int(at.x[i] >> 8, last_x), clamp_int((at.y[i] >> 8) - rows, last_y));
         }
-        prefetch(memory, offsets, 2 * rows);
     }
 
     template <class Isa>
@@ -8090,6 +8161,128 @@ struct serial {
 
 }  // namespace umbrage
 
+// ---- umbrage/simd/blocks/box_bounds.hpp
+// Least and greatest depth under boxes of texels, one number each for every place of a box.
+
+namespace umbrage::detail {
+
+/// For every place where a box may start, the bounds of the squares of texels that the box touches: at most `cells`
+/// squares of 2^level texels in a row.
+struct box_bounds {
+    int level, cells;
+    glm::ivec2 last;          ///< of the starts, which begin cells - 1 squares in front of the map
+    image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
+
+    /// @param width   of the box
+    template <class ParallelFor>
+    box_bounds(image_view<const float> map, int width, ParallelFor&& parallel)
+        : level(width < 9 ? 1 : 2), cells(((1 << level) + width - 2) / (1 << level) + 1) {
+        const glm::ivec2 squares = (map.size + ((1 << level) - 1)) >> level;
+        last = squares + (cells - 2);
+        bounds = image<glm::vec2>({(last.x + block) / block * block, last.y + 1});
+        image<std::int32_t> least({bounds.size().x, squares.y}), greatest(least.size());
+        parallel(squares.y, [&](int from, int to) {
+            const int blocks = (squares.x + block - 1) / block;
+            const auto columns = static_cast<std::size_t>(blocks * block) << level;
+            std::vector<std::int32_t> low(columns), high(columns),
+                padded(static_cast<std::size_t>(bounds.size().x + cells));
+            on_best_isa([&](auto) UMBRAGE_INLINE {
+                for (int y = from; y < to; ++y) {
+                    bounds_of_columns(map, y << level, low, high);
+                    along_row(low, squares.x, padded, least_of{}, least.view().row(y));
+                    along_row(high, squares.x, padded, greatest_of{}, greatest.view().row(y));
+                }
+            });
+        });
+        parallel(bounds.size().y, [&](int from, int to) {
+            const auto row = [&](const image<std::int32_t>& of, int y) {
+                return of.view().row(clamp_int(y - (cells - 1), squares.y - 1));
+            };
+            on_best_isa([&](auto) UMBRAGE_INLINE {
+                for (int y = from; y < to; ++y)
+                    for (int x = 0; x < bounds.size().x; x += block) {
+                        alignas(64) std::int32_t lows[block], highs[block];
+                        widen(least_of{}, lows, [&](int k) UMBRAGE_INLINE { return row(least, y + k) + x; });
+                        widen(greatest_of{}, highs, [&](int k) UMBRAGE_INLINE { return row(greatest, y + k) + x; });
+                        glm::vec2* out = bounds.view().row(y) + x;
+                        for (int i = 0; i < block; ++i) out[i] = {from_order_key(lows[i]), from_order_key(highs[i])};
+                    }
+            });
+        });
+    }
+
+private:
+    /// Over 2^level rows; the last row and column are repeated.
+    UMBRAGE_INLINE void bounds_of_columns(const image_view<const float>& map, int y, std::vector<std::int32_t>& low,
+                                          std::vector<std::int32_t>& high) const {
+        for (int x = 0; x < static_cast<int>(low.size()); x += block) {
+            alignas(64) std::int32_t lows[block], highs[block], keys[block];
+            for (int k = 0; k < 1 << level; ++k) {
+                const float* depths = map.row(clamp_int(y + k, map.size.y - 1)) + x;
+                alignas(64) float repeated[block];
+                if (x + block > map.size.x) {
+                    for (int i = 0; i < block; ++i) repeated[i] = depths[clamp_int(x + i, map.size.x - 1) - x];
+                    depths = repeated;
+                }
+                for (int i = 0; i < block; ++i) {
+                    keys[i] = order_key(depths[i]);
+                    lows[i] = k ? least_of{}(lows[i], keys[i]) : keys[i];
+                    highs[i] = k ? greatest_of{}(highs[i], keys[i]) : keys[i];
+                }
+            }
+            std::memcpy(&low[std::size_t(x)], lows, sizeof lows);
+            std::memcpy(&high[std::size_t(x)], highs, sizeof highs);
+        }
+    }
+
+    /// to[x] = pick over the `cells` squares from x - (cells - 1) on, those at the border repeated.
+    template <class Pick>
+    UMBRAGE_INLINE void along_row(std::vector<std::int32_t>& columns, int squares, std::vector<std::int32_t>& padded,
+                                  Pick pick, std::int32_t* to) const {
+        auto count = static_cast<int>(columns.size());
+        for (int halving = 0; halving < level; ++halving) {
+            count /= 2;
+            for (int x = 0; x < count; x += block) {
+                alignas(64) std::int32_t halves[block];
+                const std::int32_t* pairs = &columns[std::size_t(2 * x)];
+                for (int i = 0; i < block; ++i) halves[i] = pick(pairs[2 * i], pairs[2 * i + 1]);
+                std::memcpy(&columns[std::size_t(x)], halves, sizeof halves);
+            }
+        }
+        const auto before = padded.begin() + (cells - 1);
+        std::fill(padded.begin(), before, columns.front());
+        std::copy_n(columns.begin(), squares, before);
+        std::fill(before + squares, padded.end(), columns[std::size_t(squares - 1)]);
+        for (int x = 0; x < bounds.size().x; x += block)
+            widen(pick, to + x, [&](int k) UMBRAGE_INLINE { return padded.data() + k + x; });
+    }
+
+    /// to[i] = pick of from(k)[i] over k < cells, for a block.
+    template <class Pick, class From>
+    UMBRAGE_INLINE void widen(Pick pick, std::int32_t* to, const From& from) const {
+        alignas(64) std::int32_t best[block];
+        std::memcpy(best, from(0), sizeof best);
+        for (int k = 1; k < cells; ++k) {
+            const std::int32_t* other = from(k);
+            for (int i = 0; i < block; ++i) best[i] = pick(best[i], other[i]);
+        }
+        std::memcpy(to, best, sizeof best);
+    }
+};
+
+/// Of filters that are known by their reach alone: texels whose centres lie so far from a receiver, an axis, and how
+/// many they can be.
+struct reached_texels {
+    int reach;  ///< in 1/256 texel
+    explicit reached_texels(float texels) : reach(-floor_int(-texels * 256.0f)) {}
+
+    [[nodiscard]] int count() const { return (2 * reach + 1) / 256 + 1; }
+    /// What is added to floor(256 coord), so that a 256th of it is the first of them.
+    [[nodiscard]] int before() const { return 127 - reach; }
+};
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/simd/blocks/window.hpp
 // Sliding windows over blocks of receivers, for any row of weights: a register holds a row of the window's texels, each
 // row adds its weight to the lanes that are lit, and the columns' weights are taken last.
@@ -8235,118 +8428,14 @@ struct block_form<filters::window> {
 }  // namespace umbrage::detail
 
 // ---- umbrage/simd/blocks/hierarchical.hpp
-// Filters over squares of texels for receivers most of which are wholly lit or wholly in shadow: those ask one number
-// for the whole square. visibility() does it for filters::hierarchical_box and filters::hierarchical_window, which give
-// bit for bit what filters::box and filters::window do.
+// Filters over many texels for receivers most of which are wholly lit or wholly in shadow: those ask one number for all
+// of them. visibility() does it for filters::hierarchical_box, hierarchical_window and hierarchical_disc, which give
+// bit for bit what filters::box, window and rotated_disc do.
 //
 //     umbrage::visibility(map, umbrage::depth32f{}, receivers, umbrage::filters::hierarchical_box{8}, out);
 //
 
 namespace umbrage::detail {
-
-/// For every place where a box may start, the bounds of the squares of texels that the box touches: at most `cells`
-/// squares of 2^level texels in a row.
-struct box_bounds {
-    int level, cells;
-    glm::ivec2 last;          ///< of the starts, which begin cells - 1 squares in front of the map
-    image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
-
-    /// @param width   of the box
-    template <class ParallelFor>
-    box_bounds(image_view<const float> map, int width, ParallelFor&& parallel)
-        : level(width < 9 ? 1 : 2), cells(((1 << level) + width - 2) / (1 << level) + 1) {
-        const glm::ivec2 squares = (map.size + ((1 << level) - 1)) >> level;
-        last = squares + (cells - 2);
-        bounds = image<glm::vec2>({(last.x + block) / block * block, last.y + 1});
-        image<std::int32_t> least({bounds.size().x, squares.y}), greatest(least.size());
-        parallel(squares.y, [&](int from, int to) {
-            const int blocks = (squares.x + block - 1) / block;
-            const auto columns = static_cast<std::size_t>(blocks * block) << level;
-            std::vector<std::int32_t> low(columns), high(columns),
-                padded(static_cast<std::size_t>(bounds.size().x + cells));
-            on_best_isa([&](auto) UMBRAGE_INLINE {
-                for (int y = from; y < to; ++y) {
-                    bounds_of_columns(map, y << level, low, high);
-                    along_row(low, squares.x, padded, least_of{}, least.view().row(y));
-                    along_row(high, squares.x, padded, greatest_of{}, greatest.view().row(y));
-                }
-            });
-        });
-        parallel(bounds.size().y, [&](int from, int to) {
-            const auto row = [&](const image<std::int32_t>& of, int y) {
-                return of.view().row(clamp_int(y - (cells - 1), squares.y - 1));
-            };
-            on_best_isa([&](auto) UMBRAGE_INLINE {
-                for (int y = from; y < to; ++y)
-                    for (int x = 0; x < bounds.size().x; x += block) {
-                        alignas(64) std::int32_t lows[block], highs[block];
-                        widen(least_of{}, lows, [&](int k) UMBRAGE_INLINE { return row(least, y + k) + x; });
-                        widen(greatest_of{}, highs, [&](int k) UMBRAGE_INLINE { return row(greatest, y + k) + x; });
-                        glm::vec2* out = bounds.view().row(y) + x;
-                        for (int i = 0; i < block; ++i) out[i] = {from_order_key(lows[i]), from_order_key(highs[i])};
-                    }
-            });
-        });
-    }
-
-private:
-    /// Over 2^level rows; the last row and column are repeated.
-    UMBRAGE_INLINE void bounds_of_columns(const image_view<const float>& map, int y, std::vector<std::int32_t>& low,
-                                          std::vector<std::int32_t>& high) const {
-        for (int x = 0; x < static_cast<int>(low.size()); x += block) {
-            alignas(64) std::int32_t lows[block], highs[block], keys[block];
-            for (int k = 0; k < 1 << level; ++k) {
-                const float* depths = map.row(clamp_int(y + k, map.size.y - 1)) + x;
-                alignas(64) float repeated[block];
-                if (x + block > map.size.x) {
-                    for (int i = 0; i < block; ++i) repeated[i] = depths[clamp_int(x + i, map.size.x - 1) - x];
-                    depths = repeated;
-                }
-                for (int i = 0; i < block; ++i) {
-                    keys[i] = order_key(depths[i]);
-                    lows[i] = k ? least_of{}(lows[i], keys[i]) : keys[i];
-                    highs[i] = k ? greatest_of{}(highs[i], keys[i]) : keys[i];
-                }
-            }
-            std::memcpy(&low[std::size_t(x)], lows, sizeof lows);
-            std::memcpy(&high[std::size_t(x)], highs, sizeof highs);
-        }
-    }
-
-    /// to[x] = pick over the `cells` squares from x - (cells - 1) on, those at the border repeated.
-    template <class Pick>
-    UMBRAGE_INLINE void along_row(std::vector<std::int32_t>& columns, int squares, std::vector<std::int32_t>& padded,
-                                  Pick pick, std::int32_t* to) const {
-        auto count = static_cast<int>(columns.size());
-        for (int halving = 0; halving < level; ++halving) {
-            count /= 2;
-            for (int x = 0; x < count; x += block) {
-                alignas(64) std::int32_t halves[block];
-                const std::int32_t* pairs = &columns[std::size_t(2 * x)];
-                for (int i = 0; i < block; ++i) halves[i] = pick(pairs[2 * i], pairs[2 * i + 1]);
-                std::memcpy(&columns[std::size_t(x)], halves, sizeof halves);
-            }
-        }
-        const auto before = padded.begin() + (cells - 1);
-        std::fill(padded.begin(), before, columns.front());
-        std::copy_n(columns.begin(), squares, before);
-        std::fill(before + squares, padded.end(), columns[std::size_t(squares - 1)]);
-        for (int x = 0; x < bounds.size().x; x += block)
-            widen(pick, to + x, [&](int k) UMBRAGE_INLINE { return padded.data() + k + x; });
-    }
-
-    /// to[i] = pick of from(k)[i] over k < cells, for a block.
-    template <class Pick, class From>
-    UMBRAGE_INLINE void widen(Pick pick, std::int32_t* to, const From& from) const {
-        alignas(64) std::int32_t best[block];
-        std::memcpy(best, from(0), sizeof best);
-        for (int k = 1; k < cells; ++k) {
-            const std::int32_t* other = from(k);
-            for (int i = 0; i < block; ++i) best[i] = pick(best[i], other[i]);
-        }
-        std::memcpy(to, best, sizeof best);
-    }
-};
 
 /// @tparam Blocks   of the filter that reads every texel of its box
 template <class Blocks>
@@ -8417,6 +8506,47 @@ private:
     }
 };
 
+/// Turns go by the place in a block: one that has an open receiver is looked up whole.
+template <depth_direction Direction>
+struct hierarchical_disc_blocks {
+    using test = block_test<Direction>;
+    struct placed {
+        typename disc_blocks<Direction>::placed points;
+        alignas(64) std::int32_t offsets[block];
+    };
+    const box_bounds& tree;
+    const disc_blocks<Direction>& every_point;
+    reached_texels reached;
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& receivers, placed& at, int pixel_y) const {
+        const texel_bytes memory(tree.bounds.view());
+        const int before = tree.cells - 1, shift = 8 + tree.level, ahead = reached.before();
+        const glm::ivec2 last = tree.last;
+        every_point.locate(receivers, at.points, pixel_y);
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i)
+            at.offsets[i] = memory.offset(clamp_int(((at.points.x[i] + ahead) >> shift) + before, last.x),
+                                          clamp_int(((at.points.y[i] + ahead) >> shift) + before, last.y));
+        prefetch(memory, at.offsets, 1);
+    }
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
+        const texel_bytes memory(tree.bounds.view());
+        alignas(64) glm::vec2 bounds[block];
+        std::int32_t any = 0;
+        gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }});
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t lit = test::all_lit(at.points.z[i], bounds[i].x, bounds[i].y);
+            const std::int32_t dark = test::none_lit(at.points.z[i], bounds[i].x, bounds[i].y);
+            visibility[i] = select(-lit | ~at.points.compared[i], 1.0f, 0.0f);
+            any |= at.points.compared[i] & ~-(lit | dark);
+        }
+        if (any) every_point(at.points, count, visibility, set);
+    }
+};
+
 template <>
 struct block_form<filters::hierarchical_box> {
     static constexpr map_need need = map_need::floats;
@@ -8443,6 +8573,23 @@ struct block_form<filters::hierarchical_window> {
         if (map.map.size.x < block) return use(every_texel);
         const box_bounds tree(map.map, filter.row.touched(), parallel);
         use(hierarchical_blocks<window_blocks<Direction>>{tree, every_texel});
+    }
+};
+
+template <>
+struct block_form<filters::hierarchical_disc> {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const filters::hierarchical_disc& filter, ParallelFor&& parallel,
+                            const Use& use) {
+        using plain = block_form<filters::rotated_disc>;
+        plain::with_blocks<Direction>(map, filter, parallel, [&](const disc_blocks<Direction>& every_point) {
+            if (map.map.size.x < block) return use(every_point);
+            const reached_texels reached(filter.reach());
+            const box_bounds tree(map.map, reached.count(), parallel);
+            use(hierarchical_disc_blocks<Direction>{tree, every_point, reached});
+        });
     }
 };
 
@@ -9023,6 +9170,51 @@ void decode(image_view<const typename Encoding::texel> texels, image_view<float>
             ParallelFor&& parallel = {}) {
     static_assert(detail::is_encoding<Encoding>());
     detail::decode_rows(texels, depth, detail::codec_of(encoding), parallel);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/filter_bounds.hpp
+// Bounds of the texels that a filter may touch, for bounds_lit: made once a map, a texture with a fourth of its texels,
+// a sixteenth for filters that reach far.
+//
+//     const auto [bounds, place] = umbrage::make_filter_bounds(map.view(), filter.reach());
+//     float lit = umbrage::bounds_lit(umbrage::clamped(bounds), coord, depth - bias, place);
+//     if (lit < 0) lit = filter(umbrage::clamped(map), coord, depth - bias);
+//
+
+namespace umbrage {
+
+struct filter_bounds {
+    image<glm::vec2> bounds;  ///< least and greatest; the least is a NaN where a texel is, the greatest where all are
+    glm::vec2 place;          ///< bounds_lit's
+};
+
+/// @param map       depths, any values
+/// @param reach     of the filter, in texels, 0 .. 256
+/// @param border    what counts outside the map, as cleared_depth(direction); none: the nearest texel inside
+/// @param parallel  cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  empty map, another reach
+/// @exactness       A: selects, never computes
+template <class ParallelFor = serial>
+[[nodiscard]] filter_bounds make_filter_bounds(image_view<const float> map, float reach,
+                                               std::optional<float> border = {}, ParallelFor&& parallel = {}) {
+    if (map.empty() || !(reach >= 0.0f && reach <= 256.0f))
+        detail::fail("umbrage::make_filter_bounds: empty map, or reach");
+    image<float> ringed;
+    if (border) {
+        ringed = image<float>(map.size + 2, *border);
+        for (int y = 0; y < map.size.y; ++y) std::copy_n(map.row(y), map.size.x, ringed.view().row(y + 1) + 1);
+        map = ringed.view();
+    }
+    const detail::reached_texels reached(reach);
+    detail::box_bounds tree(map, reached.count(), parallel);
+    const int steps = 256 << tree.level;
+    image<glm::vec2> bounds(tree.last + 1);
+    for (int y = 0; y <= tree.last.y; ++y)
+        std::copy_n(tree.bounds.view().row(y), bounds.size().x, bounds.view().row(y));
+    const int first = reached.before() + (tree.cells - 1) * steps + (border ? 256 : 0);
+    return {std::move(bounds), {static_cast<float>(first), 1.0f / static_cast<float>(steps)}};
 }
 
 }  // namespace umbrage
@@ -12236,7 +12428,7 @@ inline constexpr auto codes =
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps =
     collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
-            filters, pcf_2x2_hardware_snippets, window_hardware_snippets);
+            filters, pcf_2x2_hardware_snippets, window_hardware_snippets, bounds_lit_snippets);
 inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
                                      kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);

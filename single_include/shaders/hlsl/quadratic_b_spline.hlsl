@@ -101,14 +101,12 @@ float umbrage_quadratic_b_spline(Texture2D<float4> map, float2 size, float2 coor
     float2 w2 = floor(s * s * (1.0 / 32.0));
     float2 w1 = 4096.0 - w0 - w2;
     float4 a = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
-    float b = umbrage_lit(map, size, texel + float2(1.0, -1.0), receiver);
-    float c = umbrage_lit(map, size, texel + float2(1.0, 0.0), receiver);
-    float d = umbrage_lit(map, size, texel + float2(-1.0, 1.0), receiver);
-    float e = umbrage_lit(map, size, texel + float2(0.0, 1.0), receiver);
-    float f = umbrage_lit(map, size, texel + float2(1.0, 1.0), receiver);
-    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
-    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    float4 b = umbrage_lit_2x2(map, size, texel + float2(1.0, -1.0), receiver);
+    float4 c = umbrage_lit_2x2(map, size, texel + float2(-1.0, 1.0), receiver);
+    float4 d = umbrage_lit_2x2(map, size, texel + float2(1.0, 1.0), receiver);
+    float n = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
     return compared ? n * (1.0 / 16777216.0) : 1.0;
 }
 #endif

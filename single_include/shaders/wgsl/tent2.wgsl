@@ -14,13 +14,11 @@ fn umbrage_tent2(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32)
     let w2: vec2f = s * 8.0;
     let w1: vec2f = 4096.0 - w0 - w2;
     let a: vec4f = umbrage_lit_2x2(map, size, texel - 1.0, receiver);
-    let b: f32 = umbrage_lit(map, size, texel + vec2f(1.0, -1.0), receiver);
-    let c: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 0.0), receiver);
-    let d: f32 = umbrage_lit(map, size, texel + vec2f(-1.0, 1.0), receiver);
-    let e: f32 = umbrage_lit(map, size, texel + vec2f(0.0, 1.0), receiver);
-    let f: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 1.0), receiver);
-    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b);
-    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * c);
-    n += w2.y * (w0.x * d + w1.x * e + w2.x * f);
+    let b: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(1.0, -1.0), receiver);
+    let c: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(-1.0, 1.0), receiver);
+    let d: vec4f = umbrage_lit_2x2(map, size, texel + vec2f(1.0, 1.0), receiver);
+    var n: f32 = w0.y * (w0.x * a.x + w1.x * a.y + w2.x * b.x);
+    n += w1.y * (w0.x * a.z + w1.x * a.w + w2.x * b.z);
+    n += w2.y * (w0.x * c.x + w1.x * c.y + w2.x * d.x);
     return select(1.0, n * (1.0 / 16777216.0), compared);
 }

@@ -56,6 +56,19 @@ std::vector<job> jobs(const std::string& folder) {
         return std::vector<glsl::bound>{glsl::receiver_rg<11>, filter(of, level)};
     };
     const std::string pcf = "vec4(umbrage_pcf_2x2(map, map_size, x1.xy, x1.z))";
+    const glsl::binding depths_at_once{.gather = true}, sampled{.texture = glsl::texture::shadow},
+        comparisons_at_once{.texture = glsl::texture::shadow, .gather = true};
+    // A filter bound to a map of some kind.
+    const auto row = [&](const std::string& name, const snippet& of, const glsl::binding& map,
+                         const std::string& numbers = "") {
+        return shader{us,
+                      name,
+                      "",
+                      {bind(of, "bound", map)},
+                      "vec4(umbrage_" + std::string(of.name) + "_bound(" +
+                          (map.texture == glsl::texture::shadow ? "depth_map" : "map") + ", map_size, x1.xy, x1.z" +
+                          numbers + "))"};
+    };
     const auto taps = [](const std::string& receiver) {
         return "vec4(umbrage_four_tap(map, map_size, x1.xy - 0.5, x1.xy + vec2(0.5, -0.5), "
                "x1.xy + vec2(-0.5, 0.5), x1.xy + 0.5, " +
@@ -180,6 +193,7 @@ std::vector<job> jobs(const std::string& folder) {
            "",
            {bind(glsl::pcf_2x2, "sampled", {.texture = glsl::texture::shadow, .gather = true})},
            "vec4(umbrage_pcf_2x2_sampled(depth_map, map_size, x1.xy, x1.z))"},
+          row("pcf_2x2_hardware, by the sampler", glsl::pcf_2x2_hardware, sampled),
           {babylon,
            "computeShadowWithPCF1, by the sampler",
            babylon_shadow,
@@ -194,6 +208,10 @@ std::vector<job> jobs(const std::string& folder) {
          {{us, "box, r = 1, rg11 by level", "", by_level(glsl::box),
            "vec4(umbrage_box(map, map_size, x1.xy, " + receiver + ", 1))"},
           {us, "box, r = 1, rg11", "", {filter(glsl::box, rg11)}, "vec4(umbrage_box(map, map_size, x1.xy, x1.z, 1))"},
+          row("tent3", glsl::tent<3>, {}),
+          row("tent3, 4 gathers", glsl::tent<3>, depths_at_once),
+          row("tent3, 4 gathers of comparisons", glsl::tent<3>, comparisons_at_once),
+          row("window_hardware3, 4 look-ups", glsl::window_hardware<3>, sampled, ", 256.0, 4.0, 8.0"),
           {three,
            "getShadow, 5 taps by the sampler",
            "#define SHADOWMAP_TYPE_PCF\n" + three_shadow,
@@ -213,6 +231,10 @@ std::vector<job> jobs(const std::string& folder) {
          {{us, "box, r = 2, rg11 by level", "", by_level(glsl::box),
            "vec4(umbrage_box(map, map_size, x1.xy, " + receiver + ", 2))"},
           {us, "box, r = 2, rg11", "", {filter(glsl::box, rg11)}, "vec4(umbrage_box(map, map_size, x1.xy, x1.z, 2))"},
+          row("castano_dyadic5", glsl::castano_dyadic<5>, {}),
+          row("castano_dyadic5, 9 gathers", glsl::castano_dyadic<5>, depths_at_once),
+          row("castano_dyadic5, 9 gathers of comparisons", glsl::castano_dyadic<5>, comparisons_at_once),
+          row("window_hardware5, 9 look-ups", glsl::window_hardware<5>, sampled, ", 256.0, 1.0, 3.0, 4.0"),
           {babylon,
            "computeShadowWithPCF5, by the sampler",
            babylon_shadow,

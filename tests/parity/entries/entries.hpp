@@ -34,11 +34,11 @@ namespace parity {
     return e;
 }
 
-/// A filter that a comparison sampler with a linear filter weighs.
+/// A filter of a map as bind() has it.
 /// @param twin   (fetch, sample, is_lit) -> visibility
 template <class Twin>
-[[nodiscard]] entry sampled_filter(const snippet& s, const std::string& arguments, const std::string& variant,
-                                   const umbrage::glsl::binding& as, Twin twin) {
+[[nodiscard]] entry bound_filter(const snippet& s, const std::string& arguments, const std::string& variant,
+                                 const umbrage::glsl::binding& as, Twin twin) {
     entry e = filter(s, arguments, [as, twin](const sample& x) {
         const umbrage::comparison is_lit{as.direction};
         return vec4(as.outside_lit ? twin(x.bordered_depth(umbrage::cleared_depth(as.direction)), x, is_lit)
@@ -46,8 +46,16 @@ template <class Twin>
     });
     e.variant = variant;
     e.maps = plain_maps({{64, 64}, {37, 21}, {3, 2}, {1, 1}});
-    e.bound = {{.name = "map", .as = as, .linear = true}};
+    e.bound = {{.name = "map", .as = as}};
     e.share = 16;
+    return e;
+}
+/// Of one whose sampler weighs comparisons.
+template <class Twin>
+[[nodiscard]] entry sampled_filter(const snippet& s, const std::string& arguments, const std::string& variant,
+                                   const umbrage::glsl::binding& as, Twin twin) {
+    entry e = bound_filter(s, arguments, variant, as, twin);
+    e.bound.front().linear = true;
     return e;
 }
 

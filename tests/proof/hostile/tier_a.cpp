@@ -15,6 +15,7 @@
 #include <umbrage/depth/rgb24.hpp>
 #include <umbrage/depth/foreign/threejs.hpp>
 #include <umbrage/depth/foreign/threejs_legacy.hpp>
+#include <umbrage/filter/bounds_lit.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/light/cascades/blend.hpp>
@@ -207,6 +208,10 @@ void suite::all() const {
     window("window_sum3", tent_row<3>);
     window("window_sum5", castano_row<5>);
     window("window_sum7", castano_row<7>);
+    run("bounds_lit", inputs, draw, [&](const look_up& l) {
+        const auto bounds = [&](glm::ivec2 at) { return glm::vec2(fetch(at), fetch(at + 1)); };
+        return bounds_lit(bounds, l.a, l.receiver, glm::vec2(639.0f, 1.0f / 512.0f));
+    });
     run(  // whole numbers: a zero may have either sign
         "disc_turn", inputs, [](source& s) { return s.coords(); },
         [](glm::vec2 pixel) { return glm::uvec2(glm::ivec2(disc_turn(pixel))); });

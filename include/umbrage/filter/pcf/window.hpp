@@ -7,6 +7,9 @@
 //     constexpr umbrage::window_row row = umbrage::make_window_row(5, {1, 3, 8});
 //     float softer = umbrage::window(umbrage::clamped(map), coord, depth - bias, row);  // 1 3 8 3 1, 6 x 6
 //
+// In a shader a window asks for 2 x 2 texels at a time: bound to a map with `gather`, one of 3 x 3 weights takes 4
+// gathers, one of 5 x 5 takes 9, one of 7 x 7 takes 16.
+//
 // A window of n x n weights touches n + 1 texels an axis: each texel has its own weight and that of its neighbour, as
 // much of either as the window has moved. The library's rows of weights are in windows.hpp.
 #pragma once

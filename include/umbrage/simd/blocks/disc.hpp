@@ -57,6 +57,13 @@ struct disc_blocks {
         const texel_bytes memory(map);
         const int last_x = map.size.x - 1, last_y = map.size.y - 1 - rows;
         alignas(64) std::int32_t offsets[block];
+        locate(receivers, at, pixel_y);
+        for (int i = 0; i < block; ++i)
+            offsets[i] = memory.offset(clamp_int(at.x[i] >> 8, last_x), clamp_int((at.y[i] >> 8) - rows, last_y));
+        prefetch(memory, offsets, 2 * rows);
+    }
+    template <class Receivers>
+    UMBRAGE_INLINE void locate(const Receivers& receivers, placed& at, int pixel_y) const {
         at.row = pixel_y & 15;
         UMBRAGE_NO_OVERLAP
         for (int i = 0; i < block; ++i) {
@@ -64,9 +71,7 @@ struct disc_blocks {
             at.x[i] = floor_int(masked(receivers.x(i), at.compared[i]) * 256.0f);
             at.y[i] = floor_int(masked(receivers.y(i), at.compared[i]) * 256.0f);
             at.z[i] = receivers.z(i);
-            offsets[i] = memory.offset(clamp_int(at.x[i] >> 8, last_x), clamp_int((at.y[i] >> 8) - rows, last_y));
         }
-        prefetch(memory, offsets, 2 * rows);
     }
 
     template <class Isa>

@@ -57,6 +57,12 @@ TEST_CASE(
                 filter.is_lit = {direction};
                 check(filter, umbrage::filters::hierarchical_window{filter});
             }
+            for (const float radius : {2.0f, 16.0f}) {
+                umbrage::filters::rotated_disc disc = umbrage::filters::disc<8>;
+                disc.radius_texels = radius;
+                disc.is_lit = {direction};
+                check(disc, umbrage::filters::hierarchical_disc{disc});
+            }
             for (const int radius : {0, 3, 4, 8})
                 check(umbrage::filters::box{radius, {direction}},
                       umbrage::filters::hierarchical_box{radius, {direction}});

@@ -29,6 +29,22 @@ void add_filter_pcf_windows(std::vector<entry>& all) {
         all.back().share = static_cast<std::size_t>(one.row.size);
         all.back().alike = one.row.size > 2;
     }
+    using umbrage::glsl::texture;
+    const auto gathered = [&](const filters::window& one, const char* of, umbrage::glsl::binding as) {
+        as.gather = true;
+        all.push_back(bound_filter(*one.snippet, "", of, as, [one](auto fetch, const sample& s, comparison is_lit) {
+            filters::window same = one;
+            same.is_lit = is_lit;
+            return same(fetch, at(s), s.x[0].z);
+        }));
+    };
+    gathered(filters::tent<2>, "gathered", {});
+    gathered(filters::tent<2>, "gathered comparisons, lit outside", {.texture = texture::shadow, .outside_lit = true});
+    gathered(filters::tent<3>, "gathered", {});
+    gathered(filters::tent<3>, "gathered comparisons, reversed",
+             {.texture = texture::shadow, .direction = depth_direction::reversed});
+    gathered(filters::castano_dyadic<5>, "gathered, lit outside", {.outside_lit = true});
+    gathered(filters::castano_dyadic<5>, "gathered comparisons", {.texture = texture::shadow});
     filters::window reversed = filters::binomial<5>;
     reversed.is_lit = {depth_direction::reversed};
     all.push_back(reversed_filter(*reversed.snippet, "",

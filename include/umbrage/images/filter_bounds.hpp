@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// Bounds of the texels that a filter may touch, for bounds_lit: made once a map, a texture with a fourth of its texels,
+// a sixteenth for filters that reach far.
+//
+//     const auto [bounds, place] = umbrage::make_filter_bounds(map.view(), filter.reach());
+//     float lit = umbrage::bounds_lit(umbrage::clamped(bounds), coord, depth - bias, place);
+//     if (lit < 0) lit = filter(umbrage::clamped(map), coord, depth - bias);
+//
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include <umbrage/simd/blocks/box_bounds.hpp>
+
+namespace umbrage {
+
+struct filter_bounds {
+    image<glm::vec2> bounds;  ///< least and greatest; the least is a NaN where a texel is, the greatest where all are
+    glm::vec2 place;          ///< bounds_lit's
+};
+
+/// @param map       depths, any values
+/// @param reach     of the filter, in texels, 0 .. 256
+/// @param border    what counts outside the map, as cleared_depth(direction); none: the nearest texel inside
+/// @param parallel  cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  empty map, another reach
+/// @exactness       A: selects, never computes
+template <class ParallelFor = serial>
+[[nodiscard]] filter_bounds make_filter_bounds(image_view<const float> map, float reach,
+                                               std::optional<float> border = {}, ParallelFor&& parallel = {}) {
+    if (map.empty() || !(reach >= 0.0f && reach <= 256.0f))
+        detail::fail("umbrage::make_filter_bounds: empty map, or reach");
+    image<float> ringed;
+    if (border) {
+        ringed = image<float>(map.size + 2, *border);
+        for (int y = 0; y < map.size.y; ++y) std::copy_n(map.row(y), map.size.x, ringed.view().row(y + 1) + 1);
+        map = ringed.view();
+    }
+    const detail::reached_texels reached(reach);
+    detail::box_bounds tree(map, reached.count(), parallel);
+    const int steps = 256 << tree.level;
+    image<glm::vec2> bounds(tree.last + 1);
+    for (int y = 0; y <= tree.last.y; ++y)
+        std::copy_n(tree.bounds.view().row(y), bounds.size().x, bounds.view().row(y));
+    const int first = reached.before() + (tree.cells - 1) * steps + (border ? 256 : 0);
+    return {std::move(bounds), {static_cast<float>(first), 1.0f / static_cast<float>(steps)}};
+}
+
+}  // namespace umbrage

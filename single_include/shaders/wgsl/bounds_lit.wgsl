@@ -1,0 +1,15 @@
+// umbrage 0.1.0, MIT License: bounds_lit
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl
+
+// umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
+//   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
+//   coord, receiver  as the filter takes them
+fn umbrage_bounds_lit(bounds: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, place: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
+    let b: vec4f = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
+    let all: f32 = umbrage_compare(receiver, b.x);
+    let some: f32 = umbrage_compare(receiver, b.y);
+    let known: f32 = select(-1.0, all, b.x <= b.y && all == some);  // not of a NaN
+    return select(1.0, known, compared);
+}
