@@ -5933,8 +5933,8 @@ template <std::size_t Count, real T, class Light>
 /// camera's frustum, which does not change as the camera turns, and moves by whole texels.
 ///
 /// Offsets are whole numbers, so that in float as in double a world point moves through a map by exactly as much, up to
-/// 2^23 texels from the world's origin: draw depths from rotated points by the projection alone, and what a map shows of
-/// a point keeps its bits too. In float, one matrix for both may move it by a hundredth of a texel.
+/// 2^23 texels from the world's origin: draw depths from rotated points by the projection alone, and what a map shows
+/// of a point keeps its bits too. In float, one matrix for both may move it by a hundredth of a texel.
 ///
 /// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
 /// @return         the nearest first, from split to split
