@@ -41,6 +41,12 @@ float reach_of(std::string_view filter, std::optional<float> radius) {
     return reach;
 }
 
+std::string_view snippet_of(std::string_view filter) {
+    std::string_view name;
+    umbrage::with_filter(filter, [&](const auto& f) { name = f.snippet->name; });
+    return name;
+}
+
 bool moves_stored_depths(std::string_view bias) { return bias == biases::receiver_plane::name; }
 
 }  // namespace example

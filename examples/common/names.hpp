@@ -17,6 +17,9 @@ namespace example {
 /// Reach of a filter by its name; of a box or a disc of its own radius, or of another.
 [[nodiscard]] float reach_of(std::string_view filter, std::optional<float> radius = {});
 
+/// What the filter of that name is called in shaders.
+[[nodiscard]] std::string_view snippet_of(std::string_view filter);
+
 /// Whether a bias, by its name, moves stored depths along the receiver's plane.
 [[nodiscard]] bool moves_stored_depths(std::string_view bias);
 

@@ -22,6 +22,7 @@
 #include <scene.hpp>
 #include <shadow_map.hpp>
 
+#include "compare.hpp"
 #include "filter.hpp"
 #include "options.hpp"
 #include "pictures.hpp"
@@ -35,7 +36,7 @@ namespace {
 /// The whole way, in order.
 void render(const options& o, const example::scene& scene) {
     const glm::ivec2 sample_size = glm::ivec2(o.width, o.height) * o.samples;
-    example::progress progress(7, o.quiet);
+    example::progress progress(o.compare ? 5 + example::filter_names().size() : 7, o.quiet);
 
     // Light and camera: how they see the world.
     view view{.scene = scene, .lamp = make_light(o, scene), .camera = make_camera(o, scene), .seen{}};
@@ -54,6 +55,7 @@ void render(const options& o, const example::scene& scene) {
 
     // Camera pass: the triangle behind each sample, and where that looks into the map.
     progress.stage("camera pass", [&] { view.seen = example::camera_pass(scene.geometry, view.camera, sample_size); });
+    if (o.compare) return compare(o, view, map, progress);
     const receivers receivers = progress.stage("receivers", [&] {
         const float reach = o.reach.value_or(example::covered(example::reach_of(o.filter, o.radius)));
         return receivers_of(view, o, reach, map.below, progress);
@@ -78,7 +80,7 @@ void run(const options& o) {
     if (!std::filesystem::is_directory(o.output))
         throw std::runtime_error("cannot make the folder " + o.output.string());
     render(o, scene);
-    if (!o.quiet)
+    if (!o.quiet && !o.compare)
         std::printf("%zu triangles, %d x %d texels of %s: picture.png, map.png, depth.png and visibility.png in %s\n",
                     scene.geometry.triangles.size(), o.map_size, o.map_size, o.encoding.c_str(),
                     o.output.string().c_str());

@@ -43,8 +43,9 @@ void add_choice(CLI::App& app, const std::string& name, Kind& value, const choic
 std::optional<options> parse_options(int argc, const char* const* argv) {
     using example::within;
     options o;
-    CLI::App app{"Renders a mesh with a shadow map: picture.png, map.png, depth.png and visibility.png.",
-                 "shadow_render"};
+    CLI::App app{
+        "Renders a mesh with a shadow map: picture.png, map.png, depth.png and visibility.png; or compares filters.",
+        "shadow_render"};
     app.option_defaults()->always_capture_default();
 
     example::add_mesh(app, "mesh", o.mesh);
@@ -81,6 +82,17 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.add_option("--camera-elevation", o.camera_elevation, "degrees")->check(within(1, 90));
     app.add_option("--camera-distance", o.camera_distance, "from the scene's middle")->check(within(3, 100));
     app.add_option("--fov", o.fov, "vertical field of view, degrees")->check(within(1, 120));
+
+    group("Comparison");
+    app.add_flag("--compare", o.compare,
+                 "every filter against rays to an area light: compare.png alone, a contact sheet; "
+                 "pictures of 480 x 320 without --width and --height");
+    app.add_option("--light-size", o.light_size, "diameter of that light, world units")->check(within(0, 4));
+    app.add_option("--shaders", o.shaders,
+                   "shaders.tsv of make bench-shaders, for what filters cost on RDNA2; without it "
+                   "the one in build/bench-shaders, if any");
+
+    group("Run");
     app.add_flag("-q,--quiet", o.quiet, "no progress, no timings");
 
     std::string names = "Encodings:";
@@ -88,6 +100,8 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.footer(names);
 
     if (!example::parse(app, argc, argv)) return std::nullopt;
+    if (o.compare && app.count("--width") == 0) o.width = 480;
+    if (o.compare && app.count("--height") == 0) o.height = 320;
     if (1.0 * o.width * o.height * o.samples * o.samples > 64e6 || std::max(o.width, o.height) * o.samples > 16384)
         throw example::usage_error("too large a picture: at most 64 million samples, 16384 along an edge");
     return o;

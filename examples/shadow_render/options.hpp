@@ -35,6 +35,10 @@ struct options {
     int width = 960, height = 640, samples = 2;
     float camera_azimuth = 0, camera_elevation = 30, camera_distance = 7.5f, fov = 35;
 
+    bool compare = false;
+    float light_size = 0.4f;          ///< diameter of the area light that filters are compared with
+    std::filesystem::path shaders{};  ///< shaders.tsv of `make bench-shaders`
+
     bool quiet = false;
 };
 

@@ -3,25 +3,16 @@
 
 #include <vector>
 
-#include <stb/stb_easy_font.h>
+#include <letters.hpp>
 
 namespace viewer {
 
 hud::hud() : program_(text_stages(dialect())) {}
 
 void hud::draw(const std::string& text, glm::ivec2 from, glm::ivec2 size) const {
-    struct quad_corner {
-        float x, y, z;
-        unsigned char colour[4];
-    };
-    std::vector<quad_corner> quads(64 * text.size() + 4);  // a letter has up to 16 quads
-    std::string characters = text;
-    const int count = stb_easy_font_print(0, 0, characters.data(), nullptr, quads.data(),
-                                          static_cast<int>(quads.size() * sizeof(quad_corner)));
     std::vector<glm::vec2> triangles;
-    for (std::size_t first = 0; first < 4 * static_cast<std::size_t>(count); first += 4)
-        for (std::size_t corner_of : {0u, 1u, 2u, 0u, 2u, 3u})
-            triangles.emplace_back(quads[first + corner_of].x, quads[first + corner_of].y);
+    for (const auto& [low, high] : example::letters(text))
+        triangles.insert(triangles.end(), {low, {high.x, low.y}, high, low, high, {low.x, high.y}});
 
     glBindBuffer(GL_ARRAY_BUFFER, corners_);
     const auto bytes = static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec2));

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include <names.hpp>
+
+#include "check.hpp"
+
+using namespace shadow_render_check;
+
+namespace {
+
+const std::string tiny = "--width 48 --height 32 --samples 1 ";
+
+/// The printed table's RMS errors, per cent.
+std::map<std::string, double> errors(const std::string& options) {
+    const result r = run("--compare --output " + quoted(folder / "sheet") + tiny + options);
+    REQUIRE_MESSAGE(r.code == 0, r.said);
+    std::map<std::string, double> out;
+    std::istringstream lines(r.said.substr(r.said.find("\n\n")));
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream columns(line);
+        std::string name;
+        if (double error = 0; columns >> name >> error) out[name] = error;
+    }
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("shadow_render: the sheet has a cell for every filter, each with its own picture") {
+    const auto table = errors("--map-size 128");
+    const auto sheet = picture("sheet", "compare.png");
+    constexpr int top = 88, width = 64, height = 120;  // of the title, of a cell
+    const auto rows = static_cast<int>(example::filter_names().size() + 4) / 4;
+    REQUIRE(sheet.size() == glm::ivec2(4 * width, top + rows * height));
+
+    int cell = 0;  // the first is the rays'
+    for (const std::string& filter : example::filter_names()) {
+        ++cell;
+        CAPTURE(filter);
+        REQUIRE(table.contains(filter));
+        CHECK(table.at(filter) > 0);
+        CHECK(table.at(filter) < 30);
+        const glm::ivec2 at(cell % 4 * width, top + cell / 4 * height);
+        int ink = 0;
+        for (int y = 32; y < height; ++y)
+            for (int x = 0; x < width; ++x) ink += sheet[at + glm::ivec2(x, y)].r > 200;
+        CHECK(ink > 50);  // a name and numbers
+        if (filter != "hard" && filter != "binomial7" && filter != "disc16") continue;
+        REQUIRE(run(output("alone") + tiny + "--map-size 128 --filter " + filter).code == 0);
+        const auto alone = picture("alone", "picture.png");
+        int differ = 0;
+        for (int y = 0; y < 32; ++y)
+            for (int x = 0; x < 48; ++x)  // but for the map in the corner
+                differ += (x >= 8 || y >= 8) && alone[{x, y}] != sheet[at + glm::ivec2(x, y)];
+        CHECK(differ == 0);
+    }
+}
+
+TEST_CASE("shadow_render: errors are those against a light of the size that was asked for") {
+    const auto point = errors("--light-size 0 --map-size 2048"), wide = errors("--light-size 0.8 --map-size 512");
+    CHECK(point.at("hard") < 5);
+    CHECK(point.at("hard") < point.at("tent7"));
+    CHECK(wide.at("tent7") < wide.at("hard"));
+}
+
+TEST_CASE("shadow_render: what filters cost on a GPU is read from a table, or is a dash") {
+    const std::string table = file("shaders.tsv",
+                                   "job\twhose\tshader\tinstructions\tinv. thrpt\tlatency\n"
+                                   "every snippet\tumbrage\ttent3\t158\t232\t819\n"
+                                   "every snippet\tother\thard\t1\t2\t3\n");
+    const result r = run("--compare --output " + quoted(folder / "sheet") + tiny + "--map-size 128 --shaders " + table);
+    REQUIRE_MESSAGE(r.code == 0, r.said);
+    CHECK(r.said.find("158 instructions, 232 cycles") != std::string::npos);
+    CHECK(std::ranges::count(r.said.substr(r.said.find("RDNA2\n")), '-') ==
+          static_cast<int>(example::filter_names().size()) - 1);
+    fails(output("sheet") + tiny + "--compare --shaders " + file("no_table.tsv", "once upon a time\n"), 1,
+          "not a table");
+    fails(output("sheet") + tiny + "--compare --shaders none.tsv", 1, "none.tsv");
+    fails("--compare --light-size -1", 2, "--light-size");
+}

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "compare.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <biases.hpp>
+#include <names.hpp>
+#include <png.hpp>
+
+#include "area_light.hpp"
+#include "filter.hpp"
+#include "receivers.hpp"
+#include "shade.hpp"
+#include "sheet.hpp"
+
+namespace shadow_render {
+namespace {
+
+template <class... Values>
+std::string text(const char* format, Values... values) {
+    std::array<char, 200> out{};
+    std::snprintf(out.data(), out.size(), format, values...);
+    return out.data();
+}
+
+/// What snippets cost on RDNA2, from the table that `make bench-shaders` writes; empty without one.
+std::map<std::string, std::string> costs(const options& o) {
+    const std::filesystem::path made = "build/bench-shaders/shaders.tsv";
+    if (o.shaders.empty() && !std::filesystem::exists(made)) return {};
+    const std::filesystem::path& table = o.shaders.empty() ? made : o.shaders;
+    std::map<std::string, std::string> all;
+    std::ifstream file(table);
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream columns(line);
+        std::array<std::string, 5> of;  // job, whose, snippet, instructions, inverse throughput
+        for (std::string& column : of) std::getline(columns, column, '\t');
+        if (of[1] == "umbrage" && columns) all[of[2]] = of[3] + " instructions, " + of[4] + " cycles";
+    }
+    if (all.empty()) throw std::runtime_error(table.string() + ": not a table of make bench-shaders");
+    return all;
+}
+
+/// Virtual machines call different processors by the same name: family and model tell them apart.
+std::string processor() {
+    std::map<std::string, std::string> fields;  // of the first one
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line) && !line.empty();) {
+        const std::size_t colon = line.find(": ");
+        if (colon != std::string::npos)
+            fields[line.substr(0, line.find_last_not_of("\t ", colon - 1) + 1)] = line.substr(colon + 2);
+    }
+    if (!fields.contains("model name")) return "an unknown processor";
+    return fields["model name"] + ", family " + fields["cpu family"] + ", model " + fields["model"];
+}
+
+/// Root of the mean square over pixels that face the light, in per cent.
+double rms_error(const by_rays& expected, const umbrage::image<float>& visibility, int samples) {
+    double sum = 0, count = 0;
+    for (glm::ivec2 p{0}; p.y < visibility.size().y / samples; ++p.y)
+        for (p.x = 0; p.x < visibility.size().x / samples; ++p.x) {
+            float off = 0, counted = 0;
+            for (int y = 0; y < samples; ++y)
+                for (int x = 0; x < samples; ++x) {
+                    const glm::ivec2 at = p * samples + glm::ivec2(x, y);
+                    counted += expected.counted[at];
+                    off += expected.counted[at] * (visibility[at] - expected.visibility[at]);
+                }
+            sum += std::pow(off / static_cast<float>(samples * samples), 2.0f);
+            count += counted > 0;
+        }
+    return count > 0 ? 100 * std::sqrt(sum / count) : 0;
+}
+
+/// Centre of the part that has the most half-shadow.
+glm::ivec2 softest(const by_rays& expected, int samples) {
+    const glm::ivec2 size = expected.visibility.size() / samples, part = sheet::part(size);
+    float most = -1;
+    glm::ivec2 best(0);
+    const glm::ivec2 step = glm::max(part / 4, 1);
+    for (glm::ivec2 p{0}; p.y + part.y <= size.y; p.y += step.y)
+        for (p.x = 0; p.x + part.x <= size.x; p.x += step.x) {
+            float soft = 0;
+            for (int y = 0; y < part.y; ++y)
+                for (int x = 0; x < part.x; ++x) {
+                    const glm::ivec2 at = (p + glm::ivec2(x, y)) * samples;
+                    soft += expected.counted[at] * expected.visibility[at] * (1 - expected.visibility[at]);
+                }
+            if (soft > most) most = soft, best = p + part / 2;
+        }
+    return best;
+}
+
+/// Milliseconds of the fastest of five runs, of the processor's time: other programs do not count.
+template <class Work>
+double best_of_5(Work&& work) {
+    double best = INFINITY;
+    for (int i = 0; i < 5; ++i) {
+        const std::clock_t start = std::clock();
+        work();
+        best = std::min(best, 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+    return best;
+}
+
+}  // namespace
+
+void compare(const options& o, const view& v, const example::shadow_map& map, example::progress& progress) {
+    const auto cost = costs(o);
+    const auto& names = example::filter_names();
+    const by_rays expected = progress.stage("rays", [&] { return traced(o, v, progress); });
+    const std::vector<std::string> title{
+        text("%s: every filter over one map of %d x %d texels, %s, bias %s",
+             o.mesh.empty() ? "Built-in scene" : std::filesystem::path(o.mesh).filename().string().c_str(), o.map_size,
+             o.map_size, o.encoding.c_str(), o.bias.c_str()),
+        text("RMS error of visibility against rays to a disc of light %g across, %g away; boxes and discs of radius %g",
+             double(o.light_size), double(o.distance), double(o.radius)),
+        text("ms: %d x %d pixels of %d x %d samples, one thread of %s", o.width, o.height, o.samples, o.samples,
+             processor().c_str())};
+    sheet page({o.width, o.height}, static_cast<int>(names.size()) + 1, title, softest(expected, o.samples));
+    const auto add = [&](const umbrage::image<float>& visibility, const std::vector<std::string>& about) {
+        page.add(shade(v, visibility, o.samples, progress.bands()), about);
+    };
+    add(expected.visibility, {"rays to the light", text("%d a sample", rays_a_sample)});
+
+    if (!o.quiet)
+        std::printf("%s\n%s\n%s\n\n%-20s %10s %9s  %s\n", title[0].c_str(), title[1].c_str(), title[2].c_str(),
+                    "filter", "RMS error", "ms", "RDNA2");
+    for (const std::string& name : names)
+        progress.stage(name, [&] {
+            options with = o;
+            with.filter = name;
+            const std::string snippet(example::snippet_of(name));
+            const float reach = o.reach.value_or(example::covered(example::reach_of(name, o.radius)));
+            const receivers receivers = receivers_of(v, with, reach, map.below, progress);
+            umbrage::image<float> visibility;
+            const double ms =
+                best_of_5([&] { visibility = visibility_of(with, map.depth, v.lamp, receivers, progress); });
+            const double error = rms_error(expected, visibility, o.samples);
+            const std::string on_gpu = cost.contains(snippet) ? cost.at(snippet) : "-";
+            add(visibility, {name, text("RMS error %.2f %%, %.2f ms", error, ms), "RDNA2 " + on_gpu});
+            if (!o.quiet) std::printf("%-20s %8.2f %% %9.2f  %s\n", name.c_str(), error, ms, on_gpu.c_str());
+        });
+    progress.stage("write", [&] { example::write_png(o.output / "compare.png", page.pixels().view()); });
+}
+
+}  // namespace shadow_render
