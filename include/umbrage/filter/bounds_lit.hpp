@@ -29,7 +29,7 @@ template <real T, class Fetch, class Compare = less_equal>
     if (!is_compared(coord, receiver, is_lit)) return T(1);
     const glm::vec<2, T> b(bounds(glm::ivec2(glm::floor((glm::floor(coord * T(256)) + place.x) * place.y))));
     const T all = compare(receiver, b.x, is_lit), some = compare(receiver, b.y, is_lit);
-    return all == some && !is_nan(b.x) && b.x <= b.y ? all : T(-1);
+    return all == some && !is_nan(b.x) && !is_nan(b.y) && b.x <= b.y ? all : T(-1);
 }
 
 namespace glsl {

@@ -162,7 +162,11 @@ void suite::all() const {
         "cascade_column", inputs, [](source& s) { return float(s.below(5)); },
         [](float number) { return cascade_column(glm::mat4(1.0f), number); });
     run(
-        "cascade_tile", inputs, [](source& s) { return glm::ivec2(s.below(4), s.below(4096)); },
+        "cascade_tile", inputs,
+        [](source& s) {
+            const auto number = static_cast<int>(s.below(4));
+            return glm::ivec2(number, s.below(4096));
+        },
         [](glm::ivec2 v) { return glm::vec2(cascade_tile(v.x, v.y)); });
     run("cascade_weight", inputs, any, [](float v) { return cascade_weight(v); });
     run(
@@ -171,7 +175,8 @@ void suite::all() const {
     run(
         "dithered_cascade", inputs,
         [](source& s) {
-            return glm::vec3(float(s.below(4)), float(s.below(257)) / 256.0f, float(s.below(16)) / 16.0f);
+            const float number = float(s.below(4)), weight = float(s.below(257)) / 256.0f;
+            return glm::vec3(number, weight, float(s.below(16)) / 16.0f);
         },
         [](glm::vec3 v) { return dithered_cascade(v.x, v.y, v.z); });
 
