@@ -47,14 +47,16 @@ namespace umbrage {
 /// @param clip           reversed: greater depths win
 /// @param cull           which faces to leave out
 /// @param parallel       cuts the work into pieces, see parallel.hpp: vertices, triangles, bands of rows
+/// @param at_near        what becomes of what lies before the near plane
 /// @throws std::invalid_argument  an index is out of range; a side of the image is above 16384
 /// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
 ///              the far plane; never -0
 /// @exactness   coverage A from the snapped vertices on; depth B, see simd/raster/triangles.hpp: set_up
 template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
-                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {}) {
-    detail::snapped_mesh snapped(depth.size, mesh, world_to_clip, clip, cull);
+                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {},
+                     near_plane at_near = near_plane::clips) {
+    detail::snapped_mesh snapped(depth.size, mesh, world_to_clip, clip, cull, at_near);
     const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
     snapped.for_each_chunk(parallel, [&] {
         snapped.for_each_batch_in_bands(parallel, [&](const detail::triangles& batch) {
@@ -72,9 +74,9 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::
 /// The rest as for rasterize_depth.
 template <class Sample>
 void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
-               cull_mode cull = cull_mode::none) {
+               cull_mode cull = cull_mode::none, near_plane at_near = near_plane::clips) {
     const bool flipped = clip.origin == texture_origin::top;
-    detail::snapped_mesh snapped(size, mesh, world_to_clip, clip, cull);
+    detail::snapped_mesh snapped(size, mesh, world_to_clip, clip, cull, at_near);
     snapped.for_each_chunk(serial{}, [&] {
         snapped.for_each_batch([&](const detail::triangles& batch) {
             for (int i = 0; i < batch.count; ++i) {

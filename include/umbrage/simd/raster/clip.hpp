@@ -25,11 +25,15 @@ struct clipped_polygon {
     int count = 0;  ///< 0 or 3..9
 };
 
-/// The part of a triangle inside all planes.
+/// On which side of the near plane a polygon is to be. Both sides cut an edge at the same point.
+enum class near_side { behind, before };
+
+/// The part of a triangle inside all planes, or of the near plane outside, where snap() gives it that plane's depth.
 /// @param a,b,c   homogeneous texels
 /// @param planes  a bit for each plane to clip against; those that all three points are inside of may be left out
 [[nodiscard]] inline clipped_polygon clip_triangle(const projection& project, const glm::dvec4& a, const glm::dvec4& b,
-                                                   const glm::dvec4& c, unsigned planes = ~0u) {
+                                                   const glm::dvec4& c, unsigned planes = ~0u,
+                                                   near_side side = near_side::behind) {
     std::array<glm::dvec4, 3 + projection::planes> points{a, b, c};
     int count = 3;
     for (int plane = 0; plane < projection::planes; ++plane) {
@@ -41,7 +45,8 @@ struct clipped_polygon {
             const auto& p = before[std::size_t(i)];
             const auto& q = before[std::size_t(i + 1 < count_before ? i + 1 : 0)];
             const bool p_inside = !(project.distance(plane, p) < 0.0), q_inside = !(project.distance(plane, q) < 0.0);
-            if (p_inside) points[std::size_t(count++)] = p;
+            const bool keeps_inside = plane != projection::z_near || side == near_side::behind;
+            if (p_inside == keeps_inside) points[std::size_t(count++)] = p;
             if (p_inside != q_inside && count < int(points.size()))
                 points[std::size_t(count++)] = p_inside ? project.cut(plane, p, q) : project.cut(plane, q, p);
         }

@@ -57,7 +57,7 @@ struct snapped_vertex {
 /// Products of two floats are exact in double, so contraction to FMA changes no bit here.
 class projection {
 public:
-    static constexpr int planes = 6;                   ///< w > 0, the near plane, four sides of the guard band
+    static constexpr int planes = 6, z_near = 1;       ///< w > 0, the near plane, four sides of the guard band
     static constexpr unsigned nowhere = 1u << planes;  ///< stands for a position that is not finite
 
     /// @param world_to_clip  projection * view; its elements must be finite

@@ -3,7 +3,7 @@
 // A mesh on the grid of an image, some ten thousand triangles at a time: their vertices projected and snapped, they
 // themselves clipped and handed out in batches, in the mesh's order or band by band of the image's rows.
 //
-//     snapped_mesh snapped(size, mesh, world_to_clip, clip, cull_mode::none);
+//     snapped_mesh snapped(size, mesh, world_to_clip, clip, cull_mode::none, near_plane::clips);
 //     snapped.for_each_chunk(serial{}, [&] {
 //         snapped.for_each_batch([&](const triangles& batch) { ... });
 //     });
@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -64,8 +65,8 @@ class snapped_mesh {
 public:
     /// @throws std::invalid_argument  an index is out of range; a side of the image is above guard_band
     snapped_mesh(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
-                 cull_mode cull)
-        : mesh_(mesh), size_(size), cull_(cull), project_(world_to_clip, clip, size) {
+                 cull_mode cull, near_plane at_near)
+        : mesh_(mesh), size_(size), cull_(cull), at_near_(at_near), project_(world_to_clip, clip, size) {
         if (mesh.triangles.empty()) return;
         if (indices(0, mesh.triangles.size()).highest >= mesh.positions.size())
             detail::fail("umbrage::rasterize: a triangle's index is out of range");
@@ -176,13 +177,23 @@ private:
         return planes_outside(a) | planes_outside(b) | planes_outside(c);
     }
 
-    /// Of a triangle that crosses planes; empty where it is outside of one, or not finite.
-    [[nodiscard]] clipped_polygon clipped(unsigned triangle, const snapped_vertex& a, const snapped_vertex& b,
-                                          const snapped_vertex& c, unsigned crossed) const {
-        if ((planes_outside(a) & planes_outside(b) & planes_outside(c)) || (crossed & projection::nowhere)) return {};
+    /// What is drawn of a triangle that crosses planes: the part behind the near plane, and where that clamps the part
+    /// before it; nothing where it is outside of another plane, or not finite.
+    /// @param use   (const clipped_polygon&), of three vertices or more
+    template <class Use>
+    void for_each_part(unsigned triangle, const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c,
+                       unsigned crossed, const Use& use) const {
+        constexpr unsigned before = 1u << projection::z_near;
+        const unsigned beyond = planes_outside(a) & planes_outside(b) & planes_outside(c);
+        if ((beyond & ~before) || (crossed & projection::nowhere)) return;
         const auto& t = mesh_.triangles[triangle];
         const auto h = [&](unsigned index) { return project_.homogeneous(mesh_.positions[index]); };
-        return clip_triangle(project_, h(t.x), h(t.y), h(t.z), crossed);
+        const auto part = [&](near_side side) {
+            const clipped_polygon polygon = clip_triangle(project_, h(t.x), h(t.y), h(t.z), crossed, side);
+            if (polygon.count > 0) use(polygon);
+        };
+        if (!beyond) part(near_side::behind);
+        if (at_near_ == near_plane::clamps && (crossed & before)) part(near_side::before);
     }
 
     /// @param next   (std::size_t k) -> the k-th triangle
@@ -200,9 +211,10 @@ private:
             const unsigned i = next(k);
             const snapped_vertex &a = vertex(i, 0), &b = vertex(i, 1), &c = vertex(i, 2);
             if (const unsigned crossed = planes_crossed(a, b, c)) {
-                const auto polygon = clipped(i, a, b, c, crossed);
-                for (std::size_t v = 1; int(v) + 1 < polygon.count; ++v)
-                    add(polygon.vertices[0], polygon.vertices[v], polygon.vertices[v + 1], i);
+                for_each_part(i, a, b, c, crossed, [&](const clipped_polygon& polygon) {
+                    for (std::size_t v = 1; int(v) + 1 < polygon.count; ++v)
+                        add(polygon.vertices[0], polygon.vertices[v], polygon.vertices[v + 1], i);
+                });
             } else {
                 add(a, b, c, i);
             }
@@ -229,13 +241,14 @@ private:
         const snapped_vertex &a = vertex(triangle, 0), &b = vertex(triangle, 1), &c = vertex(triangle, 2);
         std::int32_t lowest = std::min({a.y, b.y, c.y}), highest = std::max({a.y, b.y, c.y});
         if (const unsigned crossed = planes_crossed(a, b, c)) {
-            const auto polygon = clipped(triangle, a, b, c, crossed);
-            if (polygon.count == 0) return {0, 0};
-            lowest = highest = polygon.vertices[0].y;
-            for (std::size_t i = 1; int(i) < polygon.count; ++i) {
-                lowest = std::min(lowest, polygon.vertices[i].y);
-                highest = std::max(highest, polygon.vertices[i].y);
-            }
+            lowest = std::numeric_limits<std::int32_t>::max(), highest = std::numeric_limits<std::int32_t>::min();
+            for_each_part(triangle, a, b, c, crossed, [&](const clipped_polygon& polygon) {
+                for (std::size_t i = 0; int(i) < polygon.count; ++i) {
+                    lowest = std::min(lowest, polygon.vertices[i].y);
+                    highest = std::max(highest, polygon.vertices[i].y);
+                }
+            });
+            if (lowest > highest) return {0, 0};
         }
         const auto between = triangles::rows_between(lowest, highest);
         return {std::max(between.x, 0), std::min(between.y, size_.y)};
@@ -269,6 +282,7 @@ private:
     mesh_view mesh_;
     glm::ivec2 size_;
     cull_mode cull_;
+    near_plane at_near_;
     projection project_;
     unsigned first_ = 0, last_ = 0, lowest_ = 0;  // triangles of the chunk; its lowest index
     bool by_corner_ = false;                      // three vertices a triangle, rather than a range of the mesh's
