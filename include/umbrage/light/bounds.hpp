@@ -113,8 +113,8 @@ template <real T>
 class polyhedron {
 public:
     struct face {
-        glm::dvec4 plane;  ///< dot(plane, (p, 1)) >= 0 inside
-        std::vector<glm::dvec3> corners;
+        glm::dvec4 plane;                 ///< dot(plane, (p, 1)) >= 0 inside
+        std::vector<glm::dvec3> corners;  ///< none where the body does not reach the plane
     };
 
     polyhedron() = default;
@@ -179,17 +179,19 @@ namespace detail {
 /// What two bodies have in common; empty where that is nothing.
 [[nodiscard]] inline polyhedron intersection(const polyhedron& a, const polyhedron& b) {
     polyhedron common;
+    bool touch = false;
     const auto add = [&](const polyhedron& of, const polyhedron& within) {
         for (polyhedron::face face : of.faces_) {
             for (const polyhedron::face& other : within.faces_)
                 face.corners = detail::clipped(face.corners, other.plane);
-            if (!face.corners.empty()) common.faces_.push_back(std::move(face));
+            touch = touch || !face.corners.empty();
+            common.faces_.push_back(
+                std::move(face));  // one without corners too: rounding may take them of a flat body's
         }
     };
-    if (a.empty() || b.empty()) return common;
     add(a, b);
     add(b, a);
-    return common;
+    return touch && !a.empty() && !b.empty() ? common : polyhedron();
 }
 
 /// Points, what lies between them, and a ball around each: what a directional light is fitted to.

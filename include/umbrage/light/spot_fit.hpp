@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+//
+// A spot light fitted to what of its cone receives shadows, with the near plane pulled towards what casts them.
+//
+//     auto light = umbrage::fit_spot_light<float>(
+//         {.position = p, .direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
+//
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include <umbrage/light/bounds.hpp>
+#include <umbrage/light/light_space.hpp>
+#include <umbrage/light/sweep.hpp>
+
+namespace umbrage {
+
+template <real T = float>
+struct spot_fit {
+    glm::vec<3, T> position{T(0)};
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
+    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
+    T z_near = T(0.1);                         ///< the least that the near plane may be, > 0: a lamp's own size
+    polyhedron receivers = bounding_box<T>{};  ///< box, frustum or what they have in common
+    std::optional<bounding_box<T>> casters{};  ///< none: near plane at the receivers, for near_plane::clamps
+    T margin = T(0.01);         ///< added on every side, as a share of the map's and of distances, 0 to 1/2
+    bool has_far_plane = true;  ///< false: depth nears the far depth with distance
+    clip_space clip{};
+};
+
+namespace detail {
+
+/// What a spot light sees of points before it, as tangents x / distance, y / distance, and the distance.
+[[nodiscard]] inline std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen) {
+    for (glm::dvec3& p : seen) p = {p.x / p.z, p.y / p.z, p.z};
+    return seen;
+}
+
+/// The nearest that a box of casters comes to a spot light within what receivers sweep towards it.
+/// @param receivers  tangents;   outwards  the margin around them;   closest  where the sweep ends
+[[nodiscard]] inline double nearest_to_spot(const glm::dmat4& frame, const polyhedron& casters,
+                                            const std::vector<glm::dvec3>& receivers, double outwards, double closest) {
+    const std::vector<glm::dvec2> outline = convex_hull(receivers);
+    const auto [low, high] = extent_of(receivers);
+    std::vector<glm::dvec4> planes = sides(outline, outwards);
+    const auto rectangle = sides(glm::dvec2(low) - outwards, glm::dvec2(high) + outwards);
+    planes.insert(planes.end(), rectangle.begin(), rectangle.end());
+    for (glm::dvec4& plane : planes) plane = {plane.x, plane.y, plane.w, 0.0};  // through the light
+    planes.emplace_back(0.0, 0.0, 1.0, -closest);
+    // the sweep's end may lie within the casters, none of whose faces it then meets
+    const glm::dvec4 end =
+        glm::inverse(frame) * glm::dvec4(receivers.front().x * closest, receivers.front().y * closest, closest, 1.0);
+    const bool within = std::all_of(casters.faces().begin(), casters.faces().end(),
+                                    [&](const polyhedron::face& face) { return glm::dot(face.plane, end) >= 0.0; });
+    return within ? closest : nearest(frame, casters, planes);
+}
+
+}  // namespace detail
+
+/// The smallest part of the square pyramid around the cone that holds the receivers in it, and what of the casters' box
+/// they sweep towards the light, with the margin: but nothing outside of the pyramid or nearer than z_near. The light
+/// may stand within receivers and casters.
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), no receivers, none in the
+///                                pyramid beyond z_near, or none of some extent there, casters that are no box, and
+///                                what gives matrices that are not finite
+template <real T = float>
+[[nodiscard]] light_space<T> fit_spot_light(const spot_fit<T>& fit) {
+    constexpr auto function = "fit_spot_light";
+    const T angle = fit.outer_angle_radians;
+    detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
+                    "outer_angle_radians", "must lie between 0 and pi / 2");
+    detail::require(detail::is_normal(fit.z_near) && fit.z_near > T(0), function, "z_near",
+                    "must be above 0, finite and no denormal");
+    detail::require(fit.margin >= T(0) && fit.margin <= T(0.5), function, "margin", "must lie between 0 and 1/2");
+    light_space<T> space{
+        detail::look_along(fit.position, fit.direction, fit.up, fit.clip.hand, function, "position"), {}, fit.clip};
+    const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
+    const double edge = std::tan(double(angle)), closest(fit.z_near);
+
+    const double farthest = detail::extent_of(detail::seen(frame, hull(fit.receivers).points)).high.z;
+    detail::require(farthest > closest && is_finite(2.0 * farthest), function, "receivers",
+                    "must lie before the light, beyond z_near");
+    const polyhedron lit = intersection(frustum<double>{.position = fit.position,
+                                                        .direction = fit.direction,
+                                                        .up = fit.up,
+                                                        .tan_half_x = edge,
+                                                        .tan_half_y = edge,
+                                                        .z_near = closest,
+                                                        .z_far = 2.0 * farthest},
+                                        fit.receivers);
+    detail::require(!lit.empty(), function, "receivers", "must lie in the cone");
+    const auto receivers = detail::tangents(detail::seen(frame, hull(lit).points));
+    auto [low, high] = detail::extent_of(receivers);
+    const double share(fit.margin), margin = share * glm::max(high.x - low.x, high.y - low.y);
+    double z_near = low.z;
+    if (fit.casters)
+        z_near = glm::min(z_near, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
+    z_near = glm::max(z_near * (1.0 - share), closest);
+    const double z_far = fit.has_far_plane ? high.z * (1.0 + share) : std::numeric_limits<double>::infinity();
+    const glm::dvec2 first = glm::max(glm::dvec2(low) - margin, -edge),
+                     last = glm::min(glm::dvec2(high) + margin, edge);
+    const glm::dvec2 half = (last - first) * 0.5;
+    detail::require(half.x > 0.0 && half.y > 0.0 && z_near < z_far, function, "receivers and margin",
+                    "must have some extent in the cone");
+
+    glm::dmat4 projection = detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function);
+    for (glm::length_t i = 0; i < 2; ++i) projection[2][i] = -projection[2][3] * (first + last)[i] * 0.5 / half[i];
+    space.projection = glm::mat<4, 4, T>(projection);
+    for (glm::length_t i = 0; i < 2; ++i)
+        detail::require(detail::is_normal(space.projection[i][i]), function, "receivers and margin",
+                        "give too large or too small a map");
+    detail::require(detail::is_normal(space.projection[3][2]), function, "z_near and receivers",
+                    "give planes too far apart or too close together");
+    return detail::checked(space, function, "position, z_near and receivers");
+}
+
+}  // namespace umbrage
