@@ -27,6 +27,7 @@
 
 #include "../acne.hpp"
 #include "../codecs.hpp"
+#include "../rays.hpp"
 
 namespace {
 
@@ -176,6 +177,18 @@ line acne_under(const Filter& filter, umbrage::depth_direction direction) {
             }};
 }
 
+/// Random scenes, lit by every kind of light and fit, looked up, against rays.
+seen agrees_with_rays(count first, count last) {
+    seen s;
+    for (count n = first; n < last; ++n) {
+        proof::ray_scene scene(n);
+        auto found = scene.compare(umbrage::filters::hard{}, 200);
+        found += scene.compare(umbrage::filters::pcf_2x2{}, 200);
+        s.failures += found.wrong + found.outside;
+    }
+    return s;
+}
+
 std::vector<line> make_table() {
     namespace glsl = umbrage::glsl;
     std::vector<line> table;
@@ -190,6 +203,8 @@ std::vector<line> make_table() {
     table.push_back({glsl::decode_float_bits, "every pattern", 0, all_floats, each(reads_bits)});
     proof::for_each_percentage_closer(
         [&](const auto& filter, auto direction) { table.push_back(acne_under(filter, direction)); });
+    table.push_back(
+        {glsl::shadow_coordinate, "of fitted lights, to the look-up", 0, 500 * proof::setting_count, agrees_with_rays});
     std::apply([&](auto... format) { (add_foreign<decltype(format)>(table), ...); }, proof::foreign{});
     return table;
 }

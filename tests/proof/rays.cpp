@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// Every kind of light, every fit and every convention over some random scenes.
+#include "rays.hpp"
+
+#include <doctest/doctest.h>
+
+#include <array>
+
+TEST_CASE("a light fitted, drawn and looked up agrees with rays, away from edges and beyond the bias") {
+    std::array<proof::verdicts, proof::light_kinds.size()> kinds;
+    for (std::uint64_t n = 0; n < 3 * proof::setting_count; ++n) {
+        proof::ray_scene scene(n);
+        proof::verdicts found;
+        found += scene.compare(umbrage::filters::hard{}, 150);
+        found += scene.compare(umbrage::filters::pcf_2x2{}, 150);
+        kinds[n % kinds.size()] += found;
+        CAPTURE(n);
+        CAPTURE(scene.kind());
+        CHECK(found.wrong == 0);
+        CHECK(found.outside == 0);
+    }
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+        CAPTURE(proof::light_kinds[kind]);
+        CHECK(kinds[kind].lit > 200);
+        CHECK(kinds[kind].shadowed > 150);
+    }
+}

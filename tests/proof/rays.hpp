@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+//
+// Shadow maps from end to end against rays: a light fitted to a random scene, its depth pass, and filters' look-ups with
+// the acne-free bias, at points where a ray to the light tells what they must find. A sample in the tests, more in
+// `make prove`.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <umbrage/bias/acne_free.hpp>
+#include <umbrage/bias/slope.hpp>
+#include <umbrage/depth/depth32f.hpp>
+#include <umbrage/filter/pcf/hard.hpp>
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/images/rasterize.hpp>
+#include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/spot_fit.hpp>
+#include <umbrage/light/spot_light.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+namespace proof {
+
+inline constexpr std::array light_kinds{"directional: box",
+                                        "directional: points",
+                                        "directional: frustum, casters apart",
+                                        "directional: sphere, snapped",
+                                        "directional: depth clamp",
+                                        "spot: cone",
+                                        "spot: receivers, casters apart",
+                                        "spot: depth clamp",
+                                        "spot: no far plane"};
+inline constexpr std::uint64_t clip_space_count = 16, setting_count = light_kinds.size() * clip_space_count;
+
+/// What look-ups found, of the receivers at which rays tell.
+struct verdicts {
+    std::uint64_t lit = 0, shadowed = 0, wrong = 0;
+    std::uint64_t outside = 0;  ///< receivers that the fit left out
+
+    verdicts& operator+=(const verdicts& o) {
+        lit += o.lit, shadowed += o.shadowed, wrong += o.wrong, outside += o.outside;
+        return *this;
+    }
+};
+
+/// A scene of a ground and few triangles, a camera and a light, all from one number.
+class ray_scene {
+public:
+    explicit ray_scene(std::uint64_t n) : kind_(n % light_kinds.size()), random_(static_cast<std::uint32_t>(n)) {
+        const std::uint64_t c = n / light_kinds.size();
+        clip_.range = c & 1 ? umbrage::depth_range::minus_one_to_one : umbrage::depth_range::zero_to_one;
+        clip_.direction = c & 2 ? umbrage::depth_direction::reversed : umbrage::depth_direction::forward;
+        clip_.origin = c & 4 ? umbrage::texture_origin::top : umbrage::texture_origin::bottom;
+        clip_.hand = c & 8 ? umbrage::handedness::left : umbrage::handedness::right;
+        make_mesh();
+        const glm::vec3 eye = around(real(2, 6));
+        camera_ = {.position = eye,
+                   .direction = vector(-1, 1) - eye,
+                   .tan_half_x = 0.5f,
+                   .tan_half_y = 0.4f,
+                   .z_near = 0.5f,
+                   .z_far = 7};
+        make_light();
+    }
+
+    [[nodiscard]] const char* kind() const { return light_kinds[kind_]; }
+
+    /// A filter at random points of triangles.
+    template <class Filter>
+    [[nodiscard]] verdicts compare(Filter filter, int points) {
+        using namespace umbrage;
+        filter.is_lit = {clip_.direction};
+        image<float> map({map_size, map_size}, cleared_depth(clip_));
+        rasterize_depth(map, {positions_, triangles_}, light_.projection * light_.view, clip_, cull_mode::none,
+                        serial{}, at_near_);
+        const depth32f encoding{.direction = clip_.direction};
+        const auto fetch = clamped(map);
+        verdicts found;
+        for (int i = 0; i < points; ++i) {
+            const auto own = std::uniform_int_distribution<std::size_t>(0, triangles_.size() - 1)(random_);
+            const glm::vec3 p = point_of(own);
+            if (!is_received(p)) continue;
+            const glm::vec3 at = project_coordinate(shadow_coordinate(matrix_, p));
+            const float reach = filter.reach() + 1.0f;
+            const auto within = [&](float v, float least) { return v >= least && v <= map_size - least; };
+            if (!within(at.x, 0) || !within(at.y, 0) || !(at.z >= 0 && at.z <= 1)) {
+                ++found.outside;
+                continue;
+            }
+            if (!within(at.x, reach) || !within(at.y, reach) || is_near_edge(at, reach)) continue;
+            const float bias = acne_free_bias(slope(own), filter, encoding, snapping_reach<float> + 0x1p-10f);
+            bool is_lit = true, is_told = true;
+            for (std::size_t k = 0; k < triangles_.size(); ++k) {
+                if (k == own) continue;
+                const double before = blocked_by(k, p);
+                if (std::isnan(before)) continue;
+                is_told = is_told &&
+                          std::abs(before) > double(detachment(bias, slope(k), filter.reach() + snapping_reach<float>));
+                is_lit = is_lit && before <= 0.0;
+            }
+            if (!is_told) continue;
+            ++(is_lit ? found.lit : found.shadowed);
+            found.wrong += filter(fetch, glm::vec2(at), biased(at.z, bias, filter.is_lit)) != (is_lit ? 1.0f : 0.0f);
+        }
+        return found;
+    }
+
+private:
+    static constexpr int map_size = 256;
+    static constexpr float z_near = 0.05f;
+
+    [[nodiscard]] float real(float low, float high) { return std::uniform_real_distribution(low, high)(random_); }
+    [[nodiscard]] glm::vec3 vector(float low, float high) {
+        const float x = real(low, high), y = real(low, high), z = real(low, high);
+        return {x, y, z};
+    }
+    [[nodiscard]] glm::vec3 around(float distance) {  // above the ground
+        const glm::vec3 way = vector(-1, 1);
+        return glm::normalize(glm::vec3(way.x, std::abs(way.y) + 0.2f, way.z)) * distance;
+    }
+
+    void make_mesh() {
+        positions_ = {{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}};
+        triangles_ = {{0, 1, 2}, {0, 2, 3}};
+        while (triangles_.size() < 8) {
+            const glm::vec3 middle(real(-2, 2), real(0.5f, 3), real(-2, 2));
+            std::array<glm::vec3, 3> corner;
+            for (glm::vec3& c : corner) c = middle + vector(-1.5f, 1.5f), c.y = std::max(c.y, 0.1f);
+            if (glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0])) < 1.0f) continue;
+            const auto first = static_cast<unsigned>(positions_.size());
+            positions_.insert(positions_.end(), corner.begin(), corner.end());
+            triangles_.emplace_back(first, first + 1, first + 2);
+        }
+        for (const glm::vec3& p : positions_) box_.low = glm::min(box_.low, p), box_.high = glm::max(box_.high, p);
+    }
+
+    void make_light() {
+        using namespace umbrage;
+        is_spot_ = kind_ > 4;
+        sees_camera_only_ = kind_ != 0 && kind_ != 1 && kind_ != 5;
+        at_near_ = kind_ == 4 || kind_ == 7 ? near_plane::clamps : near_plane::clips;
+        position_ = random_() % 4 ? around(real(6, 9)) : glm::vec3(real(-1, 1), real(1, 3), real(-1, 1));
+        direction_ = is_spot_ ? vector(-1, 1) - position_ : vector(-1, 1);
+        const polyhedron seen = intersection(camera_, box_);
+        if (!is_spot_) {
+            directional_fit<float> fit{.direction = direction_, .clip = clip_};
+            if (kind_ == 0) fit.receivers = box_;
+            else if (kind_ == 1) fit.receivers = positions_;
+            else if (kind_ == 3) fit.receivers = sphere_around(camera_), fit.snap_texels = map_size;
+            else fit.receivers = seen;
+            if (kind_ != 4) fit.casters = box_;
+            light_ = fit_directional_light(fit);
+        } else if (kind_ == 5) {
+            light_ = make_spot_light<float>(
+                {.position = position_, .direction = direction_, .z_near = z_near, .z_far = 30, .clip = clip_});
+        } else {
+            spot_fit<float> fit{.position = position_,
+                                .direction = direction_,
+                                .z_near = z_near,
+                                .receivers = seen,
+                                .has_far_plane = kind_ != 8,
+                                .clip = clip_};
+            if (kind_ != 7) fit.casters = box_;
+            light_ = fit_spot_light(fit);
+        }
+        matrix_ = texture_matrix(light_, {map_size, map_size});
+        planes_ = plane_matrix(matrix_);
+    }
+
+    [[nodiscard]] std::array<glm::dvec3, 3> corners(std::size_t k) const {
+        const glm::uvec3 t = triangles_[k];
+        return {positions_[t.x], positions_[t.y], positions_[t.z]};
+    }
+    [[nodiscard]] glm::vec3 point_of(std::size_t k) {
+        const auto [a, b, c] = corners(k);
+        double u = real(0, 1), v = real(0, 1);
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        return glm::vec3(a + u * (b - a) + v * (c - a));
+    }
+    [[nodiscard]] glm::vec2 slope(std::size_t k) const {
+        const auto [a, b, c] = corners(k);
+        return umbrage::plane_slope(planes_, glm::vec3(glm::cross(b - a, c - a)), glm::vec3(a));
+    }
+
+    /// Whether the light was asked to hold it.
+    [[nodiscard]] bool is_received(glm::vec3 p) const {
+        const glm::dvec4 point(p, 1.0);
+        const auto holds = [&](const umbrage::polyhedron& body) {
+            return std::all_of(body.faces().begin(), body.faces().end(),
+                               [&](const auto& face) { return glm::dot(face.plane, point) > 1e-4; });
+        };
+        if (sees_camera_only_ && !holds(camera_)) return false;
+        return !is_spot_ || holds(umbrage::frustum<float>{.position = position_,
+                                                          .direction = direction_,
+                                                          .tan_half_x = 0.57735f,
+                                                          .tan_half_y = 0.57735f,
+                                                          .z_near = z_near,
+                                                          .z_far = 29});
+    }
+
+    /// How far before a receiver, in depth, a triangle meets the line to the light, below 0 behind it; NaN where it does
+    /// not, or where the light does not see it.
+    /// @cite   Moeller, Trumbore: Fast, minimum storage ray/triangle intersection, 1997
+    [[nodiscard]] double blocked_by(std::size_t k, glm::vec3 receiver) const {
+        const double none = std::numeric_limits<double>::quiet_NaN();
+        const auto [a, b, c] = corners(k);
+        const glm::dvec3 from(receiver), way = is_spot_ ? glm::dvec3(position_) - from : -glm::dvec3(direction_);
+        const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(way, ac), s = from - a;
+        const double det = glm::dot(ab, p);
+        if (det == 0) return none;
+        const glm::dvec3 q = glm::cross(s, ab);
+        const double u = glm::dot(s, p) / det, v = glm::dot(way, q) / det, t = glm::dot(ac, q) / det;
+        if (u < 0 || v < 0 || u + v > 1) return none;
+        const auto placed = [&](glm::dvec3 world) { return glm::dmat4(matrix_) * glm::dvec4(world, 1.0); };
+        const glm::dvec4 caster = placed(from + t * way), here = placed(from);
+        if (caster.w <= (at_near_ == umbrage::near_plane::clips && is_spot_ ? double(z_near) : 0.0)) return none;
+        const auto depth = [&](const glm::dvec4& h) {
+            const double d = clip_.direction == umbrage::depth_direction::forward ? h.z / h.w : 1.0 - h.z / h.w;
+            return at_near_ == umbrage::near_plane::clamps ? std::max(d, 0.0) : d;
+        };
+        return depth(here) - depth(caster);
+    }
+
+    /// Whether the map sees an edge of a triangle within some texels.
+    [[nodiscard]] bool is_near_edge(glm::vec3 at, float texels) const {
+        for (std::size_t k = 0; k < triangles_.size(); ++k) {
+            const auto corner = corners(k);
+            for (std::size_t i = 0; i < 3; ++i) {
+                glm::dvec4 a = glm::dmat4(matrix_) * glm::dvec4(corner[i], 1);
+                glm::dvec4 b = glm::dmat4(matrix_) * glm::dvec4(corner[(i + 1) % 3], 1);
+                if (a.w > b.w) std::swap(a, b);
+                constexpr double behind = 1e-3;
+                if (b.w < behind) continue;
+                if (a.w < behind) a += (b - a) * ((behind - a.w) / (b.w - a.w));
+                const glm::dvec2 first = glm::dvec2(a) / a.w, way = glm::dvec2(b) / b.w - first,
+                                 to(glm::dvec2(at) - first);
+                const double share = std::clamp(glm::dot(to, way) / std::max(glm::dot(way, way), 1e-12), 0.0, 1.0);
+                if (glm::length(to - share * way) < 1.5 * double(texels)) return true;
+            }
+        }
+        return false;
+    }
+
+    std::uint64_t kind_;
+    std::mt19937 random_;
+    umbrage::clip_space clip_;
+    std::vector<glm::vec3> positions_;
+    std::vector<glm::uvec3> triangles_;
+    umbrage::bounding_box<float> box_{glm::vec3(1e9f), glm::vec3(-1e9f)};
+    umbrage::frustum<float> camera_;
+    bool is_spot_ = false, sees_camera_only_ = false;
+    umbrage::near_plane at_near_ = umbrage::near_plane::clips;
+    glm::vec3 position_{0}, direction_{0};
+    umbrage::light_space<float> light_;
+    glm::mat4 matrix_{1}, planes_{1};
+};
+
+}  // namespace proof
