@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <umbrage/images/quality.hpp>
+#include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/spot_light.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+#include "../light/bodies.hpp"
+#include "../light/clip_spaces.hpp"
+
+using namespace umbrage;
+
+namespace {
+
+const glm::ivec2 screen(1280, 720);
+constexpr glm::ivec2 map_size(2048, 2048);
+
+/// A camera's matrices over pixels, and the frustum that it sees.
+struct view {
+    frustum<double> seen;
+    glm::dmat4 to_pixels;
+
+    explicit view(const frustum<double>& f) : seen(f) {
+        to_pixels = texture_matrix<double>({look_along(f.position, f.direction, f.up, handedness::right),
+                                            perspective(f.tan_half_x, f.tan_half_y, f.z_near, f.z_far, {}),
+                                            {}},
+                                           screen);
+    }
+};
+
+/// Ground at y = 0 that a camera two units above sees, and a scene's box around both.
+const double tan_half_y = std::tan(std::numbers::pi / 6);
+const view reference({.position = {0, 2, 0},
+                      .direction = {0, 0, -1},
+                      .tan_half_x = tan_half_y * 1280 / 720,
+                      .tan_half_y = tan_half_y,
+                      .z_near = 0.5,
+                      .z_far = 1000});
+const bounding_box<double> reference_scene{{-600, 0, -1000}, {600, 10, 200}};
+
+/// The way of light from a sun ahead of the camera for azimuth 0, behind it for 180.
+glm::dvec3 sun(double elevation, double azimuth) {
+    const double e = elevation * std::numbers::pi / 180, a = azimuth * std::numbers::pi / 180;
+    return {-std::sin(a) * std::cos(e), -std::sin(e), std::cos(a) * std::cos(e)};
+}
+
+quality_report on_ground(const glm::dmat4& texture_matrix) {
+    const glm::dmat4 back = glm::inverse(reference.to_pixels);
+    return measure_quality({.screen = screen, .map_size = map_size, .step = 4}, [&](glm::ivec2 i) {
+        const glm::dvec2 pixel = glm::dvec2(i) + 0.5;
+        const glm::dvec4 h = back * glm::dvec4(pixel, 0.5, 1);
+        const glm::dvec3 way = glm::dvec3(h) / h.w - reference.seen.position;
+        const double share = -reference.seen.position.y / way.y;
+        if (!(share > 0) || -way.z * share > 1000) return glm::dmat2(0);
+        return pixels_per_texel(texture_matrix, reference.to_pixels, reference.seen.position + share * way,
+                                glm::dvec3(0, 1, 0));
+    });
+}
+
+}  // namespace
+
+TEST_CASE("longest_extent: of turned and stretched squares, and against a search over directions") {
+    CHECK(longest_extent(glm::mat2(3, 0, 0, 2)) == 3);
+    CHECK(longest_extent(glm::mat2(0, 2, -2, 0)) == 2);
+    CHECK(longest_extent(glm::mat2(0, 0, 5, 0)) == 5);
+    std::mt19937 random(1);
+    for (int i = 0; i < 200; ++i) {
+        glm::dmat2 m(1);
+        for (int c = 0; c < 2; ++c)
+            for (int r = 0; r < 2; ++r) m[c][r] = bodies::real(-3, 3)(random);
+        double longest = 0;
+        for (int k = 0; k < 3600; ++k) {
+            const double turn = k * std::numbers::pi / 3600;
+            longest = std::max(longest, glm::length(m * glm::dvec2(std::cos(turn), std::sin(turn))));
+        }
+        CHECK(longest_extent(m) == doctest::Approx(longest).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("pixels_per_texel: finite differences over the plane, directional and spot, in every convention") {
+    std::mt19937 random(2);
+    int some = 0;
+    for (int i = 0; i < 400; ++i) {
+        const clip_space clip = all_clip_spaces()[std::size_t(i % 16)];
+        const glm::dvec3 p = bodies::random_vector(random, -1, 1), normal = bodies::random_vector(random, -1, 1);
+        const glm::dvec3 light = bodies::random_vector(random, -4, 4), eye = bodies::random_vector(random, -4, 4);
+        const glm::dvec3 n = glm::normalize(normal);
+        if (std::abs(glm::dot(n, glm::normalize(light - p))) < 0.1 ||
+            std::abs(glm::dot(n, glm::normalize(eye - p))) < 0.1)
+            continue;
+        if (glm::length(light - p) < 1 || glm::length(eye - p) < 1) continue;
+        ++some;
+        const glm::dmat4 texels =
+            i % 2 ? texture_matrix(make_spot_light<double>({.position = light, .direction = -light, .clip = clip}),
+                                   map_size)
+                  : texture_matrix(fit_directional_light<double>({.direction = p - light, .clip = clip}), map_size);
+        const glm::dmat4 pixels =
+            texture_matrix(make_spot_light<double>({.position = eye, .direction = p - eye, .clip = clip}), screen);
+        const glm::dmat2 found = pixels_per_texel(texels, pixels, p, normal);
+        const glm::dvec3 side = glm::normalize(glm::cross(n, glm::dvec3(0.3, 0.5, 0.8))), up = glm::cross(n, side);
+        for (glm::dvec3 way : {side, up}) {
+            const double h = 1e-5;
+            const glm::dvec2 texel_step(through(texels, p + h * way) - through(texels, p - h * way));
+            const glm::dvec2 pixel_step(through(pixels, p + h * way) - through(pixels, p - h * way));
+            CHECK(glm::length(found * texel_step - pixel_step) < 1e-6 * glm::length(pixel_step));
+        }
+    }
+    CHECK(some > 100);
+}
+
+TEST_CASE("pixels_per_texel: a surface parallel to the light is not finite, and is counted") {
+    const glm::dmat4 texels = texture_matrix(fit_directional_light<double>({.direction = {0, -1, 0}}), map_size);
+    const auto report = measure_quality({.screen = {2, 2}, .map_size = map_size}, [&](glm::ivec2 pixel) {
+        if (pixel == glm::ivec2(0)) return glm::dmat2(0);
+        const glm::dvec3 normal = pixel.x ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+        return pixels_per_texel(texels, reference.to_pixels, {0, 0, -5}, normal);
+    });
+    CHECK(report.measured == 2);
+    CHECK(report.skipped == 1);
+}
+
+TEST_CASE("measure_quality: mean, percentile, greatest and the image, by hand") {
+    image<float> extents({10, 10});
+    const auto report = measure_quality(
+        {.screen = {10, 10}, .map_size = {32, 64}, .maps = 3},
+        [](glm::ivec2 p) {
+            const auto value = static_cast<float>(p.x + 10 * p.y);  // 0: nothing to see
+            return glm::mat2(value, 0, 0, value / 2);
+        },
+        extents.view());
+    CHECK(report.measured == 99);
+    CHECK(report.skipped == 0);
+    CHECK(report.mean == doctest::Approx(50));
+    CHECK(report.p95 == 94);
+    CHECK(report.greatest == 99);
+    CHECK(report.storage_factor == doctest::Approx(3 * (32 * 99.0) * (64 * 49.5) / 100));
+    CHECK(extents[{0, 0}] == 0);
+    CHECK(extents[{3, 2}] == 23);
+    const auto nothing =
+        measure_quality({.screen = {3, 3}, .map_size = {8, 8}}, [](glm::ivec2) { return glm::mat2(0); });
+    CHECK(nothing.measured == 0);
+    CHECK(nothing.greatest == 0);
+}
+
+TEST_CASE("measure_quality: bad input") {
+    const auto with = [](const measured_view& view, image_view<float> extents = {}) {
+        return complaint([&] {
+            (void)measure_quality(
+                view, [](glm::ivec2) { return glm::mat2(1); }, extents);
+        });
+    };
+    const std::string name = "umbrage::measure_quality: ";
+    image<float> small({2, 2});
+    CHECK(with({.screen = {2, 2}}, small.view()).empty());
+    CHECK(with({.screen = {7, 6}, .step = 4}, small.view()).empty());
+    CHECK(with({.screen = {0, 2}}).starts_with(name + "screen "));
+    CHECK(with({.map_size = {1, 0}}).starts_with(name + "map_size "));
+    CHECK(with({.maps = 0}).starts_with(name + "maps "));
+    CHECK(with({.step = 0}).starts_with(name + "step "));
+    CHECK(with({.screen = {2, 3}}, small.view()).starts_with(name + "extents "));
+}
+
+TEST_CASE("measure_quality: one map around what a camera sees of a long ground, for suns all around") {
+    struct row {
+        double elevation, azimuth, p95, greatest;
+    };
+    // of an implementation apart from this one, by finite differences
+    for (const row& r : {row{90, 0, 116, 143}, row{45, 90, 116, 143}, row{20, 90, 117, 144}, row{45, 180, 116, 143},
+                         row{45, 0, 116, 143}, row{45, 135, 132, 186}, row{15, 180, 117, 145}, row{15, 0, 117, 144}}) {
+        CAPTURE(r.elevation);
+        CAPTURE(r.azimuth);
+        const auto light = fit_directional_light<double>({.direction = sun(r.elevation, r.azimuth),
+                                                          .up = reference.seen.direction,
+                                                          .receivers = intersection(reference.seen, reference_scene),
+                                                          .casters = reference_scene,
+                                                          .margin = 0});
+        const quality_report report = on_ground(texture_matrix(light, map_size));
+        CHECK(report.p95 == doctest::Approx(r.p95).epsilon(0.01));
+        CHECK(report.greatest == doctest::Approx(r.greatest).epsilon(0.01));
+        if (r.elevation < 90) continue;
+        CHECK(report.mean == doctest::Approx(59.6).epsilon(0.01));
+        CHECK(report.storage_factor == doctest::Approx(49473).epsilon(0.05));
+    }
+}
+
+TEST_CASE("measure_quality: overhead light and a bare frustum need the storage that theory says") {
+    // of surfaces halfway between light and camera, on its axis: (far / near) (far - near) / (2 near tangent)
+    for (double z_far : {50.0, 1000.0}) {
+        const double z_near = 1;
+        frustum<double> f{.tan_half_x = 1, .tan_half_y = 1, .z_near = z_near, .z_far = z_far};
+        const auto light =
+            fit_directional_light<double>({.direction = {0, -1, 0}, .up = {0, 0, -1}, .receivers = f, .margin = 0});
+        const glm::dmat4 texels = texture_matrix(light, map_size), pixels = view(f).to_pixels;
+        const auto report = measure_quality({.screen = screen, .map_size = map_size}, [&](glm::ivec2 p) {
+            if (p.y != 0) return glm::dmat2(0);
+            const double z = z_near * std::pow(z_far / z_near, p.x / 1279.0);
+            return pixels_per_texel(texels, pixels, glm::dvec3(0, 0, -z), glm::dvec3(0, 1, 1));
+        });
+        CHECK(report.storage_factor == doctest::Approx(z_far / z_near * (z_far - z_near) / (2 * z_near)).epsilon(0.05));
+    }
+}
