@@ -111,6 +111,8 @@ export const cube_coordinate: Snippet;
 export const cube_direction: Snippet;
 /** first texel of a face in an atlas */
 export const cube_tile: Snippet;
+/** casters before the near plane, onto it */
+export const pancaked: Snippet;
 /** view-space z over z_far */
 export const linear_depth: Snippet;
 /** z / w, far behind the light */

@@ -51,6 +51,8 @@
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/light_space.hpp>
+#include <umbrage/light/pancake.hpp>
+#include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/texture_matrix.hpp>

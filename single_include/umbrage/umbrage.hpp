@@ -42,6 +42,7 @@
 #include <glm/common.hpp>
 #include <glm/fwd.hpp>
 #include <glm/geometric.hpp>
+#include <glm/mat2x2.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
@@ -5371,8 +5372,8 @@ template <real T>
 class polyhedron {
 public:
     struct face {
-        glm::dvec4 plane;  ///< dot(plane, (p, 1)) >= 0 inside
-        std::vector<glm::dvec3> corners;
+        glm::dvec4 plane;                 ///< dot(plane, (p, 1)) >= 0 inside
+        std::vector<glm::dvec3> corners;  ///< none where the body does not reach the plane
     };
 
     polyhedron() = default;
@@ -5437,17 +5438,19 @@ namespace detail {
 /// What two bodies have in common; empty where that is nothing.
 [[nodiscard]] inline polyhedron intersection(const polyhedron& a, const polyhedron& b) {
     polyhedron common;
+    bool touch = false;
     const auto add = [&](const polyhedron& of, const polyhedron& within) {
         for (polyhedron::face face : of.faces_) {
             for (const polyhedron::face& other : within.faces_)
                 face.corners = detail::clipped(face.corners, other.plane);
-            if (!face.corners.empty()) common.faces_.push_back(std::move(face));
+            touch = touch || !face.corners.empty();
+            common.faces_.push_back(
+                std::move(face));  // one without corners too: rounding may take them of a flat body's
         }
     };
-    if (a.empty() || b.empty()) return common;
     add(a, b);
     add(b, a);
-    return common;
+    return touch && !a.empty() && !b.empty() ? common : polyhedron();
 }
 
 /// Points, what lies between them, and a ball around each: what a directional light is fitted to.
@@ -6457,6 +6460,167 @@ template <real T = float>
     space.projection = detail::orthographic(-half, half, light.z_near, light.z_far, light.clip, function,
                                             "map_size and texels_per_unit", "z_near and z_far");
     return detail::checked(space, function, "target, offset, texels_per_unit, z_near and z_far");
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/pancake.hpp
+// Casters before the near plane, pressed onto it by the vertex shader where the rasterizer cannot clamp depth.
+//
+//     gl_Position = umbrage_pancaked(clip_from_world * position, 0.0);  // umbrage::near_depth(clip)
+//
+
+namespace umbrage {
+
+/// z/w of the near plane: 0 or -1, and 1 where depth is reversed.
+[[nodiscard]] constexpr float near_depth(clip_space clip) {
+    if (clip.direction == depth_direction::reversed) return 1.0f;
+    return clip.range == depth_range::zero_to_one ? 0.0f : -1.0f;
+}
+
+/// A vertex before the near plane, moved onto it along z: for directional lights, where w is 1. Right for triangles
+/// wholly before the plane or behind it. One that crosses it is bent, and its part behind comes out too far: prefer a
+/// rasterizer that clamps.
+/// @param position   in clip space
+/// @param at_near    z/w of the near plane, near_depth: 0, -1 or 1, where 1 says that depth is reversed
+/// @return           z = max(z, at_near w), or min for reversed depth; a NaN in z stays
+/// @exactness        B: selects; where denormals compare as zeros, those before the plane stay
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> pancaked(glm::vec<4, T> position, T at_near) {
+    const T plane = at_near * position.w;
+    const bool before = at_near > T(0.5) ? position.z > plane : position.z < plane;
+    return {position.x, position.y, before ? plane : position.z, position.w};
+}
+
+namespace glsl {
+
+inline constexpr snippet pancaked{
+    .name = "pancaked",
+    .summary = "casters before the near plane, onto it",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
+//   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
+UMBRAGE_HIGHP vec4 umbrage_pancaked(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP float at_near) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = at_near * position.w;
+    bool before = at_near > 0.5 ? position.z > plane : position.z < plane;
+    return vec4(position.x, position.y, before ? plane : position.z, position.w);
+}
+)GLSL",
+};
+
+inline constexpr auto pancake_snippets = list<&pancaked>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/light/spot_fit.hpp
+// A spot light fitted to what of its cone receives shadows, with the near plane pulled towards what casts them.
+//
+//     auto light = umbrage::fit_spot_light<float>(
+//         {.position = p, .direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
+//
+
+namespace umbrage {
+
+template <real T = float>
+struct spot_fit {
+    glm::vec<3, T> position{T(0)};
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
+    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
+    T z_near = T(0.1);                         ///< the least that the near plane may be, > 0: a lamp's own size
+    polyhedron receivers = bounding_box<T>{};  ///< box, frustum or what they have in common
+    std::optional<bounding_box<T>> casters{};  ///< none: near plane at the receivers, for near_plane::clamps
+    T margin = T(0.01);         ///< added on every side, as a share of the map's and of distances, 0 to 1/2
+    bool has_far_plane = true;  ///< false: depth nears the far depth with distance
+    clip_space clip{};
+};
+
+namespace detail {
+
+/// What a spot light sees of points before it, as tangents x / distance, y / distance, and the distance.
+[[nodiscard]] inline std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen) {
+    for (glm::dvec3& p : seen) p = {p.x / p.z, p.y / p.z, p.z};
+    return seen;
+}
+
+/// The nearest that a box of casters comes to a spot light within what receivers sweep towards it.
+/// @param receivers  tangents;   outwards  the margin around them;   closest  where the sweep ends
+[[nodiscard]] inline double nearest_to_spot(const glm::dmat4& frame, const polyhedron& casters,
+                                            const std::vector<glm::dvec3>& receivers, double outwards, double closest) {
+    const std::vector<glm::dvec2> outline = convex_hull(receivers);
+    const auto [low, high] = extent_of(receivers);
+    std::vector<glm::dvec4> planes = sides(outline, outwards);
+    const auto rectangle = sides(glm::dvec2(low) - outwards, glm::dvec2(high) + outwards);
+    planes.insert(planes.end(), rectangle.begin(), rectangle.end());
+    for (glm::dvec4& plane : planes) plane = {plane.x, plane.y, plane.w, 0.0};  // through the light
+    planes.emplace_back(0.0, 0.0, 1.0, -closest);
+    // the sweep's end may lie within the casters, none of whose faces it then meets
+    const glm::dvec4 end =
+        glm::inverse(frame) * glm::dvec4(receivers.front().x * closest, receivers.front().y * closest, closest, 1.0);
+    const bool within = std::all_of(casters.faces().begin(), casters.faces().end(),
+                                    [&](const polyhedron::face& face) { return glm::dot(face.plane, end) >= 0.0; });
+    return within ? closest : nearest(frame, casters, planes);
+}
+
+}  // namespace detail
+
+/// The smallest part of the square pyramid around the cone that holds the receivers in it, and what of the casters' box
+/// they sweep towards the light, with the margin: but nothing outside of the pyramid or nearer than z_near. The light
+/// may stand within receivers and casters.
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), no receivers, none in the
+///                                pyramid beyond z_near, or none of some extent there, casters that are no box, and
+///                                what gives matrices that are not finite
+template <real T = float>
+[[nodiscard]] light_space<T> fit_spot_light(const spot_fit<T>& fit) {
+    constexpr auto function = "fit_spot_light";
+    const T angle = fit.outer_angle_radians;
+    detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
+                    "outer_angle_radians", "must lie between 0 and pi / 2");
+    detail::require(detail::is_normal(fit.z_near) && fit.z_near > T(0), function, "z_near",
+                    "must be above 0, finite and no denormal");
+    detail::require(fit.margin >= T(0) && fit.margin <= T(0.5), function, "margin", "must lie between 0 and 1/2");
+    light_space<T> space{
+        detail::look_along(fit.position, fit.direction, fit.up, fit.clip.hand, function, "position"), {}, fit.clip};
+    const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
+    const double edge = std::tan(double(angle)), closest(fit.z_near);
+
+    const double farthest = detail::extent_of(detail::seen(frame, hull(fit.receivers).points)).high.z;
+    detail::require(farthest > closest && is_finite(2.0 * farthest), function, "receivers",
+                    "must lie before the light, beyond z_near");
+    const polyhedron lit = intersection(frustum<double>{.position = fit.position,
+                                                        .direction = fit.direction,
+                                                        .up = fit.up,
+                                                        .tan_half_x = edge,
+                                                        .tan_half_y = edge,
+                                                        .z_near = closest,
+                                                        .z_far = 2.0 * farthest},
+                                        fit.receivers);
+    detail::require(!lit.empty(), function, "receivers", "must lie in the cone");
+    const auto receivers = detail::tangents(detail::seen(frame, hull(lit).points));
+    auto [low, high] = detail::extent_of(receivers);
+    const double share(fit.margin), margin = share * glm::max(high.x - low.x, high.y - low.y);
+    double z_near = low.z;
+    if (fit.casters)
+        z_near = glm::min(z_near, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
+    z_near = glm::max(z_near * (1.0 - share), closest);
+    const double z_far = fit.has_far_plane ? high.z * (1.0 + share) : std::numeric_limits<double>::infinity();
+    const glm::dvec2 first = glm::max(glm::dvec2(low) - margin, -edge),
+                     last = glm::min(glm::dvec2(high) + margin, edge);
+    const glm::dvec2 half = (last - first) * 0.5;
+    detail::require(half.x > 0.0 && half.y > 0.0 && z_near < z_far, function, "receivers and margin",
+                    "must have some extent in the cone");
+
+    glm::dmat4 projection = detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function);
+    for (glm::length_t i = 0; i < 2; ++i) projection[2][i] = -projection[2][3] * (first + last)[i] * 0.5 / half[i];
+    space.projection = glm::mat<4, 4, T>(projection);
+    for (glm::length_t i = 0; i < 2; ++i)
+        detail::require(detail::is_normal(space.projection[i][i]), function, "receivers and margin",
+                        "give too large or too small a map");
+    detail::require(detail::is_normal(space.projection[3][2]), function, "z_near and receivers",
+                    "give planes too far apart or too close together");
+    return detail::checked(space, function, "position, z_near and receivers");
 }
 
 }  // namespace umbrage
@@ -9237,6 +9401,10 @@ struct mesh_view {
 /// worlds; where it goes clockwise, as in most left-handed ones, front and back change places.
 enum class cull_mode { none, front, back };
 
+/// What becomes of what lies before the near plane: it is clipped off, or drawn with that plane's depth, so that casters
+/// between the light and a near plane at the receivers still cast. GPUs' depth clamp, but that the far plane still clips.
+enum class near_plane { clips, clamps };
+
 }  // namespace umbrage
 
 // ---- umbrage/images/min_max.hpp
@@ -9407,6 +9575,137 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
 
 }  // namespace umbrage
 
+// ---- umbrage/images/quality.hpp
+// How good a light's set-up is for a view: pixels that a texel's longer axis covers, 1 or less where the map resolves
+// what the screen does. As an image, and in five numbers.
+//
+//     auto report = umbrage::measure_quality({.screen = size, .map_size = {2048, 2048}}, [&](glm::ivec2 pixel) {
+//         return umbrage::pixels_per_texel(to_texels, to_pixels, position[pixel], normal[pixel]);
+//     });
+//     std::printf("mean %.2f, 95 of 100 below %.2f, greatest %.2f\n", report.mean, report.p95, report.greatest);
+//
+
+namespace umbrage {
+
+namespace detail {
+
+/// How a point's place in a map changes with its steps along two vectors.
+template <real T>
+[[nodiscard]] glm::mat<2, 2, T> steps(const glm::mat<4, 4, T>& texture_matrix, glm::vec<3, T> world,
+                                      const glm::vec<3, T> (&along)[2]) {
+    const glm::vec<4, T> h = texture_matrix * glm::vec<4, T>(world, T(1));
+    glm::mat<2, 2, T> m(T(0));
+    for (glm::length_t k = 0; k < 2; ++k) {
+        const glm::vec<4, T> d = texture_matrix * glm::vec<4, T>(along[k], T(0));
+        m[k] = (glm::vec<2, T>(d) - glm::vec<2, T>(h) * (d.w / h.w)) / h.w;
+    }
+    return m;
+}
+
+}  // namespace detail
+
+/// How far on the screen a texel's step goes.
+///
+/// @param texture_matrix   world to texels: the light's
+/// @param to_pixels        world to pixels: texture_matrix of the camera
+/// @param world, normal    a point before both, and its surface's normal there, of any length > 0
+/// @return                 columns: the pixels of a step of one texel in x and in y; not finite where the surface is
+///                         parallel to the light
+/// @formula                d(pixel) / d(texel) on the plane through the point
+template <real T>
+[[nodiscard]] glm::mat<2, 2, T> pixels_per_texel(const glm::mat<4, 4, T>& texture_matrix,
+                                                 const glm::mat<4, 4, T>& to_pixels, glm::vec<3, T> world,
+                                                 glm::vec<3, T> normal) {
+    const glm::vec<3, T> n = detail::unit(normal), size = glm::abs(n);
+    const glm::length_t least = size.x <= size.y && size.x <= size.z ? 0 : (size.z <= size.y ? 2 : 1);
+    glm::vec<3, T> axis(0);
+    axis[least] = T(1);
+    const glm::vec<3, T> side = glm::normalize(glm::cross(n, axis)), along[]{side, glm::cross(n, side)};
+    const glm::mat<2, 2, T> texels = detail::steps(texture_matrix, world, along);
+    const T det = texels[0][0] * texels[1][1] - texels[1][0] * texels[0][1];
+    const glm::mat<2, 2, T> back(texels[1][1] / det, -texels[0][1] / det, -texels[1][0] / det, texels[0][0] / det);
+    return detail::steps(to_pixels, world, along) * back;
+}
+
+/// The longer axis of a texel's image on the screen, an ellipse's.
+/// @param pixels   pixels_per_texel
+/// @return         its greatest singular value
+/// @formula        s^2 = (t + sqrt(t^2 - 4 det^2)) / 2, t the sum of the squares
+template <real T>
+[[nodiscard]] T longest_extent(const glm::mat<2, 2, T>& pixels) {
+    const T a = pixels[0][0], b = pixels[1][0], c = pixels[0][1], d = pixels[1][1];
+    // t +- 2 det as sums of squares, of which no difference loses digits
+    return (std::hypot(a + d, b - c) + std::hypot(a - d, b + c)) / T(2);
+}
+
+/// A set-up in numbers, over all pixels that were measured.
+struct quality_report {
+    double mean = 0, p95 = 0, greatest = 0;  ///< of longest_extent, pixels
+    double storage_factor = 0;               ///< texels over pixels, of maps that would resolve all of the screen
+    std::size_t measured = 0, skipped = 0;   ///< pixels; skipped: of surfaces parallel to the light
+};
+
+/// What a set-up is measured over.
+struct measured_view {
+    glm::ivec2 screen{1};    ///< pixels, each >= 1
+    glm::ivec2 map_size{1};  ///< texels of a map, each >= 1
+    int maps = 1;            ///< how many of them there are: cascades
+    int step = 1;            ///< from pixel to pixel, >= 1
+};
+
+/// Measures a set-up over a view.
+///
+/// @param at        (glm::ivec2 pixel) -> pixels_per_texel of the map that the pixel looks into, float or double; of
+///                  zeros where there is nothing to see
+/// @param extents   gets longest_extent of each pixel measured, 0 where there was nothing to measure; empty, or of the
+///                  screen's size over the step, rounded up
+/// @throws std::invalid_argument  sizes and counts below 1, extents of another size
+/// @formula         storage_factor = maps (width max |dp/dx|) (height max |dp/dy|) / pixels, dp/dx and dp/dy columns
+/// @cite            Lloyd, Govindaraju, Quammen, Molnar, Manocha: Practical Logarithmic Rasterization for Low-Error
+///                  Shadow Maps, Graphics Hardware 2007
+template <class At>
+[[nodiscard]] quality_report measure_quality(const measured_view& view, At&& at, image_view<float> extents = {}) {
+    constexpr auto function = "measure_quality";
+    const auto [screen, map_size, maps, step] = view;
+    detail::require(screen.x >= 1 && screen.y >= 1, function, "screen", "must be above 0");
+    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
+    detail::require(maps >= 1, function, "maps", "must be above 0");
+    detail::require(step >= 1, function, "step", "must be above 0");
+    const glm::ivec2 size((screen.x - 1) / step + 1, (screen.y - 1) / step + 1);
+    const bool draws = extents.size != glm::ivec2(0);
+    detail::require(!draws || extents.size == size, function, "extents", "must have the screen's size over the step");
+    quality_report report;
+    std::vector<double> all;
+    glm::dvec2 longest(0);
+    double sum = 0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const glm::dmat2 pixels(at(glm::ivec2(x, y) * step));
+            if (draws) extents[{x, y}] = 0.0f;
+            if (pixels == glm::dmat2(0)) continue;
+            const double extent = longest_extent(pixels);
+            if (!is_finite(extent)) {
+                ++report.skipped;
+                continue;
+            }
+            if (draws) extents[{x, y}] = static_cast<float>(extent);
+            all.push_back(extent);
+            sum += extent;
+            longest = glm::max(longest, glm::dvec2(glm::length(pixels[0]), glm::length(pixels[1])));
+        }
+    report.measured = all.size();
+    if (all.empty()) return report;
+    report.mean = sum / double(all.size());
+    report.greatest = *std::max_element(all.begin(), all.end());
+    const auto nth = all.begin() + static_cast<std::ptrdiff_t>(double(all.size() - 1) * 0.95);
+    std::nth_element(all.begin(), nth, all.end());
+    report.p95 = *nth;
+    report.storage_factor = maps * (map_size.x * longest.x) * (map_size.y * longest.y) / (double(screen.x) * screen.y);
+    return report;
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/simd/raster/projection.hpp
 // From world positions to vertices on the 1/256 texel grid: projected and snapped, one at a time or in blocks.
 //
@@ -9448,7 +9747,7 @@ struct snapped_vertex {
 /// Products of two floats are exact in double, so contraction to FMA changes no bit here.
 class projection {
 public:
-    static constexpr int planes = 6;                   ///< w > 0, the near plane, four sides of the guard band
+    static constexpr int planes = 6, z_near = 1;       ///< w > 0, the near plane, four sides of the guard band
     static constexpr unsigned nowhere = 1u << planes;  ///< stands for a position that is not finite
 
     /// @param world_to_clip  projection * view; its elements must be finite
@@ -10088,11 +10387,15 @@ struct clipped_polygon {
     int count = 0;  ///< 0 or 3..9
 };
 
-/// The part of a triangle inside all planes.
+/// On which side of the near plane a polygon is to be. Both sides cut an edge at the same point.
+enum class near_side { behind, before };
+
+/// The part of a triangle inside all planes, or of the near plane outside, where snap() gives it that plane's depth.
 /// @param a,b,c   homogeneous texels
 /// @param planes  a bit for each plane to clip against; those that all three points are inside of may be left out
 [[nodiscard]] inline clipped_polygon clip_triangle(const projection& project, const glm::dvec4& a, const glm::dvec4& b,
-                                                   const glm::dvec4& c, unsigned planes = ~0u) {
+                                                   const glm::dvec4& c, unsigned planes = ~0u,
+                                                   near_side side = near_side::behind) {
     std::array<glm::dvec4, 3 + projection::planes> points{a, b, c};
     int count = 3;
     for (int plane = 0; plane < projection::planes; ++plane) {
@@ -10104,7 +10407,8 @@ struct clipped_polygon {
             const auto& p = before[std::size_t(i)];
             const auto& q = before[std::size_t(i + 1 < count_before ? i + 1 : 0)];
             const bool p_inside = !(project.distance(plane, p) < 0.0), q_inside = !(project.distance(plane, q) < 0.0);
-            if (p_inside) points[std::size_t(count++)] = p;
+            const bool keeps_inside = plane != projection::z_near || side == near_side::behind;
+            if (p_inside == keeps_inside) points[std::size_t(count++)] = p;
             if (p_inside != q_inside && count < int(points.size()))
                 points[std::size_t(count++)] = p_inside ? project.cut(plane, p, q) : project.cut(plane, q, p);
         }
@@ -10125,7 +10429,7 @@ UMBRAGE_END_STRICT_MATH
 // A mesh on the grid of an image, some ten thousand triangles at a time: their vertices projected and snapped, they
 // themselves clipped and handed out in batches, in the mesh's order or band by band of the image's rows.
 //
-//     snapped_mesh snapped(size, mesh, world_to_clip, clip, cull_mode::none);
+//     snapped_mesh snapped(size, mesh, world_to_clip, clip, cull_mode::none, near_plane::clips);
 //     snapped.for_each_chunk(serial{}, [&] {
 //         snapped.for_each_batch([&](const triangles& batch) { ... });
 //     });
@@ -10164,8 +10468,8 @@ class snapped_mesh {
 public:
     /// @throws std::invalid_argument  an index is out of range; a side of the image is above guard_band
     snapped_mesh(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
-                 cull_mode cull)
-        : mesh_(mesh), size_(size), cull_(cull), project_(world_to_clip, clip, size) {
+                 cull_mode cull, near_plane at_near)
+        : mesh_(mesh), size_(size), cull_(cull), at_near_(at_near), project_(world_to_clip, clip, size) {
         if (mesh.triangles.empty()) return;
         if (indices(0, mesh.triangles.size()).highest >= mesh.positions.size())
             detail::fail("umbrage::rasterize: a triangle's index is out of range");
@@ -10276,13 +10580,23 @@ private:
         return planes_outside(a) | planes_outside(b) | planes_outside(c);
     }
 
-    /// Of a triangle that crosses planes; empty where it is outside of one, or not finite.
-    [[nodiscard]] clipped_polygon clipped(unsigned triangle, const snapped_vertex& a, const snapped_vertex& b,
-                                          const snapped_vertex& c, unsigned crossed) const {
-        if ((planes_outside(a) & planes_outside(b) & planes_outside(c)) || (crossed & projection::nowhere)) return {};
+    /// What is drawn of a triangle that crosses planes: the part behind the near plane, and where that clamps the part
+    /// before it; nothing where it is outside of another plane, or not finite.
+    /// @param use   (const clipped_polygon&), of three vertices or more
+    template <class Use>
+    void for_each_part(unsigned triangle, const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c,
+                       unsigned crossed, const Use& use) const {
+        constexpr unsigned before = 1u << projection::z_near;
+        const unsigned beyond = planes_outside(a) & planes_outside(b) & planes_outside(c);
+        if ((beyond & ~before) || (crossed & projection::nowhere)) return;
         const auto& t = mesh_.triangles[triangle];
         const auto h = [&](unsigned index) { return project_.homogeneous(mesh_.positions[index]); };
-        return clip_triangle(project_, h(t.x), h(t.y), h(t.z), crossed);
+        const auto part = [&](near_side side) {
+            const clipped_polygon polygon = clip_triangle(project_, h(t.x), h(t.y), h(t.z), crossed, side);
+            if (polygon.count > 0) use(polygon);
+        };
+        if (!beyond) part(near_side::behind);
+        if (at_near_ == near_plane::clamps && (crossed & before)) part(near_side::before);
     }
 
     /// @param next   (std::size_t k) -> the k-th triangle
@@ -10300,9 +10614,10 @@ private:
             const unsigned i = next(k);
             const snapped_vertex &a = vertex(i, 0), &b = vertex(i, 1), &c = vertex(i, 2);
             if (const unsigned crossed = planes_crossed(a, b, c)) {
-                const auto polygon = clipped(i, a, b, c, crossed);
-                for (std::size_t v = 1; int(v) + 1 < polygon.count; ++v)
-                    add(polygon.vertices[0], polygon.vertices[v], polygon.vertices[v + 1], i);
+                for_each_part(i, a, b, c, crossed, [&](const clipped_polygon& polygon) {
+                    for (std::size_t v = 1; int(v) + 1 < polygon.count; ++v)
+                        add(polygon.vertices[0], polygon.vertices[v], polygon.vertices[v + 1], i);
+                });
             } else {
                 add(a, b, c, i);
             }
@@ -10329,13 +10644,14 @@ private:
         const snapped_vertex &a = vertex(triangle, 0), &b = vertex(triangle, 1), &c = vertex(triangle, 2);
         std::int32_t lowest = std::min({a.y, b.y, c.y}), highest = std::max({a.y, b.y, c.y});
         if (const unsigned crossed = planes_crossed(a, b, c)) {
-            const auto polygon = clipped(triangle, a, b, c, crossed);
-            if (polygon.count == 0) return {0, 0};
-            lowest = highest = polygon.vertices[0].y;
-            for (std::size_t i = 1; int(i) < polygon.count; ++i) {
-                lowest = std::min(lowest, polygon.vertices[i].y);
-                highest = std::max(highest, polygon.vertices[i].y);
-            }
+            lowest = std::numeric_limits<std::int32_t>::max(), highest = std::numeric_limits<std::int32_t>::min();
+            for_each_part(triangle, a, b, c, crossed, [&](const clipped_polygon& polygon) {
+                for (std::size_t i = 0; int(i) < polygon.count; ++i) {
+                    lowest = std::min(lowest, polygon.vertices[i].y);
+                    highest = std::max(highest, polygon.vertices[i].y);
+                }
+            });
+            if (lowest > highest) return {0, 0};
         }
         const auto between = triangles::rows_between(lowest, highest);
         return {std::max(between.x, 0), std::min(between.y, size_.y)};
@@ -10369,6 +10685,7 @@ private:
     mesh_view mesh_;
     glm::ivec2 size_;
     cull_mode cull_;
+    near_plane at_near_;
     projection project_;
     unsigned first_ = 0, last_ = 0, lowest_ = 0;  // triangles of the chunk; its lowest index
     bool by_corner_ = false;                      // three vertices a triangle, rather than a range of the mesh's
@@ -10411,14 +10728,16 @@ namespace umbrage {
 /// @param clip           reversed: greater depths win
 /// @param cull           which faces to leave out
 /// @param parallel       cuts the work into pieces, see parallel.hpp: vertices, triangles, bands of rows
+/// @param at_near        what becomes of what lies before the near plane
 /// @throws std::invalid_argument  an index is out of range; a side of the image is above 16384
 /// @formula     the nearer of what is there and the plane's depth, ties to the newcomer (the same bits); nothing beyond
 ///              the far plane; never -0
 /// @exactness   coverage A from the snapped vertices on; depth B, see simd/raster/triangles.hpp: set_up
 template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
-                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {}) {
-    detail::snapped_mesh snapped(depth.size, mesh, world_to_clip, clip, cull);
+                     cull_mode cull = cull_mode::none, ParallelFor&& parallel = {},
+                     near_plane at_near = near_plane::clips) {
+    detail::snapped_mesh snapped(depth.size, mesh, world_to_clip, clip, cull, at_near);
     const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
     snapped.for_each_chunk(parallel, [&] {
         snapped.for_each_batch_in_bands(parallel, [&](const detail::triangles& batch) {
@@ -10436,9 +10755,9 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::
 /// The rest as for rasterize_depth.
 template <class Sample>
 void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
-               cull_mode cull = cull_mode::none) {
+               cull_mode cull = cull_mode::none, near_plane at_near = near_plane::clips) {
     const bool flipped = clip.origin == texture_origin::top;
-    detail::snapped_mesh snapped(size, mesh, world_to_clip, clip, cull);
+    detail::snapped_mesh snapped(size, mesh, world_to_clip, clip, cull, at_near);
     snapped.for_each_chunk(serial{}, [&] {
         snapped.for_each_batch([&](const detail::triangles& batch) {
             for (int i = 0; i < batch.count; ++i) {
@@ -12421,7 +12740,8 @@ inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr
 inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::all*>(nullptr));
 
 // The rooms.
-inline constexpr auto light = collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets);
+inline constexpr auto light =
+    collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets, pancake_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes =
     collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
