@@ -453,6 +453,15 @@ UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP flo
     return vec2((face - row * 3.0) * size, row * size);
 }
 `,
+            "pancaked": `
+// umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
+//   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
+UMBRAGE_HIGHP vec4 umbrage_pancaked(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP float at_near) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float plane = at_near * position.w;
+    bool before = at_near > 0.5 ? position.z > plane : position.z < plane;
+    return vec4(position.x, position.y, before ? plane : position.z, position.w);
+}
+`,
             "linear_depth": `
 // umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
 UMBRAGE_HIGHP float umbrage_linear_depth(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float inv_z_far) {
@@ -2452,6 +2461,15 @@ float2 umbrage_cube_tile(float face, float size) {
     return float2((face - row * 3.0) * size, row * size);
 }
 `,
+            "pancaked": `
+// umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
+//   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
+float4 umbrage_pancaked(float4 position, float at_near) {
+    precise float plane = at_near * position.w;
+    bool before = at_near > 0.5 ? position.z > plane : position.z < plane;
+    return float4(position.x, position.y, before ? plane : position.z, position.w);
+}
+`,
             "linear_depth": `
 // umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
 float umbrage_linear_depth(float z_view, float inv_z_far) {
@@ -4309,6 +4327,15 @@ inline float3 umbrage_cube_direction(float face, float2 st) {
 inline float2 umbrage_cube_tile(float face, float size) {
     float row = face < 2.5 ? 0.0 : 1.0;
     return float2((face - row * 3.0) * size, row * size);
+}
+`,
+            "pancaked": `
+// umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
+//   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
+inline float4 umbrage_pancaked(float4 position, float at_near) {
+    float plane = at_near * position.w;
+    bool before = at_near > 0.5 ? position.z > plane : position.z < plane;
+    return float4(position.x, position.y, before ? plane : position.z, position.w);
 }
 `,
             "linear_depth": `
@@ -6172,6 +6199,15 @@ fn umbrage_cube_tile(face: f32, size: f32) -> vec2f {
     return vec2f((face - row * 3.0) * size, row * size);
 }
 `,
+            "pancaked": `
+// umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
+//   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
+fn umbrage_pancaked(position: vec4f, at_near: f32) -> vec4f {
+    let plane: f32 = at_near * position.w;
+    let before: bool = select((position.z < plane), (position.z > plane), at_near > 0.5);
+    return vec4f(position.x, position.y, select(position.z, plane, before), position.w);
+}
+`,
             "linear_depth": `
 // umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
 fn umbrage_linear_depth(z_view: f32, inv_z_far: f32) -> f32 {
@@ -7855,6 +7891,7 @@ const rows = [
     ["cube_coordinate", "cube_coordinate", "face, and where on it, that a direction meets", "c", 1, 0, "100", "none", false, ["cube_face"]],
     ["cube_direction", "cube_direction", "direction to a point of a cube's face", "b", 0, 0, "100", "none", false, []],
     ["cube_tile", "cube_tile", "first texel of a face in an atlas", "a", 0, 0, "100", "none", false, []],
+    ["pancaked", "pancaked", "casters before the near plane, onto it", "b", 0, 0, "100", "none", false, []],
     ["linear_depth", "linear_depth", "view-space z over z_far", "b", 0, 0, "100", "none", false, []],
     ["project_depth", "project_depth", "z / w, far behind the light", "c", 1, 0, "100", "none", false, []],
     ["distance_depth", "distance_depth", "distance to the light over its range", "c", 1, 0, "100", "none", false, []],
@@ -8041,4 +8078,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_coordinate, cube_direction, cube_tile, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_coordinate, cube_direction, cube_tile, pancaked, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

@@ -9401,8 +9401,9 @@ struct mesh_view {
 /// worlds; where it goes clockwise, as in most left-handed ones, front and back change places.
 enum class cull_mode { none, front, back };
 
-/// What becomes of what lies before the near plane: it is clipped off, or drawn with that plane's depth, so that casters
-/// between the light and a near plane at the receivers still cast. GPUs' depth clamp, but that the far plane still clips.
+/// What becomes of what lies before the near plane: it is clipped off, or drawn with that plane's depth, so that
+/// casters between the light and a near plane at the receivers still cast. GPUs' depth clamp, but that the far plane
+/// still clips.
 enum class near_plane { clips, clamps };
 
 }  // namespace umbrage

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Shadow maps from end to end against rays: a light fitted to a random scene, its depth pass, and filters' look-ups with
-// the acne-free bias, at points where a ray to the light tells what they must find. A sample in the tests, more in
+// Shadow maps from end to end against rays: a light fitted to a random scene, its depth pass, and filters' look-ups
+// with the acne-free bias, at points where a ray to the light tells what they must find. A sample in the tests, more in
 // `make prove`.
 #pragma once
 
@@ -203,8 +203,8 @@ private:
                                                           .z_far = 29});
     }
 
-    /// How far before a receiver, in depth, a triangle meets the line to the light, below 0 behind it; NaN where it does
-    /// not, or where the light does not see it.
+    /// How far before a receiver, in depth, a triangle meets the line to the light, below 0 behind it; NaN where it
+    /// does not, or where the light does not see it.
     /// @cite   Moeller, Trumbore: Fast, minimum storage ray/triangle intersection, 1997
     [[nodiscard]] double blocked_by(std::size_t k, glm::vec3 receiver) const {
         const double none = std::numeric_limits<double>::quiet_NaN();
