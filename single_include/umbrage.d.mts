@@ -105,10 +105,18 @@ export const dither_threshold: Snippet;
 export const dithered_cascade: Snippet;
 /** face of a cube that a direction meets */
 export const cube_face: Snippet;
+/** distance along the axis of the face that a direction meets */
+export const cube_view_z: Snippet;
+/** a direction in its face's axes */
+export const cube_plane: Snippet;
+/** a point from a face's axes */
+export const cube_point: Snippet;
 /** face, and where on it, that a direction meets */
 export const cube_coordinate: Snippet;
 /** direction to a point of a cube's face */
 export const cube_direction: Snippet;
+/** texel beyond an edge of a cube's face */
+export const cube_neighbour: Snippet;
 /** first texel of a face in an atlas */
 export const cube_tile: Snippet;
 /** casters before the near plane, onto it */
@@ -333,6 +341,10 @@ export const binomial7: Snippet;
 export const tent7: Snippet;
 /** sliding window 1 5 12 16 12 5 1 */
 export const castano7: Snippet;
+/** one comparison with a texel of a cube */
+export const cube_lit: Snippet;
+/** 2 x 2 comparisons of a cube, over its edges too, bilinear weights */
+export const pcf_2x2_cube: Snippet;
 /** comparisons around a point, weighted */
 export const lit_filtered: Snippet;
 /** 2x2 by a comparison sampler with a linear filter */

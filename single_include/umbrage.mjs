@@ -420,30 +420,59 @@ UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
     return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
 }
 `,
+            "cube_view_z": `
+// umbrage_cube_view_z: the greatest component's magnitude, of which per-face depths are made
+UMBRAGE_HIGHP float umbrage_cube_view_z(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    UMBRAGE_HIGHP float side = face < 1.5 ? direction.x : direction.y;
+    return abs(face > 3.5 ? direction.z : side);
+}
+`,
+            "cube_plane": `
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+UMBRAGE_HIGHP vec3 umbrage_cube_plane(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    UMBRAGE_HIGHP vec3 x = vec3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
+    UMBRAGE_HIGHP vec3 y = vec3(direction.x, face < 2.5 ? direction.z : -direction.z, face);
+    UMBRAGE_HIGHP vec3 z = vec3(face < 4.5 ? direction.x : -direction.x, -direction.y, face);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+`,
+            "cube_point": `
+// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+UMBRAGE_HIGHP vec3 umbrage_cube_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
+    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(p.z, -p.y, -p.x) : vec3(-p.z, -p.y, p.x);
+    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
+    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(p.x, -p.y, p.z) : vec3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+`,
             "cube_coordinate": `
 // umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
 UMBRAGE_HIGHP vec3 umbrage_cube_coordinate(UMBRAGE_HIGHP vec3 direction) {
-    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
-    bool on_x = face < 1.5;
-    bool on_y = face > 1.5 && face < 3.5;
-    UMBRAGE_HIGHP float along = on_x ? direction.x : (on_y ? direction.y : direction.z);
-    UMBRAGE_HIGHP float m = abs(along);
-    UMBRAGE_HIGHP float z = along < 0.0 ? -direction.z : direction.z;
-    UMBRAGE_HIGHP float x = along < 0.0 ? -direction.x : direction.x;
-    UMBRAGE_HIGHP float sc = on_x ? -z : (on_y ? direction.x : x);
-    UMBRAGE_HIGHP float tc = on_y ? z : -direction.y;
-    return vec3((sc + m) / (m + m), (tc + m) / (m + m), face);
+    UMBRAGE_HIGHP vec3 p = umbrage_cube_plane(direction);
+    UMBRAGE_HIGHP float m = umbrage_cube_view_z(direction);
+    return vec3((p.x + m) / (m + m), (p.y + m) / (m + m), p.z);
 }
 `,
             "cube_direction": `
 // umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
 UMBRAGE_HIGHP vec3 umbrage_cube_direction(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 st) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float u = st.x * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float v = st.y * 2.0 - 1.0;
-    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(1.0, -v, -u) : vec3(-1.0, -v, u);
-    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(u, 1.0, v) : vec3(u, -1.0, -v);
-    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(u, -v, 1.0) : vec3(-u, -v, -1.0);
-    return face < 1.5 ? x : (face < 3.5 ? y : z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 uv = st * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    return umbrage_cube_point(face, vec3(uv, 1.0));
+}
+`,
+            "cube_neighbour": `
+// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+UMBRAGE_HIGHP vec3 umbrage_cube_neighbour(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP vec2 uv = vec2(texel.x, texel.y) * 2.0 + (1.0 - size);
+    bool beyond_u = abs(uv.x) > size;
+    bool beyond_v = abs(uv.y) > size;
+    UMBRAGE_HIGHP float m = beyond_u || beyond_v ? size - 1.0 : size;
+    UMBRAGE_HIGHP vec3 p = umbrage_cube_plane(umbrage_cube_point(texel.z, vec3(uv, m)));
+    UMBRAGE_HIGHP vec2 inside = (vec2(p.x, p.y) + (size - 1.0)) * 0.5;
+    return beyond_u && beyond_v ? vec3(0.0, 0.0, -1.0) : vec3(inside, p.z);
 }
 `,
             "cube_tile": `
@@ -1705,6 +1734,37 @@ UMBRAGE_HIGHP float umbrage_castano7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
     return n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0;
 }
 `,
+            "cube_lit": `
+// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
+//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+UMBRAGE_HIGHP vec2 umbrage_cube_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 texel,
+                                    UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float side = size.y * 0.5;
+    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbour(texel, side);
+    UMBRAGE_HIGHP vec2 at = umbrage_cube_tile(n.z, side) + vec2(n.x, n.y);
+    UMBRAGE_HIGHP float lit = umbrage_lit(map, size, at, receiver);
+    return n.z < 0.0 ? vec2(0.0, 0.0) : vec2(lit, 1.0);
+}
+`,
+            "pcf_2x2_cube": `
+// umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
+//   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
+//   receiver   distance from the light, biased
+UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 at,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 coord = vec2(at.x, at.y);
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    UMBRAGE_HIGHP vec2 sum = umbrage_cube_lit(map, size, vec3(texel, at.z), receiver) * (lo.x * lo.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 1.0), at.z), receiver) * (hi.x * hi.y);
+    return compared && sum.y > 0.0 ? sum.x / sum.y : 1.0;
+}
+`,
             "lit_filtered": `
 // umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
 //   coord  in texels, no NaN; what is outside texel space counts as its border
@@ -2428,30 +2488,59 @@ float umbrage_cube_face(float3 direction) {
     return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
 }
 `,
+            "cube_view_z": `
+// umbrage_cube_view_z: the greatest component's magnitude, of which per-face depths are made
+float umbrage_cube_view_z(float3 direction) {
+    float face = umbrage_cube_face(direction);
+    float side = face < 1.5 ? direction.x : direction.y;
+    return abs(face > 3.5 ? direction.z : side);
+}
+`,
+            "cube_plane": `
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+float3 umbrage_cube_plane(float3 direction) {
+    float face = umbrage_cube_face(direction);
+    float3 x = float3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
+    float3 y = float3(direction.x, face < 2.5 ? direction.z : -direction.z, face);
+    float3 z = float3(face < 4.5 ? direction.x : -direction.x, -direction.y, face);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+`,
+            "cube_point": `
+// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+float3 umbrage_cube_point(float face, float3 p) {
+    float3 x = face < 0.5 ? float3(p.z, -p.y, -p.x) : float3(-p.z, -p.y, p.x);
+    float3 y = face < 2.5 ? float3(p.x, p.z, p.y) : float3(p.x, -p.z, -p.y);
+    float3 z = face < 4.5 ? float3(p.x, -p.y, p.z) : float3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+`,
             "cube_coordinate": `
 // umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
 float3 umbrage_cube_coordinate(float3 direction) {
-    float face = umbrage_cube_face(direction);
-    bool on_x = face < 1.5;
-    bool on_y = face > 1.5 && face < 3.5;
-    float along = on_x ? direction.x : (on_y ? direction.y : direction.z);
-    float m = abs(along);
-    float z = along < 0.0 ? -direction.z : direction.z;
-    float x = along < 0.0 ? -direction.x : direction.x;
-    float sc = on_x ? -z : (on_y ? direction.x : x);
-    float tc = on_y ? z : -direction.y;
-    return float3((sc + m) / (m + m), (tc + m) / (m + m), face);
+    float3 p = umbrage_cube_plane(direction);
+    float m = umbrage_cube_view_z(direction);
+    return float3((p.x + m) / (m + m), (p.y + m) / (m + m), p.z);
 }
 `,
             "cube_direction": `
 // umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
 float3 umbrage_cube_direction(float face, float2 st) {
-    precise float u = st.x * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
-    precise float v = st.y * 2.0 - 1.0;
-    float3 x = face < 0.5 ? float3(1.0, -v, -u) : float3(-1.0, -v, u);
-    float3 y = face < 2.5 ? float3(u, 1.0, v) : float3(u, -1.0, -v);
-    float3 z = face < 4.5 ? float3(u, -v, 1.0) : float3(-u, -v, -1.0);
-    return face < 1.5 ? x : (face < 3.5 ? y : z);
+    precise float2 uv = st * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    return umbrage_cube_point(face, float3(uv, 1.0));
+}
+`,
+            "cube_neighbour": `
+// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+float3 umbrage_cube_neighbour(float3 texel, float size) {
+    float2 uv = float2(texel.x, texel.y) * 2.0 + (1.0 - size);
+    bool beyond_u = abs(uv.x) > size;
+    bool beyond_v = abs(uv.y) > size;
+    float m = beyond_u || beyond_v ? size - 1.0 : size;
+    float3 p = umbrage_cube_plane(umbrage_cube_point(texel.z, float3(uv, m)));
+    float2 inside = (float2(p.x, p.y) + (size - 1.0)) * 0.5;
+    return beyond_u && beyond_v ? float3(0.0, 0.0, -1.0) : float3(inside, p.z);
 }
 `,
             "cube_tile": `
@@ -3607,6 +3696,35 @@ float umbrage_castano7(UMBRAGE_MAP map, float2 size, float2 coord, float receive
     return n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0;
 }
 `,
+            "cube_lit": `
+// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
+//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+float2 umbrage_cube_lit(UMBRAGE_MAP map, float2 size, float3 texel, float receiver) {
+    float side = size.y * 0.5;
+    float3 n = umbrage_cube_neighbour(texel, side);
+    float2 at = umbrage_cube_tile(n.z, side) + float2(n.x, n.y);
+    float lit = umbrage_lit(map, size, at, receiver);
+    return n.z < 0.0 ? float2(0.0, 0.0) : float2(lit, 1.0);
+}
+`,
+            "pcf_2x2_cube": `
+// umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
+//   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
+//   receiver   distance from the light, biased
+float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, float2 size, float3 at, float receiver) {
+    float2 coord = float2(at.x, at.y);
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : float2(0.0, 0.0);
+    float2 texel = floor(x * (1.0 / 256.0));
+    float2 hi = x - texel * 256.0;
+    float2 lo = 256.0 - hi;
+    float2 sum = umbrage_cube_lit(map, size, float3(texel, at.z), receiver) * (lo.x * lo.y);
+    sum += umbrage_cube_lit(map, size, float3(texel + float2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
+    sum += umbrage_cube_lit(map, size, float3(texel + float2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
+    sum += umbrage_cube_lit(map, size, float3(texel + float2(1.0, 1.0), at.z), receiver) * (hi.x * hi.y);
+    return compared && sum.y > 0.0 ? sum.x / sum.y : 1.0;
+}
+`,
             "lit_filtered": `
 // umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
 //   coord  in texels, no NaN; what is outside texel space counts as its border
@@ -4296,30 +4414,59 @@ inline float umbrage_cube_face(float3 direction) {
     return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
 }
 `,
+            "cube_view_z": `
+// umbrage_cube_view_z: the greatest component's magnitude, of which per-face depths are made
+inline float umbrage_cube_view_z(float3 direction) {
+    float face = umbrage_cube_face(direction);
+    float side = face < 1.5 ? direction.x : direction.y;
+    return metal::abs(face > 3.5 ? direction.z : side);
+}
+`,
+            "cube_plane": `
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+inline float3 umbrage_cube_plane(float3 direction) {
+    float face = umbrage_cube_face(direction);
+    float3 x = float3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
+    float3 y = float3(direction.x, face < 2.5 ? direction.z : -direction.z, face);
+    float3 z = float3(face < 4.5 ? direction.x : -direction.x, -direction.y, face);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+`,
+            "cube_point": `
+// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+inline float3 umbrage_cube_point(float face, float3 p) {
+    float3 x = face < 0.5 ? float3(p.z, -p.y, -p.x) : float3(-p.z, -p.y, p.x);
+    float3 y = face < 2.5 ? float3(p.x, p.z, p.y) : float3(p.x, -p.z, -p.y);
+    float3 z = face < 4.5 ? float3(p.x, -p.y, p.z) : float3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+`,
             "cube_coordinate": `
 // umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
 inline float3 umbrage_cube_coordinate(float3 direction) {
-    float face = umbrage_cube_face(direction);
-    bool on_x = face < 1.5;
-    bool on_y = face > 1.5 && face < 3.5;
-    float along = on_x ? direction.x : (on_y ? direction.y : direction.z);
-    float m = metal::abs(along);
-    float z = along < 0.0 ? -direction.z : direction.z;
-    float x = along < 0.0 ? -direction.x : direction.x;
-    float sc = on_x ? -z : (on_y ? direction.x : x);
-    float tc = on_y ? z : -direction.y;
-    return float3((sc + m) / (m + m), (tc + m) / (m + m), face);
+    float3 p = umbrage_cube_plane(direction);
+    float m = umbrage_cube_view_z(direction);
+    return float3((p.x + m) / (m + m), (p.y + m) / (m + m), p.z);
 }
 `,
             "cube_direction": `
 // umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
 inline float3 umbrage_cube_direction(float face, float2 st) {
-    float u = st.x * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
-    float v = st.y * 2.0 - 1.0;
-    float3 x = face < 0.5 ? float3(1.0, -v, -u) : float3(-1.0, -v, u);
-    float3 y = face < 2.5 ? float3(u, 1.0, v) : float3(u, -1.0, -v);
-    float3 z = face < 4.5 ? float3(u, -v, 1.0) : float3(-u, -v, -1.0);
-    return face < 1.5 ? x : (face < 3.5 ? y : z);
+    float2 uv = st * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    return umbrage_cube_point(face, float3(uv, 1.0));
+}
+`,
+            "cube_neighbour": `
+// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+inline float3 umbrage_cube_neighbour(float3 texel, float size) {
+    float2 uv = float2(texel.x, texel.y) * 2.0 + (1.0 - size);
+    bool beyond_u = metal::abs(uv.x) > size;
+    bool beyond_v = metal::abs(uv.y) > size;
+    float m = beyond_u || beyond_v ? size - 1.0 : size;
+    float3 p = umbrage_cube_plane(umbrage_cube_point(texel.z, float3(uv, m)));
+    float2 inside = (float2(p.x, p.y) + (size - 1.0)) * 0.5;
+    return beyond_u && beyond_v ? float3(0.0, 0.0, -1.0) : float3(inside, p.z);
 }
 `,
             "cube_tile": `
@@ -5476,6 +5623,35 @@ inline float umbrage_castano7(UMBRAGE_MAP map, float2 size, float2 coord, float 
     return n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0;
 }
 `,
+            "cube_lit": `
+// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
+//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+inline float2 umbrage_cube_lit(UMBRAGE_MAP map, float2 size, float3 texel, float receiver) {
+    float side = size.y * 0.5;
+    float3 n = umbrage_cube_neighbour(texel, side);
+    float2 at = umbrage_cube_tile(n.z, side) + float2(n.x, n.y);
+    float lit = umbrage_lit(map, size, at, receiver);
+    return n.z < 0.0 ? float2(0.0, 0.0) : float2(lit, 1.0);
+}
+`,
+            "pcf_2x2_cube": `
+// umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
+//   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
+//   receiver   distance from the light, biased
+inline float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, float2 size, float3 at, float receiver) {
+    float2 coord = float2(at.x, at.y);
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? metal::floor(coord * 256.0 + 0.5) - 128.0 : float2(0.0, 0.0);
+    float2 texel = metal::floor(x * (1.0 / 256.0));
+    float2 hi = x - texel * 256.0;
+    float2 lo = 256.0 - hi;
+    float2 sum = umbrage_cube_lit(map, size, float3(texel, at.z), receiver) * (lo.x * lo.y);
+    sum += umbrage_cube_lit(map, size, float3(texel + float2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
+    sum += umbrage_cube_lit(map, size, float3(texel + float2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
+    sum += umbrage_cube_lit(map, size, float3(texel + float2(1.0, 1.0), at.z), receiver) * (hi.x * hi.y);
+    return compared && sum.y > 0.0 ? sum.x / sum.y : 1.0;
+}
+`,
             "lit_filtered": `
 // umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
 //   coord  in texels, no NaN; what is outside texel space counts as its border
@@ -6166,30 +6342,59 @@ fn umbrage_cube_face(direction: vec3f) -> f32 {
     return select(select(z, y, m.y >= m.z), select(z, x, m.x >= m.z), m.x >= m.y);
 }
 `,
+            "cube_view_z": `
+// umbrage_cube_view_z: the greatest component's magnitude, of which per-face depths are made
+fn umbrage_cube_view_z(direction: vec3f) -> f32 {
+    let face: f32 = umbrage_cube_face(direction);
+    let side: f32 = select(direction.y, direction.x, face < 1.5);
+    return abs(select(side, direction.z, face > 3.5));
+}
+`,
+            "cube_plane": `
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+fn umbrage_cube_plane(direction: vec3f) -> vec3f {
+    let face: f32 = umbrage_cube_face(direction);
+    let x: vec3f = vec3f(select(direction.z, -direction.z, face < 0.5), -direction.y, face);
+    let y: vec3f = vec3f(direction.x, select(-direction.z, direction.z, face < 2.5), face);
+    let z: vec3f = vec3f(select(-direction.x, direction.x, face < 4.5), -direction.y, face);
+    return select(select(z, y, face < 3.5), x, face < 1.5);
+}
+`,
+            "cube_point": `
+// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+fn umbrage_cube_point(face: f32, p: vec3f) -> vec3f {
+    let x: vec3f = select(vec3f(-p.z, -p.y, p.x), vec3f(p.z, -p.y, -p.x), face < 0.5);
+    let y: vec3f = select(vec3f(p.x, -p.z, -p.y), vec3f(p.x, p.z, p.y), face < 2.5);
+    let z: vec3f = select(vec3f(-p.x, -p.y, -p.z), vec3f(p.x, -p.y, p.z), face < 4.5);
+    return select(select(z, y, face < 3.5), x, face < 1.5);
+}
+`,
             "cube_coordinate": `
 // umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
 fn umbrage_cube_coordinate(direction: vec3f) -> vec3f {
-    let face: f32 = umbrage_cube_face(direction);
-    let on_x: bool = face < 1.5;
-    let on_y: bool = face > 1.5 && face < 3.5;
-    let along: f32 = select(select(direction.z, direction.y, on_y), direction.x, on_x);
-    let m: f32 = abs(along);
-    let z: f32 = select(direction.z, -direction.z, along < 0.0);
-    let x: f32 = select(direction.x, -direction.x, along < 0.0);
-    let sc: f32 = select(select(x, direction.x, on_y), -z, on_x);
-    let tc: f32 = select(-direction.y, z, on_y);
-    return vec3f((sc + m) / (m + m), (tc + m) / (m + m), face);
+    let p: vec3f = umbrage_cube_plane(direction);
+    let m: f32 = umbrage_cube_view_z(direction);
+    return vec3f((p.x + m) / (m + m), (p.y + m) / (m + m), p.z);
 }
 `,
             "cube_direction": `
 // umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
 fn umbrage_cube_direction(face: f32, st: vec2f) -> vec3f {
-    let u: f32 = st.x * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
-    let v: f32 = st.y * 2.0 - 1.0;
-    let x: vec3f = select(vec3f(-1.0, -v, u), vec3f(1.0, -v, -u), face < 0.5);
-    let y: vec3f = select(vec3f(u, -1.0, -v), vec3f(u, 1.0, v), face < 2.5);
-    let z: vec3f = select(vec3f(-u, -v, -1.0), vec3f(u, -v, 1.0), face < 4.5);
-    return select(select(z, y, face < 3.5), x, face < 1.5);
+    let uv: vec2f = st * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    return umbrage_cube_point(face, vec3f(uv, 1.0));
+}
+`,
+            "cube_neighbour": `
+// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+fn umbrage_cube_neighbour(texel: vec3f, size: f32) -> vec3f {
+    let uv: vec2f = vec2f(texel.x, texel.y) * 2.0 + (1.0 - size);
+    let beyond_u: bool = abs(uv.x) > size;
+    let beyond_v: bool = abs(uv.y) > size;
+    let m: f32 = select(size, size - 1.0, beyond_u || beyond_v);
+    let p: vec3f = umbrage_cube_plane(umbrage_cube_point(texel.z, vec3f(uv, m)));
+    let inside: vec2f = (vec2f(p.x, p.y) + (size - 1.0)) * 0.5;
+    return select(vec3f(inside, p.z), vec3f(0.0, 0.0, -1.0), beyond_u && beyond_v);
 }
 `,
             "cube_tile": `
@@ -7345,6 +7550,35 @@ fn umbrage_castano7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -
     return select(1.0, n * (1.0 / 4096.0) * 0.000369822490, n < 11075584.0);
 }
 `,
+            "cube_lit": `
+// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
+//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+fn umbrage_cube_lit(UMBRAGE_MAP map, size: vec2f, texel: vec3f, receiver: f32) -> vec2f {
+    let side: f32 = size.y * 0.5;
+    let n: vec3f = umbrage_cube_neighbour(texel, side);
+    let at: vec2f = umbrage_cube_tile(n.z, side) + vec2f(n.x, n.y);
+    let lit: f32 = umbrage_lit(map, size, at, receiver);
+    return select(vec2f(lit, 1.0), vec2f(0.0, 0.0), n.z < 0.0);
+}
+`,
+            "pcf_2x2_cube": `
+// umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
+//   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
+//   receiver   distance from the light, biased
+fn umbrage_pcf_2x2_cube(UMBRAGE_MAP map, size: vec2f, at: vec3f, receiver: f32) -> f32 {
+    let coord: vec2f = vec2f(at.x, at.y);
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0 + 0.5) - 128.0, compared);
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let hi: vec2f = x - texel * 256.0;
+    let lo: vec2f = 256.0 - hi;
+    var sum: vec2f = umbrage_cube_lit(map, size, vec3f(texel, at.z), receiver) * (lo.x * lo.y);
+    sum += umbrage_cube_lit(map, size, vec3f(texel + vec2f(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
+    sum += umbrage_cube_lit(map, size, vec3f(texel + vec2f(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
+    sum += umbrage_cube_lit(map, size, vec3f(texel + vec2f(1.0, 1.0), at.z), receiver) * (hi.x * hi.y);
+    return select(1.0, sum.x / sum.y, compared && sum.y > 0.0);
+}
+`,
             "lit_filtered": `
 // umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
 //   coord  in texels, no NaN; what is outside texel space counts as its border
@@ -7888,8 +8122,12 @@ const rows = [
     ["dither_threshold", "dither_threshold", "one of 16 thresholds for a pixel", "a", 0, 0, "100", "none", false, ["inside_texel_space"]],
     ["dithered_cascade", "dithered_cascade", "a cascade, or by its weight the next one", "a", 0, 0, "100", "none", false, []],
     ["cube_face", "cube_face", "face of a cube that a direction meets", "a", 0, 0, "100", "none", false, []],
-    ["cube_coordinate", "cube_coordinate", "face, and where on it, that a direction meets", "c", 1, 0, "100", "none", false, ["cube_face"]],
-    ["cube_direction", "cube_direction", "direction to a point of a cube's face", "b", 0, 0, "100", "none", false, []],
+    ["cube_view_z", "cube_view_z", "distance along the axis of the face that a direction meets", "a", 0, 0, "100", "none", false, ["cube_face"]],
+    ["cube_plane", "cube_plane", "a direction in its face's axes", "a", 0, 0, "100", "none", false, ["cube_face"]],
+    ["cube_point", "cube_point", "a point from a face's axes", "a", 0, 0, "100", "none", false, []],
+    ["cube_coordinate", "cube_coordinate", "face, and where on it, that a direction meets", "c", 1, 0, "100", "none", false, ["cube_view_z", "cube_plane"]],
+    ["cube_direction", "cube_direction", "direction to a point of a cube's face", "b", 0, 0, "100", "none", false, ["cube_point"]],
+    ["cube_neighbour", "cube_neighbour", "texel beyond an edge of a cube's face", "a", 0, 0, "100", "none", false, ["cube_plane", "cube_point"]],
     ["cube_tile", "cube_tile", "first texel of a face in an atlas", "a", 0, 0, "100", "none", false, []],
     ["pancaked", "pancaked", "casters before the near plane, onto it", "b", 0, 0, "100", "none", false, []],
     ["linear_depth", "linear_depth", "view-space z over z_far", "b", 0, 0, "100", "none", false, []],
@@ -8002,6 +8240,8 @@ const rows = [
     ["binomial7", "binomial7", "sliding window 1 6 15 20 15 6 1", "a", 0, 0, "100", "none", false, ["window_sum7"]],
     ["tent7", "tent7", "sliding window 1 2 3 4 3 2 1", "a", 0, 0, "100", "none", false, ["window_sum7"]],
     ["castano7", "castano7", "sliding window 1 5 12 16 12 5 1", "b", 0, 0, "100", "none", false, ["window_sum7"]],
+    ["cube_lit", "cube_lit", "one comparison with a texel of a cube", "a", 0, 0, "100", "none", false, ["cube_neighbour", "cube_tile", "lit"]],
+    ["pcf_2x2_cube", "pcf_2x2_cube", "2 x 2 comparisons of a cube, over its edges too, bilinear weights", "c", 1, 0, "100", "none", false, ["is_compared", "cube_lit"]],
     ["lit_filtered", "lit_filtered", "comparisons around a point, weighted", "c", 0, 1 / 128, "100", "lit_filtered", false, ["pcf_2x2"]],
     ["pcf_2x2_hardware", "pcf_2x2_hardware", "2x2 by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
     ["window_hardware3", "window_hardware3", "window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
@@ -8078,4 +8318,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_coordinate, cube_direction, cube_tile, pancaked, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, pancaked, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

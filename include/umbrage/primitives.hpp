@@ -36,6 +36,7 @@
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/filter/pcf/pcf_2x2_cube.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 #include <umbrage/filter/pcf/window.hpp>
 #include <umbrage/filter/pcf/window_hardware.hpp>
@@ -52,6 +53,7 @@
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/pancake.hpp>
+#include <umbrage/light/point_light.hpp>
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/sweep.hpp>

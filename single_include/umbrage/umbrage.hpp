@@ -4674,6 +4674,362 @@ struct pcf_2x2_dx_sdk {
 }  // namespace filters
 }  // namespace umbrage
 
+// ---- umbrage/light/cube_map.hpp
+// Six square maps around a point light: which of them a direction meets and where, as textures of cubes have it, or as
+// six tiles of an atlas.
+//
+//     glm::vec3 at = umbrage::cube_coordinate(world - light);                      // (s, t, face)
+//     auto face = atlas.view().region(umbrage::cube_tile(int(at.z), size), {size, size});
+//     float visibility = umbrage::pcf_2x2(umbrage::clamped(face), glm::vec2(at) * float(size), depth);
+//
+
+namespace umbrage {
+
+/// Which way a face's camera looks and what is up for it, NDC y = -1 in its first row.
+struct cube_axes {
+    glm::ivec3 forward, up;
+};
+
+/// Faces in the order of their numbers: +x, -x, +y, -y, +z, -z. A right-handed view along them with 90 degrees each way
+/// has its NDC x and y where cube_coordinate has 2 s - 1 and 2 t - 1.
+/// @cite   OpenGL 4.6 specification, table 8.19: selection of cube map images
+inline const std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
+                                                  {{-1, 0, 0}, {0, -1, 0}},
+                                                  {{0, 1, 0}, {0, 0, 1}},
+                                                  {{0, -1, 0}, {0, 0, -1}},
+                                                  {{0, 0, 1}, {0, -1, 0}},
+                                                  {{0, 0, -1}, {0, -1, 0}}}};
+
+/// The face that a direction from the cube's middle meets.
+/// @param direction   of any length; where two faces meet, x goes before y and y before z
+/// @return            0 .. 5; where a NaN leaves no greatest component, 4 or 5
+/// @exactness         A: comparisons
+template <real T>
+[[nodiscard]] constexpr int cube_face(glm::vec<3, T> direction) {
+    const auto magnitude = [](T v) { return v < T(0) ? -v : v; };
+    const auto at_least = [](T a, T b) { return !is_nan(a) && !is_nan(b) && a >= b; };
+    const T x = magnitude(direction.x), y = magnitude(direction.y), z = magnitude(direction.z);
+    const int axis = at_least(x, y) ? (at_least(x, z) ? 0 : 2) : (at_least(y, z) ? 1 : 2);
+    const T along = direction[static_cast<glm::length_t>(axis)];
+    return 2 * axis + (!is_nan(along) && along < T(0) ? 1 : 0);
+}
+
+/// Distance to a direction's end along the axis of the face that it meets: what per-face depths are made of.
+/// @return            the greatest component's magnitude
+/// @exactness         A: selects
+template <real T>
+[[nodiscard]] constexpr T cube_view_z(glm::vec<3, T> direction) {
+    const int face = cube_face(direction);
+    const T m = direction[static_cast<glm::length_t>(face / 2)];
+    return face % 2 ? -m : m;
+}
+
+/// A direction in its face's axes.
+/// @return            (sc, tc, face): to the sides of cube_view_z
+/// @exactness         A: selects
+/// @cite              OpenGL 4.6 specification, table 8.19
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_plane(glm::vec<3, T> direction) {
+    const int face = cube_face(direction), axis = face / 2;
+    const T flip = face % 2 == 0 ? T(1) : T(-1);
+    const T sc = axis == 0 ? direction.z * -flip : axis == 1 ? direction.x : direction.x * flip;
+    return {sc, axis == 1 ? direction.z * flip : -direction.y, T(face)};
+}
+
+/// A point from a face's axes: cube_plane's inverse.
+/// @param face   0 .. 5;   p  (sc, tc, cube_view_z)
+/// @exactness    A: selects
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_point(T face, glm::vec<3, T> p) {
+    if (face < T(0.5)) return {p.z, -p.y, -p.x};
+    if (face < T(1.5)) return {-p.z, -p.y, p.x};
+    if (face < T(2.5)) return {p.x, p.z, p.y};
+    if (face < T(3.5)) return {p.x, -p.z, -p.y};
+    if (face < T(4.5)) return {p.x, -p.y, p.z};
+    return {-p.x, -p.y, -p.z};
+}
+
+/// Where on its face a direction meets the cube.
+/// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
+/// @return            (s, t, face): s and t from 0 to 1 over the face, times its size a filter's coordinate
+/// @formula           s = (sc + m) / 2m, t = (tc + m) / 2m, of cube_plane and m = cube_view_z
+/// @exactness         C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_coordinate(glm::vec<3, T> direction) {
+    const glm::vec<3, T> p = cube_plane(direction);
+    const T m = cube_view_z(direction);
+    return {(p.x + m) / (m + m), (p.y + m) / (m + m), p.z};
+}
+
+/// The direction to a point of a face: cube_coordinate's inverse.
+/// @param face   0 .. 5;   st  from 0 to 1 over the face
+/// @return       its greatest component is 1 or -1
+/// @exactness    B: 2 s - 1 rounds once
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_direction(T face, glm::vec<2, T> st) {
+    return cube_point(face, glm::vec<3, T>(st.x * T(2) - T(1), st.y * T(2) - T(1), T(1)));
+}
+
+/// The texel beyond a face's edge, which is the next face's in its first or last row or column.
+/// @param texel   (s, t, face), whole numbers: inside a face, or beyond one of its edges
+/// @param size    of a face, in texels, below 2^15
+/// @return        (s, t, face) of a texel inside; itself where it is; face -1 beyond a corner, where there is none
+/// @formula       beyond an edge the point (sc, tc, size), in half texels, moves to (sc, tc, size - 1), where |sc| or
+///                |tc| is the greatest: along the next face's axis
+/// @exactness     A: whole numbers
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_neighbour(glm::vec<3, T> texel, T size) {
+    const T u = texel.x * T(2) + T(1) - size, v = texel.y * T(2) + T(1) - size;
+    const bool beyond_u = u > size || u<-size, beyond_v = v> size || v < -size;
+    if (beyond_u && beyond_v) return {T(0), T(0), T(-1)};
+    const T m = beyond_u || beyond_v ? size - T(1) : size;
+    const glm::vec<3, T> p = cube_plane(cube_point(texel.z, glm::vec<3, T>(u, v, m)));
+    return {(p.x + size - T(1)) * T(0.5), (p.y + size - T(1)) * T(0.5), p.z};
+}
+
+/// First texel of a face in an atlas of 3 x 2 tiles: +x, -x, +y in the first row.
+/// @param face   0 .. 5;   size  of a tile, in texels
+/// @exactness    A
+[[nodiscard]] inline glm::ivec2 cube_tile(int face, int size) { return {face % 3 * size, face / 3 * size}; }
+
+namespace glsl {
+
+inline constexpr snippet cube_face{
+    .name = "cube_face",
+    .summary = "face of a cube that a direction meets",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 m = abs(direction);
+    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float y = direction.y < 0.0 ? 3.0 : 2.0;
+    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 5.0 : 4.0;
+    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_view_z{
+    .name = "cube_view_z",
+    .summary = "distance along the axis of the face that a direction meets",
+    .exactness = tier::a,
+    .needs = list<&cube_face>,
+    .source = R"GLSL(
+// umbrage_cube_view_z: the greatest component's magnitude, of which per-face depths are made
+UMBRAGE_HIGHP float umbrage_cube_view_z(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    UMBRAGE_HIGHP float side = face < 1.5 ? direction.x : direction.y;
+    return abs(face > 3.5 ? direction.z : side);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_plane{
+    .name = "cube_plane",
+    .summary = "a direction in its face's axes",
+    .exactness = tier::a,
+    .needs = list<&cube_face>,
+    .source = R"GLSL(
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+UMBRAGE_HIGHP vec3 umbrage_cube_plane(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    UMBRAGE_HIGHP vec3 x = vec3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
+    UMBRAGE_HIGHP vec3 y = vec3(direction.x, face < 2.5 ? direction.z : -direction.z, face);
+    UMBRAGE_HIGHP vec3 z = vec3(face < 4.5 ? direction.x : -direction.x, -direction.y, face);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_point{
+    .name = "cube_point",
+    .summary = "a point from a face's axes",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+UMBRAGE_HIGHP vec3 umbrage_cube_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
+    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(p.z, -p.y, -p.x) : vec3(-p.z, -p.y, p.x);
+    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
+    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(p.x, -p.y, p.z) : vec3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_coordinate{
+    .name = "cube_coordinate",
+    .summary = "face, and where on it, that a direction meets",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&cube_view_z, &cube_plane>,
+    .source = R"GLSL(
+// umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
+UMBRAGE_HIGHP vec3 umbrage_cube_coordinate(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 p = umbrage_cube_plane(direction);
+    UMBRAGE_HIGHP float m = umbrage_cube_view_z(direction);
+    return vec3((p.x + m) / (m + m), (p.y + m) / (m + m), p.z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_direction{
+    .name = "cube_direction",
+    .summary = "direction to a point of a cube's face",
+    .exactness = tier::b,
+    .needs = list<&cube_point>,
+    .source = R"GLSL(
+// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
+UMBRAGE_HIGHP vec3 umbrage_cube_direction(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 st) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 uv = st * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
+    return umbrage_cube_point(face, vec3(uv, 1.0));
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_neighbour{
+    .name = "cube_neighbour",
+    .summary = "texel beyond an edge of a cube's face",
+    .exactness = tier::a,
+    .needs = list<&cube_plane, &cube_point>,
+    .source = R"GLSL(
+// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+UMBRAGE_HIGHP vec3 umbrage_cube_neighbour(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP vec2 uv = vec2(texel.x, texel.y) * 2.0 + (1.0 - size);
+    bool beyond_u = abs(uv.x) > size;
+    bool beyond_v = abs(uv.y) > size;
+    UMBRAGE_HIGHP float m = beyond_u || beyond_v ? size - 1.0 : size;
+    UMBRAGE_HIGHP vec3 p = umbrage_cube_plane(umbrage_cube_point(texel.z, vec3(uv, m)));
+    UMBRAGE_HIGHP vec2 inside = (vec2(p.x, p.y) + (size - 1.0)) * 0.5;
+    return beyond_u && beyond_v ? vec3(0.0, 0.0, -1.0) : vec3(inside, p.z);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_tile{
+    .name = "cube_tile",
+    .summary = "first texel of a face in an atlas",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cube_tile: first texel of a face, 0.0 to 5.0, in an atlas of 3 x 2 tiles of size texels
+UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP float row = face < 2.5 ? 0.0 : 1.0;
+    return vec2((face - row * 3.0) * size, row * size);
+}
+)GLSL",
+};
+
+inline constexpr auto cube_map_snippets = list<&cube_face, &cube_view_z, &cube_plane, &cube_point, &cube_coordinate,
+                                               &cube_direction, &cube_neighbour, &cube_tile>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/pcf/pcf_2x2_cube.hpp
+// Bilinear percentage-closer filtering over 2 x 2 texels of a cube, whose faces are tiles of an atlas: taps go on over
+// the edges, so that no seam shows.
+//
+//     glm::vec3 at = umbrage::cube_coordinate(world - light) * glm::vec3(size, size, 1);
+//     float visibility = umbrage::pcf_2x2_cube(umbrage::clamped(atlas), float(size), at, depth);
+//
+// Depths must not depend on the face that they lie on: distances from the light, as distance_depth gives them.
+
+namespace umbrage {
+
+/// Visibility of one comparison with a texel of a cube, which may lie beyond an edge of its face.
+/// @param fetch   ivec2 -> stored depth, of an atlas with tiles as cube_tile has them
+/// @param size    of a face, in texels;   texel  (s, t, face), whole numbers
+/// @return        (1 when lit or 0 in shadow, 1); (0, 0) beyond a corner, where there is no texel
+/// @exactness     A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] glm::vec<2, T> cube_lit(Fetch&& fetch, T size, glm::vec<3, T> texel, T receiver, Compare is_lit = {}) {
+    const glm::vec<3, T> n = cube_neighbour(texel, size);
+    if (n.z < T(0)) return {T(0), T(0)};
+    const glm::ivec2 first = cube_tile(static_cast<int>(n.z), static_cast<int>(size));
+    return {lit(fetch, first + glm::ivec2(n), receiver, is_lit), T(1)};
+}
+
+/// Share of a receiver that is lit, from the four nearest texels, each compared and then weighted, on whatever face
+/// they lie; at a corner three, with their weights' sum made 1.
+/// @param fetch      ivec2 -> stored depth, of an atlas with tiles as cube_tile has them; called up to four times
+/// @param size       of a face, in texels
+/// @param at         (s, t, face): s and t in texels, from 0 to size; NaN is lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @return           visibility, the same on either side of an edge
+/// @formula          sum of w_i [receiver <= fetch(texel_i)] over sum of w_i, w the bilinear weights in steps of 1/256,
+///                   to the nearest step, which is the same one from either side
+/// @exactness        C: a division, by 65536 but at corners, of which GLSL allows 2.5 ulp; 0 seen
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T pcf_2x2_cube(Fetch&& fetch, T size, glm::vec<3, T> at, T receiver, Compare is_lit = {}) {
+    const glm::vec<2, T> coord(at);
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const glm::vec<2, T> x = glm::floor(coord * T(256) + T(0.5)) - T(128);
+    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0)), hi = x - texel * T(256), lo = T(256) - hi;
+    const auto tap = [&](T i, T j) {
+        return cube_lit(fetch, size, glm::vec<3, T>(texel.x + i, texel.y + j, at.z), receiver, is_lit);
+    };
+    glm::vec<2, T> sum = tap(T(0), T(0)) * (lo.x * lo.y);
+    sum += tap(T(1), T(0)) * (hi.x * lo.y);
+    sum += tap(T(0), T(1)) * (lo.x * hi.y);
+    sum += tap(T(1), T(1)) * (hi.x * hi.y);
+    return sum.y > T(0) ? sum.x / sum.y : T(1);
+}
+
+namespace glsl {
+
+inline constexpr snippet cube_lit{
+    .name = "cube_lit",
+    .summary = "one comparison with a texel of a cube",
+    .exactness = tier::a,
+    .needs = list<&cube_neighbour, &cube_tile, &lit>,
+    .source = R"GLSL(
+// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
+//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+UMBRAGE_HIGHP vec2 umbrage_cube_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 texel,
+                                    UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float side = size.y * 0.5;
+    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbour(texel, side);
+    UMBRAGE_HIGHP vec2 at = umbrage_cube_tile(n.z, side) + vec2(n.x, n.y);
+    UMBRAGE_HIGHP float lit = umbrage_lit(map, size, at, receiver);
+    return n.z < 0.0 ? vec2(0.0, 0.0) : vec2(lit, 1.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet pcf_2x2_cube{
+    .name = "pcf_2x2_cube",
+    .summary = "2 x 2 comparisons of a cube, over its edges too, bilinear weights",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&is_compared, &cube_lit>,
+    .source = R"GLSL(
+// umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
+//   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
+//   receiver   distance from the light, biased
+UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 at,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 coord = vec2(at.x, at.y);
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    UMBRAGE_HIGHP vec2 sum = umbrage_cube_lit(map, size, vec3(texel, at.z), receiver) * (lo.x * lo.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 1.0), at.z), receiver) * (hi.x * hi.y);
+    return compared && sum.y > 0.0 ? sum.x / sum.y : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr auto pcf_2x2_cube_snippets = list<&cube_lit, &pcf_2x2_cube>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/filter/pcf/pcf_2x2_hardware.hpp
 // pcf_2x2 by the sampler: one look-up that compares four texels and weighs them.
 //
@@ -6267,158 +6623,6 @@ template <real T, std::size_t Size>
 
 }  // namespace umbrage
 
-// ---- umbrage/light/cube_map.hpp
-// Six square maps around a point light: which of them a direction meets and where, as textures of cubes have it, or as
-// six tiles of an atlas.
-//
-//     glm::vec3 at = umbrage::cube_coordinate(world - light);                      // (s, t, face)
-//     auto face = atlas.view().region(umbrage::cube_tile(int(at.z), size), {size, size});
-//     float visibility = umbrage::pcf_2x2(umbrage::clamped(face), glm::vec2(at) * float(size), depth);
-//
-
-namespace umbrage {
-
-/// Which way a face's camera looks and what is up for it, NDC y = -1 in its first row.
-struct cube_axes {
-    glm::ivec3 forward, up;
-};
-
-/// Faces in the order of their numbers: +x, -x, +y, -y, +z, -z. A right-handed view along them with 90 degrees each way
-/// has its NDC x and y where cube_coordinate has 2 s - 1 and 2 t - 1.
-/// @cite   OpenGL 4.6 specification, table 8.19: selection of cube map images
-inline const std::array<cube_axes, 6> cube_faces{{{{1, 0, 0}, {0, -1, 0}},
-                                                  {{-1, 0, 0}, {0, -1, 0}},
-                                                  {{0, 1, 0}, {0, 0, 1}},
-                                                  {{0, -1, 0}, {0, 0, -1}},
-                                                  {{0, 0, 1}, {0, -1, 0}},
-                                                  {{0, 0, -1}, {0, -1, 0}}}};
-
-/// The face that a direction from the cube's middle meets.
-/// @param direction   of any length; where two faces meet, x goes before y and y before z
-/// @return            0 .. 5; where a NaN leaves no greatest component, 4 or 5
-/// @exactness         A: comparisons
-template <real T>
-[[nodiscard]] constexpr int cube_face(glm::vec<3, T> direction) {
-    const auto magnitude = [](T v) { return v < T(0) ? -v : v; };
-    const auto at_least = [](T a, T b) { return !is_nan(a) && !is_nan(b) && a >= b; };
-    const T x = magnitude(direction.x), y = magnitude(direction.y), z = magnitude(direction.z);
-    const int axis = at_least(x, y) ? (at_least(x, z) ? 0 : 2) : (at_least(y, z) ? 1 : 2);
-    return 2 * axis + (!is_nan(direction[axis]) && direction[axis] < T(0) ? 1 : 0);
-}
-
-/// Where on its face a direction meets the cube.
-/// @param direction   of any length; zero and NaN give coordinates that are NaN, which every filter takes as lit
-/// @return            (s, t, face): s and t from 0 to 1 over the face, times its size a filter's coordinate
-/// @formula           s = (sc + |m|) / 2|m|, t = (tc + |m|) / 2|m|, m the greatest component
-/// @exactness         C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
-/// @cite              OpenGL 4.6 specification, table 8.19
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> cube_coordinate(glm::vec<3, T> direction) {
-    const int face = cube_face(direction), axis = face / 2;
-    const T m = direction[axis] < T(0) ? -direction[axis] : direction[axis];
-    const T flip = face % 2 == 0 ? T(1) : T(-1);
-    const T sc = axis == 0 ? direction.z * -flip : axis == 1 ? direction.x : direction.x * flip;
-    const T tc = axis == 1 ? direction.z * flip : -direction.y;
-    return {(sc + m) / (m + m), (tc + m) / (m + m), T(face)};
-}
-
-/// The direction to a point of a face: cube_coordinate's inverse.
-/// @param face   0 .. 5;   st  from 0 to 1 over the face
-/// @return       its greatest component is 1 or -1
-/// @exactness    B: 2 s - 1 rounds once
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> cube_direction(T face, glm::vec<2, T> st) {
-    const T u = st.x * T(2) - T(1), v = st.y * T(2) - T(1);
-    if (face < T(0.5)) return {T(1), -v, -u};
-    if (face < T(1.5)) return {T(-1), -v, u};
-    if (face < T(2.5)) return {u, T(1), v};
-    if (face < T(3.5)) return {u, T(-1), -v};
-    if (face < T(4.5)) return {u, -v, T(1)};
-    return {-u, -v, T(-1)};
-}
-
-/// First texel of a face in an atlas of 3 x 2 tiles: +x, -x, +y in the first row.
-/// @param face   0 .. 5;   size  of a tile, in texels
-/// @exactness    A
-[[nodiscard]] inline glm::ivec2 cube_tile(int face, int size) { return {face % 3 * size, face / 3 * size}; }
-
-namespace glsl {
-
-inline constexpr snippet cube_face{
-    .name = "cube_face",
-    .summary = "face of a cube that a direction meets",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
-UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
-    UMBRAGE_HIGHP vec3 m = abs(direction);
-    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 1.0 : 0.0;
-    UMBRAGE_HIGHP float y = direction.y < 0.0 ? 3.0 : 2.0;
-    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 5.0 : 4.0;
-    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
-    return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
-}
-)GLSL",
-};
-
-inline constexpr snippet cube_coordinate{
-    .name = "cube_coordinate",
-    .summary = "face, and where on it, that a direction meets",
-    .exactness = tier::c,
-    .ulp = 1,
-    .needs = list<&cube_face>,
-    .source = R"GLSL(
-// umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
-UMBRAGE_HIGHP vec3 umbrage_cube_coordinate(UMBRAGE_HIGHP vec3 direction) {
-    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
-    bool on_x = face < 1.5;
-    bool on_y = face > 1.5 && face < 3.5;
-    UMBRAGE_HIGHP float along = on_x ? direction.x : (on_y ? direction.y : direction.z);
-    UMBRAGE_HIGHP float m = abs(along);
-    UMBRAGE_HIGHP float z = along < 0.0 ? -direction.z : direction.z;
-    UMBRAGE_HIGHP float x = along < 0.0 ? -direction.x : direction.x;
-    UMBRAGE_HIGHP float sc = on_x ? -z : (on_y ? direction.x : x);
-    UMBRAGE_HIGHP float tc = on_y ? z : -direction.y;
-    return vec3((sc + m) / (m + m), (tc + m) / (m + m), face);
-}
-)GLSL",
-};
-
-inline constexpr snippet cube_direction{
-    .name = "cube_direction",
-    .summary = "direction to a point of a cube's face",
-    .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_cube_direction: from a cube's middle to a point of a face, 0.0 to 5.0; st goes from 0.0 to 1.0 over the face
-UMBRAGE_HIGHP vec3 umbrage_cube_direction(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec2 st) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float u = st.x * 2.0 - 1.0;  // an exact product: fused or not, it rounds once
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float v = st.y * 2.0 - 1.0;
-    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(1.0, -v, -u) : vec3(-1.0, -v, u);
-    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(u, 1.0, v) : vec3(u, -1.0, -v);
-    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(u, -v, 1.0) : vec3(-u, -v, -1.0);
-    return face < 1.5 ? x : (face < 3.5 ? y : z);
-}
-)GLSL",
-};
-
-inline constexpr snippet cube_tile{
-    .name = "cube_tile",
-    .summary = "first texel of a face in an atlas",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_cube_tile: first texel of a face, 0.0 to 5.0, in an atlas of 3 x 2 tiles of size texels
-UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP float size) {
-    UMBRAGE_HIGHP float row = face < 2.5 ? 0.0 : 1.0;
-    return vec2((face - row * 3.0) * size, row * size);
-}
-)GLSL",
-};
-
-inline constexpr auto cube_map_snippets = list<&cube_face, &cube_coordinate, &cube_direction, &cube_tile>;
-
-}  // namespace glsl
-}  // namespace umbrage
-
 // ---- umbrage/light/directional_light.hpp
 // A directional light's space as the classic course exercise sets it up.
 //
@@ -6512,6 +6716,54 @@ UMBRAGE_HIGHP vec4 umbrage_pancaked(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP f
 inline constexpr auto pancake_snippets = list<&pancaked>;
 
 }  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/light/point_light.hpp
+// A point light's six spaces, for a cube texture's faces or an atlas's tiles.
+//
+//     auto faces = umbrage::make_point_light<float>({.position = p, .map_size = 512, .border = 2});
+//     glm::vec3 at = umbrage::cube_coordinate(world - p);
+//     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;  // in the map of faces[int(at.z)]
+//
+// A border of texels, as many as a filter reaches, sees past the face's edges: filters then need no other face. Depths
+// are per face, those of a perspective projection at cube_view_z; distances, distance_depth, a depth pass must write.
+
+namespace umbrage {
+
+template <real T = float>
+struct point_light {
+    glm::vec<3, T> position{T(0)};
+    T z_near = T(0.1);   ///< > 0, world units along each face's axis
+    T z_far = T(100);    ///< > z_near; infinite: no far plane
+    int map_size = 512;  ///< of a face, in texels, > 2 border
+    int border = 0;      ///< texels beyond each edge of the face, within map_size
+    clip_space clip{};
+};
+
+/// Views along cube_faces and perspective projections of 90 degrees and the border, whose first texel is (0, 0) of
+/// cube_coordinate in every convention. Where clip is left-handed or has its first row on top, one of them, the
+/// projection is a mirror: front faces go the other way round.
+/// @throws std::invalid_argument  no texels within the border, planes out of order, and what gives matrices that are
+///                                not finite
+template <real T = float>
+[[nodiscard]] std::array<light_space<T>, 6> make_point_light(const point_light<T>& light) {
+    constexpr auto function = "make_point_light";
+    detail::require(light.border >= 0, function, "border", "must not be below 0");
+    detail::require(light.map_size / 2 >= light.border && light.map_size > 2 * light.border, function, "map_size",
+                    "must be above twice the border");
+    const T extent = T(light.map_size) / T(light.map_size - 2 * light.border);
+    glm::mat<4, 4, T> projection = detail::perspective(extent, extent, light.z_near, light.z_far, light.clip, function);
+    if (light.clip.hand == handedness::left) projection[0][0] = -projection[0][0];
+    if (light.clip.origin == texture_origin::top) projection[1][1] = -projection[1][1];
+    std::array<light_space<T>, 6> faces;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const auto view = detail::look_along(light.position, glm::vec<3, T>(cube_faces[i].forward),
+                                             glm::vec<3, T>(cube_faces[i].up), light.clip.hand, function, "position");
+        faces[i] = detail::checked<T>({view, projection, light.clip}, function, "position, z_near and z_far");
+    }
+    return faces;
+}
+
 }  // namespace umbrage
 
 // ---- umbrage/light/spot_fit.hpp
@@ -12749,7 +13001,7 @@ inline constexpr auto codes =
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps =
     collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
-            filters, pcf_2x2_hardware_snippets, window_hardware_snippets, bounds_lit_snippets);
+            filters, pcf_2x2_cube_snippets, pcf_2x2_hardware_snippets, window_hardware_snippets, bounds_lit_snippets);
 inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
                                      kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);

@@ -26,6 +26,7 @@
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/filter/bounds_lit.hpp>
 #include <umbrage/filter/filters.hpp>
+#include <umbrage/filter/pcf/pcf_2x2_cube.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 #include <umbrage/filter/pcf/window_hardware.hpp>
 #include <umbrage/image.hpp>
@@ -105,7 +106,7 @@ inline constexpr auto codes =
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps =
     collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
-            filters, pcf_2x2_hardware_snippets, window_hardware_snippets, bounds_lit_snippets);
+            filters, pcf_2x2_cube_snippets, pcf_2x2_hardware_snippets, window_hardware_snippets, bounds_lit_snippets);
 inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
                                      kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);

@@ -28,19 +28,34 @@ UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_CUBE_VIEW_Z
+#define UMBRAGE_HAS_CUBE_VIEW_Z
+// umbrage_cube_view_z: the greatest component's magnitude, of which per-face depths are made
+UMBRAGE_HIGHP float umbrage_cube_view_z(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    UMBRAGE_HIGHP float side = face < 1.5 ? direction.x : direction.y;
+    return abs(face > 3.5 ? direction.z : side);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_PLANE
+#define UMBRAGE_HAS_CUBE_PLANE
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+UMBRAGE_HIGHP vec3 umbrage_cube_plane(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    UMBRAGE_HIGHP vec3 x = vec3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
+    UMBRAGE_HIGHP vec3 y = vec3(direction.x, face < 2.5 ? direction.z : -direction.z, face);
+    UMBRAGE_HIGHP vec3 z = vec3(face < 4.5 ? direction.x : -direction.x, -direction.y, face);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_CUBE_COORDINATE
 #define UMBRAGE_HAS_CUBE_COORDINATE
 // umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
 UMBRAGE_HIGHP vec3 umbrage_cube_coordinate(UMBRAGE_HIGHP vec3 direction) {
-    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
-    bool on_x = face < 1.5;
-    bool on_y = face > 1.5 && face < 3.5;
-    UMBRAGE_HIGHP float along = on_x ? direction.x : (on_y ? direction.y : direction.z);
-    UMBRAGE_HIGHP float m = abs(along);
-    UMBRAGE_HIGHP float z = along < 0.0 ? -direction.z : direction.z;
-    UMBRAGE_HIGHP float x = along < 0.0 ? -direction.x : direction.x;
-    UMBRAGE_HIGHP float sc = on_x ? -z : (on_y ? direction.x : x);
-    UMBRAGE_HIGHP float tc = on_y ? z : -direction.y;
-    return vec3((sc + m) / (m + m), (tc + m) / (m + m), face);
+    UMBRAGE_HIGHP vec3 p = umbrage_cube_plane(direction);
+    UMBRAGE_HIGHP float m = umbrage_cube_view_z(direction);
+    return vec3((p.x + m) / (m + m), (p.y + m) / (m + m), p.z);
 }
 #endif

@@ -13,19 +13,34 @@ float umbrage_cube_face(float3 direction) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_CUBE_VIEW_Z
+#define UMBRAGE_HAS_CUBE_VIEW_Z
+// umbrage_cube_view_z: the greatest component's magnitude, of which per-face depths are made
+float umbrage_cube_view_z(float3 direction) {
+    float face = umbrage_cube_face(direction);
+    float side = face < 1.5 ? direction.x : direction.y;
+    return abs(face > 3.5 ? direction.z : side);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_PLANE
+#define UMBRAGE_HAS_CUBE_PLANE
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+float3 umbrage_cube_plane(float3 direction) {
+    float face = umbrage_cube_face(direction);
+    float3 x = float3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
+    float3 y = float3(direction.x, face < 2.5 ? direction.z : -direction.z, face);
+    float3 z = float3(face < 4.5 ? direction.x : -direction.x, -direction.y, face);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_CUBE_COORDINATE
 #define UMBRAGE_HAS_CUBE_COORDINATE
 // umbrage_cube_coordinate: (s, t, face) of a direction; s and t go from 0.0 to 1.0 over the face
 float3 umbrage_cube_coordinate(float3 direction) {
-    float face = umbrage_cube_face(direction);
-    bool on_x = face < 1.5;
-    bool on_y = face > 1.5 && face < 3.5;
-    float along = on_x ? direction.x : (on_y ? direction.y : direction.z);
-    float m = abs(along);
-    float z = along < 0.0 ? -direction.z : direction.z;
-    float x = along < 0.0 ? -direction.x : direction.x;
-    float sc = on_x ? -z : (on_y ? direction.x : x);
-    float tc = on_y ? z : -direction.y;
-    return float3((sc + m) / (m + m), (tc + m) / (m + m), face);
+    float3 p = umbrage_cube_plane(direction);
+    float m = umbrage_cube_view_z(direction);
+    return float3((p.x + m) / (m + m), (p.y + m) / (m + m), p.z);
 }
 #endif

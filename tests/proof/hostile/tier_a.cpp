@@ -22,6 +22,7 @@
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cube_map.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/filter/pcf/pcf_2x2_cube.hpp>
 #include <umbrage/view/overlay_texel.hpp>
 
 #include "hostile.hpp"
@@ -141,13 +142,27 @@ void suite::all() const {
     run(
         "cleared_depth", inputs, [](source& s) { return s.one_in(2); },
         [](bool back) { return cleared_depth(back ? depth_direction::reversed : depth_direction::forward); });
+    const auto direction = [](source& s) {
+        const glm::vec2 xy = s.coords();
+        return glm::vec3(xy, s.level());
+    };
+    run("cube_face", inputs, direction, [](glm::vec3 d) { return float(cube_face(d)); });
+    run("cube_view_z", inputs, direction, [](glm::vec3 d) { return cube_view_z(d); });
+    run("cube_plane", inputs, direction, [](glm::vec3 d) { return cube_plane(d); });
     run(
-        "cube_face", inputs,
+        "cube_point", inputs,
         [](source& s) {
             const glm::vec2 xy = s.coords();
-            return glm::vec3(xy, s.level());
+            return glm::vec4(xy, s.level(), float(s.below(6)));
         },
-        [](glm::vec3 direction) { return float(cube_face(direction)); });
+        [](glm::vec4 v) { return cube_point(v.w, glm::vec3(v)); });
+    const auto cube_texel = [](source& s) {
+        const int size = 1 << s.below(12);
+        const int u = int(s.below(std::uint32_t(size) + 2)) - 1, v = int(s.below(std::uint32_t(size) + 2)) - 1;
+        return glm::vec4(float(u), float(v), float(s.below(6)), float(size));
+    };
+    run("cube_neighbour", inputs, cube_texel, [](glm::vec4 v) { return cube_neighbour(glm::vec3(v), v.w); });
+    run("cube_lit", inputs, cube_texel, [&](glm::vec4 v) { return cube_lit(fetch, v.w, glm::vec3(v), 0.5f); });
     run(
         "cube_tile", inputs,
         [](source& s) {

@@ -3,6 +3,7 @@
 
 #include <umbrage/light/cube_map.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -96,4 +97,59 @@ TEST_CASE("cube_tile: six tiles that do not meet") {
         CHECK((first.y == 0 || first.y == 16));
         for (int b = 0; b < a; ++b) CHECK(cube_tile(b, 16) != first);
     }
+}
+
+TEST_CASE("cube_view_z, cube_plane, cube_point: a direction's parts and back, with its bits") {
+    std::mt19937 random(3);
+    for (int i = 0; i < 2000; ++i) {
+        const glm::vec3 direction(random_direction(random));
+        const glm::vec3 p = cube_plane(direction);
+        const float m = cube_view_z(direction);
+        CHECK(m == std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)}));
+        CHECK(cube_point(p.z, glm::vec3(glm::vec2(p), m)) == direction);
+    }
+}
+
+namespace {
+
+/// Where a face's row or column goes on beyond its edge: the next face, which of its sides, and which way along it.
+enum class edge { s_first, s_last, t_first, t_last };
+struct beyond {
+    int face;
+    edge side;
+    bool backwards;
+};
+/// Beyond s < 0, s > 1, t < 0 and t > 1; from the faces' axes in OpenGL 4.6, table 8.19.
+constexpr beyond seams[6][4]{
+    {{4, edge::s_last, false}, {5, edge::s_first, false}, {2, edge::s_last, true}, {3, edge::s_last, false}},
+    {{5, edge::s_last, false}, {4, edge::s_first, false}, {2, edge::s_first, false}, {3, edge::s_first, true}},
+    {{1, edge::t_first, false}, {0, edge::t_first, true}, {5, edge::t_first, true}, {4, edge::t_first, false}},
+    {{1, edge::t_last, true}, {0, edge::t_last, false}, {4, edge::t_last, false}, {5, edge::t_last, true}},
+    {{1, edge::s_last, false}, {0, edge::s_first, false}, {2, edge::t_last, false}, {3, edge::t_first, false}},
+    {{0, edge::s_last, false}, {1, edge::s_first, false}, {2, edge::t_first, true}, {3, edge::t_last, true}}};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("cube_neighbour: the table of all seams, texels inside, none beyond corners", T, float, double) {
+    for (const int size : {1, 2, 3, 8, 1024, 16384})
+        for (int face = 0; face < 6; ++face) {
+            const T n = T(size), last = n - T(1);
+            const auto of = [&](T s, T t) { return cube_neighbour(glm::vec<3, T>(s, t, T(face)), n); };
+            for (const T s : {T(-1), n})
+                for (const T t : {T(-1), n}) CHECK(of(s, t).z == T(-1));
+            for (int k = 0; k < size; k = k < 8 ? k + 1 : k * 2 + 3) {
+                const T i = T(k), j = last - i;
+                const glm::vec<3, T> outside[4]{of(T(-1), i), of(n, i), of(i, T(-1)), of(i, n)};
+                for (std::size_t side = 0; side < 4; ++side) {
+                    const beyond& to = seams[face][side];
+                    const T along = to.backwards ? j : i;
+                    const glm::vec<2, T> expected = to.side == edge::s_first   ? glm::vec<2, T>(T(0), along)
+                                                    : to.side == edge::s_last  ? glm::vec<2, T>(last, along)
+                                                    : to.side == edge::t_first ? glm::vec<2, T>(along, T(0))
+                                                                               : glm::vec<2, T>(along, last);
+                    CHECK(outside[side] == glm::vec<3, T>(expected, T(to.face)));
+                }
+                CHECK(of(i, j) == glm::vec<3, T>(i, j, T(face)));
+            }
+        }
 }

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// Bilinear percentage-closer filtering over 2 x 2 texels of a cube, whose faces are tiles of an atlas: taps go on over
+// the edges, so that no seam shows.
+//
+//     glm::vec3 at = umbrage::cube_coordinate(world - light) * glm::vec3(size, size, 1);
+//     float visibility = umbrage::pcf_2x2_cube(umbrage::clamped(atlas), float(size), at, depth);
+//
+// Depths must not depend on the face that they lie on: distances from the light, as distance_depth gives them.
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/filter/texel_space.hpp>
+#include <umbrage/light/cube_map.hpp>
+
+namespace umbrage {
+
+/// Visibility of one comparison with a texel of a cube, which may lie beyond an edge of its face.
+/// @param fetch   ivec2 -> stored depth, of an atlas with tiles as cube_tile has them
+/// @param size    of a face, in texels;   texel  (s, t, face), whole numbers
+/// @return        (1 when lit or 0 in shadow, 1); (0, 0) beyond a corner, where there is no texel
+/// @exactness     A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] glm::vec<2, T> cube_lit(Fetch&& fetch, T size, glm::vec<3, T> texel, T receiver, Compare is_lit = {}) {
+    const glm::vec<3, T> n = cube_neighbour(texel, size);
+    if (n.z < T(0)) return {T(0), T(0)};
+    const glm::ivec2 first = cube_tile(static_cast<int>(n.z), static_cast<int>(size));
+    return {lit(fetch, first + glm::ivec2(n), receiver, is_lit), T(1)};
+}
+
+/// Share of a receiver that is lit, from the four nearest texels, each compared and then weighted, on whatever face
+/// they lie; at a corner three, with their weights' sum made 1.
+/// @param fetch      ivec2 -> stored depth, of an atlas with tiles as cube_tile has them; called up to four times
+/// @param size       of a face, in texels
+/// @param at         (s, t, face): s and t in texels, from 0 to size; NaN is lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @return           visibility, the same on either side of an edge
+/// @formula          sum of w_i [receiver <= fetch(texel_i)] over sum of w_i, w the bilinear weights in steps of 1/256,
+///                   to the nearest step, which is the same one from either side
+/// @exactness        C: a division, by 65536 but at corners, of which GLSL allows 2.5 ulp; 0 seen
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T pcf_2x2_cube(Fetch&& fetch, T size, glm::vec<3, T> at, T receiver, Compare is_lit = {}) {
+    const glm::vec<2, T> coord(at);
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const glm::vec<2, T> x = glm::floor(coord * T(256) + T(0.5)) - T(128);
+    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0)), hi = x - texel * T(256), lo = T(256) - hi;
+    const auto tap = [&](T i, T j) {
+        return cube_lit(fetch, size, glm::vec<3, T>(texel.x + i, texel.y + j, at.z), receiver, is_lit);
+    };
+    glm::vec<2, T> sum = tap(T(0), T(0)) * (lo.x * lo.y);
+    sum += tap(T(1), T(0)) * (hi.x * lo.y);
+    sum += tap(T(0), T(1)) * (lo.x * hi.y);
+    sum += tap(T(1), T(1)) * (hi.x * hi.y);
+    return sum.y > T(0) ? sum.x / sum.y : T(1);
+}
+
+namespace glsl {
+
+inline constexpr snippet cube_lit{
+    .name = "cube_lit",
+    .summary = "one comparison with a texel of a cube",
+    .exactness = tier::a,
+    .needs = list<&cube_neighbour, &cube_tile, &lit>,
+    .source = R"GLSL(
+// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
+//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+UMBRAGE_HIGHP vec2 umbrage_cube_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 texel,
+                                    UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float side = size.y * 0.5;
+    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbour(texel, side);
+    UMBRAGE_HIGHP vec2 at = umbrage_cube_tile(n.z, side) + vec2(n.x, n.y);
+    UMBRAGE_HIGHP float lit = umbrage_lit(map, size, at, receiver);
+    return n.z < 0.0 ? vec2(0.0, 0.0) : vec2(lit, 1.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet pcf_2x2_cube{
+    .name = "pcf_2x2_cube",
+    .summary = "2 x 2 comparisons of a cube, over its edges too, bilinear weights",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&is_compared, &cube_lit>,
+    .source = R"GLSL(
+// umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
+//   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
+//   receiver   distance from the light, biased
+UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 at,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 coord = vec2(at.x, at.y);
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    UMBRAGE_HIGHP vec2 sum = umbrage_cube_lit(map, size, vec3(texel, at.z), receiver) * (lo.x * lo.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 1.0), at.z), receiver) * (hi.x * hi.y);
+    return compared && sum.y > 0.0 ? sum.x / sum.y : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr auto pcf_2x2_cube_snippets = list<&cube_lit, &pcf_2x2_cube>;
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,39 @@
+// umbrage 0.1.0, MIT License: cube_view_z
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_FACE
+#define UMBRAGE_HAS_CUBE_FACE
+// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 m = abs(direction);
+    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float y = direction.y < 0.0 ? 3.0 : 2.0;
+    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 5.0 : 4.0;
+    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_VIEW_Z
+#define UMBRAGE_HAS_CUBE_VIEW_Z
+// umbrage_cube_view_z: the greatest component's magnitude, of which per-face depths are made
+UMBRAGE_HIGHP float umbrage_cube_view_z(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    UMBRAGE_HIGHP float side = face < 1.5 ? direction.x : direction.y;
+    return abs(face > 3.5 ? direction.z : side);
+}
+#endif

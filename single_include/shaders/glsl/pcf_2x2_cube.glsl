@@ -1,0 +1,242 @@
+// umbrage 0.1.0, MIT License: pcf_2x2_cube
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_FACE
+#define UMBRAGE_HAS_CUBE_FACE
+// umbrage_cube_face: the face that a direction meets, 0.0 to 5.0: +x, -x, +y, -y, +z, -z
+UMBRAGE_HIGHP float umbrage_cube_face(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 m = abs(direction);
+    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float y = direction.y < 0.0 ? 3.0 : 2.0;
+    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 5.0 : 4.0;
+    // not m.x >= m.y && m.x >= m.z, of which Mesa makes one with max(m.y, m.z), which loses a NaN
+    return m.x >= m.y ? (m.x >= m.z ? x : z) : (m.y >= m.z ? y : z);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_PLANE
+#define UMBRAGE_HAS_CUBE_PLANE
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+UMBRAGE_HIGHP vec3 umbrage_cube_plane(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_cube_face(direction);
+    UMBRAGE_HIGHP vec3 x = vec3(face < 0.5 ? -direction.z : direction.z, -direction.y, face);
+    UMBRAGE_HIGHP vec3 y = vec3(direction.x, face < 2.5 ? direction.z : -direction.z, face);
+    UMBRAGE_HIGHP vec3 z = vec3(face < 4.5 ? direction.x : -direction.x, -direction.y, face);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_POINT
+#define UMBRAGE_HAS_CUBE_POINT
+// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+UMBRAGE_HIGHP vec3 umbrage_cube_point(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP vec3 p) {
+    UMBRAGE_HIGHP vec3 x = face < 0.5 ? vec3(p.z, -p.y, -p.x) : vec3(-p.z, -p.y, p.x);
+    UMBRAGE_HIGHP vec3 y = face < 2.5 ? vec3(p.x, p.z, p.y) : vec3(p.x, -p.z, -p.y);
+    UMBRAGE_HIGHP vec3 z = face < 4.5 ? vec3(p.x, -p.y, p.z) : vec3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_NEIGHBOUR
+#define UMBRAGE_HAS_CUBE_NEIGHBOUR
+// umbrage_cube_neighbour: (s, t, face) of a texel that may lie beyond an edge of its face; face -1.0 beyond a corner
+//   texel  (s, t, face), whole numbers;   size  of a face, in texels
+UMBRAGE_HIGHP vec3 umbrage_cube_neighbour(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP vec2 uv = vec2(texel.x, texel.y) * 2.0 + (1.0 - size);
+    bool beyond_u = abs(uv.x) > size;
+    bool beyond_v = abs(uv.y) > size;
+    UMBRAGE_HIGHP float m = beyond_u || beyond_v ? size - 1.0 : size;
+    UMBRAGE_HIGHP vec3 p = umbrage_cube_plane(umbrage_cube_point(texel.z, vec3(uv, m)));
+    UMBRAGE_HIGHP vec2 inside = (vec2(p.x, p.y) + (size - 1.0)) * 0.5;
+    return beyond_u && beyond_v ? vec3(0.0, 0.0, -1.0) : vec3(inside, p.z);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_TILE
+#define UMBRAGE_HAS_CUBE_TILE
+// umbrage_cube_tile: first texel of a face, 0.0 to 5.0, in an atlas of 3 x 2 tiles of size texels
+UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP float row = face < 2.5 ? 0.0 : 1.0;
+    return vec2((face - row * 3.0) * size, row * size);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_INSIDE_MAP
+#define UMBRAGE_HAS_INSIDE_MAP
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
+#ifndef UMBRAGE_BEYOND_FAR
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
+#else
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
+#endif
+#endif
+// umbrage_beyond_far: whether a receiver is behind the far plane
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_BEYOND_FAR(receiver);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED
+#define UMBRAGE_HAS_IS_COMPARED
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE
+#define UMBRAGE_HAS_COMPARE
+// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
+#ifndef UMBRAGE_LIT
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#else
+#define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#endif
+#endif
+// umbrage_compare: visibility of one comparison
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return UMBRAGE_LIT(receiver, stored);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_BORDERED
+#define UMBRAGE_HAS_FETCH_BORDERED
+// umbrage_fetch_bordered: texel of a map, or border outside of it
+UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                          UMBRAGE_HIGHP vec4 border) {
+    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
+    return umbrage_inside_map(size, texel) ? value : border;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH
+#define UMBRAGE_HAS_FETCH_DEPTH
+// UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
+// UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
+#ifndef UMBRAGE_FETCH
+#ifndef UMBRAGE_OUTSIDE_LIT
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
+#else
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
+#endif
+#endif
+// umbrage_fetch_depth: stored depth of a texel
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return UMBRAGE_FETCH(map, size, texel);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT
+#define UMBRAGE_HAS_LIT
+// umbrage_lit: visibility of one comparison with a texel
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CUBE_LIT
+#define UMBRAGE_HAS_CUBE_LIT
+// umbrage_cube_lit: (visibility of one comparison, 1.0) with a texel of a cube, (0.0, 0.0) beyond a corner
+//   map, size  atlas of 3 x 2 faces and its size in texels;   texel  (s, t, face), whole numbers
+UMBRAGE_HIGHP vec2 umbrage_cube_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 texel,
+                                    UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float side = size.y * 0.5;
+    UMBRAGE_HIGHP vec3 n = umbrage_cube_neighbour(texel, side);
+    UMBRAGE_HIGHP vec2 at = umbrage_cube_tile(n.z, side) + vec2(n.x, n.y);
+    UMBRAGE_HIGHP float lit = umbrage_lit(map, size, at, receiver);
+    return n.z < 0.0 ? vec2(0.0, 0.0) : vec2(lit, 1.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PCF_2X2_CUBE
+#define UMBRAGE_HAS_PCF_2X2_CUBE
+// umbrage_pcf_2x2_cube: bilinear percentage-closer filtering over a cube's edges; visibility, 1.0 is lit
+//   map, size  atlas of 3 x 2 faces and its size in texels;   at  (s, t, face): texels of the face, from 0.0 on
+//   receiver   distance from the light, biased
+UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec3 at,
+                                         UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 coord = vec2(at.x, at.y);
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0 + 0.5) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    UMBRAGE_HIGHP vec2 sum = umbrage_cube_lit(map, size, vec3(texel, at.z), receiver) * (lo.x * lo.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 0.0), at.z), receiver) * (hi.x * lo.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(0.0, 1.0), at.z), receiver) * (lo.x * hi.y);
+    sum += umbrage_cube_lit(map, size, vec3(texel + vec2(1.0, 1.0), at.z), receiver) * (hi.x * hi.y);
+    return compared && sum.y > 0.0 ? sum.x / sum.y : 1.0;
+}
+#endif

@@ -1,0 +1,12 @@
+// umbrage 0.1.0, MIT License: cube_point
+
+#ifndef UMBRAGE_HAS_CUBE_POINT
+#define UMBRAGE_HAS_CUBE_POINT
+// umbrage_cube_point: from (sc, tc, distance along its axis) of a face, 0.0 to 5.0
+float3 umbrage_cube_point(float face, float3 p) {
+    float3 x = face < 0.5 ? float3(p.z, -p.y, -p.x) : float3(-p.z, -p.y, p.x);
+    float3 y = face < 2.5 ? float3(p.x, p.z, p.y) : float3(p.x, -p.z, -p.y);
+    float3 z = face < 4.5 ? float3(p.x, -p.y, p.z) : float3(-p.x, -p.y, -p.z);
+    return face < 1.5 ? x : (face < 3.5 ? y : z);
+}
+#endif

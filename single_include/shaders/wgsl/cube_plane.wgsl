@@ -1,0 +1,11 @@
+// umbrage 0.1.0, MIT License: cube_plane
+// Paste along: cube_face.wgsl
+
+// umbrage_cube_plane: (sc, tc, face) of a direction: its components to the sides of the face that it meets
+fn umbrage_cube_plane(direction: vec3f) -> vec3f {
+    let face: f32 = umbrage_cube_face(direction);
+    let x: vec3f = vec3f(select(direction.z, -direction.z, face < 0.5), -direction.y, face);
+    let y: vec3f = vec3f(direction.x, select(-direction.z, direction.z, face < 2.5), face);
+    let z: vec3f = vec3f(select(-direction.x, direction.x, face < 4.5), -direction.y, face);
+    return select(select(z, y, face < 3.5), x, face < 1.5);
+}
