@@ -6,6 +6,9 @@
 #include <cstdint>
 
 #include <glm/common.hpp>
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace peers::glm_code {
@@ -119,6 +122,32 @@ void disc_16(const float_map& map, const std::vector<glm::vec3>& receivers, int 
         }
         visibility[i] = sum / 16.0f;
     }
+}
+
+std::array<glm::mat4, 4> cascades(const glm::mat4& camera_view, float tan_half_x, float tan_half_y,
+                                  const std::array<float, 5>& splits, glm::vec3 direction, int map_size) {
+    std::array<glm::mat4, 4> all;
+    const glm::mat4 to_world = glm::inverse(camera_view);
+    for (std::size_t i = 0; i < 4; ++i) {
+        std::array<glm::vec3, 8> corners;
+        glm::vec3 middle(0.0f);
+        for (std::size_t k = 0; k < 8; ++k) {
+            const float z = splits[i + k / 4], x = k % 2 ? z : -z, y = k / 2 % 2 ? z : -z;
+            corners[k] = glm::vec3(to_world * glm::vec4(x * tan_half_x, y * tan_half_y, -z, 1.0f));
+            middle += corners[k] / 8.0f;
+        }
+        float radius = 0.0f;
+        for (const glm::vec3& c : corners) radius = glm::max(radius, glm::length(c - middle));
+        radius = glm::ceil(radius * 16.0f) / 16.0f;
+        const glm::mat4 view = glm::lookAtRH(middle - direction * radius, middle, glm::vec3(0.0f, 1.0f, 0.0f));
+        glm::mat4 projection = glm::orthoRH_ZO(-radius, radius, -radius, radius, 0.0f, 2.0f * radius);
+        const glm::vec2 origin = glm::vec2((projection * view)[3]) * (static_cast<float>(map_size) * 0.5f);
+        const glm::vec2 moved = (glm::round(origin) - origin) * (2.0f / static_cast<float>(map_size));
+        projection[3][0] += moved.x;
+        projection[3][1] += moved.y;
+        all[i] = projection * view;
+    }
+    return all;
 }
 
 }  // namespace peers::glm_code

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <glm/gtc/type_precision.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -34,5 +35,10 @@ void window_7x7(const float_map& map, const std::vector<glm::vec3>& receivers, s
 /// @param width   of the image that the receivers are one of;   points  in radii
 void disc_16(const float_map& map, const std::vector<glm::vec3>& receivers, int width, float radius,
              const std::array<glm::vec2, 16>& points, std::vector<float>& visibility);
+
+/// Light matrices of four cascades of a camera, as tutorials have them: the corners of a part of the frustum, the
+/// sphere around their mean, its middle moved to whole texels of the light's own view; in floats.
+std::array<glm::mat4, 4> cascades(const glm::mat4& camera_view, float tan_half_x, float tan_half_y,
+                                  const std::array<float, 5>& splits, glm::vec3 direction, int map_size);
 
 }  // namespace peers::glm_code

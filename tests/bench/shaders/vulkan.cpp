@@ -15,7 +15,9 @@ namespace bench {
 namespace {
 
 constexpr std::uint32_t binding_count = 8;
+constexpr std::uint32_t uniforms_binding = 7;
 constexpr VkDescriptorType texture_type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+constexpr VkDescriptorType uniforms_type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkFormat target_format = VK_FORMAT_R8G8B8A8_UNORM;
 
 class vulkan_device final : public device, vulkan_queue {
@@ -52,7 +54,8 @@ public:
 
         std::vector<VkDescriptorSetLayoutBinding> bindings;
         for (std::uint32_t i = 0; i < binding_count; ++i)
-            bindings.push_back({i, texture_type, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
+            bindings.push_back(
+                {i, i == uniforms_binding ? uniforms_type : texture_type, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr});
         set_layout_ = make<VkDescriptorSetLayout>(
             device_, vkCreateDescriptorSetLayout,
             VkDescriptorSetLayoutCreateInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO,
@@ -218,24 +221,14 @@ private:
                                                            .queryCount = 2});
         target_ = image(target_format, width, height, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, false);
 
-        const VkDescriptorPoolSize all{texture_type, binding_count};
-        const auto sets =
-            make<VkDescriptorPool>(device_, vkCreateDescriptorPool,
-                                   VkDescriptorPoolCreateInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
-                                                              .maxSets = 1,
-                                                              .poolSizeCount = 1,
-                                                              .pPoolSizes = &all});
-        set_ =
-            make<VkDescriptorSet>(device_, vkAllocateDescriptorSets,
-                                  VkDescriptorSetAllocateInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
-                                                              .descriptorPool = sets,
-                                                              .descriptorSetCount = 1,
-                                                              .pSetLayouts = &set_layout_});
+        set_ = descriptor_set(set_layout_, {{texture_type, binding_count - 1}, {uniforms_type, 1}});
         const VkFormat colour = VK_FORMAT_R8G8B8A8_UNORM;
-        const VkImageView views[] = {image(colour, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true),
-                                     image(colour, map_size, 32, VK_IMAGE_USAGE_SAMPLED_BIT, true),
-                                     image(VK_FORMAT_D32_SFLOAT, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true)};
-        for (std::uint32_t i = 0; i < 3; ++i) {
+        const VkImageView views[] = {
+            image(colour, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true),
+            image(colour, map_size, 32, VK_IMAGE_USAGE_SAMPLED_BIT, true),
+            image(VK_FORMAT_D32_SFLOAT, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true),
+            image(colour, map_size, map_size, VK_IMAGE_USAGE_SAMPLED_BIT, true, VK_IMAGE_VIEW_TYPE_2D_ARRAY)};
+        for (std::uint32_t i = 0; i < 4; ++i) {
             const VkDescriptorImageInfo texture{sampler(i == 2), views[i], VK_IMAGE_LAYOUT_GENERAL};
             const VkWriteDescriptorSet write{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                                              .dstSet = set_,
@@ -245,6 +238,14 @@ private:
                                              .pImageInfo = &texture};
             vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
         }
+        const VkDescriptorBufferInfo buffer{uniforms(1024), 0, VK_WHOLE_SIZE};
+        const VkWriteDescriptorSet write{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
+                                         .dstSet = set_,
+                                         .dstBinding = uniforms_binding,
+                                         .descriptorCount = 1,
+                                         .descriptorType = uniforms_type,
+                                         .pBufferInfo = &buffer};
+        vkUpdateDescriptorSets(device_, 1, &write, 0, nullptr);
     }
 
     VkPhysicalDeviceProperties properties_{};

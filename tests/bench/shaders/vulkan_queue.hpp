@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -56,7 +57,8 @@ protected:
     }
 
     /// An image in the general layout; with texels, filled with them. Views and images are never destroyed.
-    VkImageView image(VkFormat format, std::uint32_t width, std::uint32_t height, VkImageUsageFlags usage, bool noise) {
+    VkImageView image(VkFormat format, std::uint32_t width, std::uint32_t height, VkImageUsageFlags usage, bool noise,
+                      VkImageViewType type = VK_IMAGE_VIEW_TYPE_2D) {
         const VkImage handle = make<VkImage>(device_, vkCreateImage,
                                              VkImageCreateInfo{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
                                                                .imageType = VK_IMAGE_TYPE_2D,
@@ -109,9 +111,43 @@ protected:
         return make<VkImageView>(device_, vkCreateImageView,
                                  VkImageViewCreateInfo{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
                                                        .image = handle,
-                                                       .viewType = VK_IMAGE_VIEW_TYPE_2D,
+                                                       .viewType = type,
                                                        .format = format,
                                                        .subresourceRange = {aspect, 0, 1, 0, 1}});
+    }
+
+    /// The one set of a pool of its own.
+    [[nodiscard]] VkDescriptorSet descriptor_set(VkDescriptorSetLayout layout,
+                                                 std::initializer_list<VkDescriptorPoolSize> all) const {
+        const auto pool =
+            make<VkDescriptorPool>(device_, vkCreateDescriptorPool,
+                                   VkDescriptorPoolCreateInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
+                                                              .maxSets = 1,
+                                                              .poolSizeCount = static_cast<std::uint32_t>(all.size()),
+                                                              .pPoolSizes = all.begin()});
+        return make<VkDescriptorSet>(
+            device_, vkAllocateDescriptorSets,
+            VkDescriptorSetAllocateInfo{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO,
+                                        .descriptorPool = pool,
+                                        .descriptorSetCount = 1,
+                                        .pSetLayouts = &layout});
+    }
+
+    /// Uniforms, all 0; never destroyed.
+    [[nodiscard]] VkBuffer uniforms(VkDeviceSize size) const {
+        const VkBuffer buffer = make<VkBuffer>(device_, vkCreateBuffer,
+                                               VkBufferCreateInfo{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
+                                                                  .size = size,
+                                                                  .usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT});
+        VkMemoryRequirements need;
+        vkGetBufferMemoryRequirements(device_, buffer, &need);
+        const VkDeviceMemory memory =
+            memory_for(need, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+        check(vkBindBufferMemory(device_, buffer, memory, 0), "vkBindBufferMemory");
+        void* bytes = nullptr;
+        check(vkMapMemory(device_, memory, 0, VK_WHOLE_SIZE, 0, &bytes), "vkMapMemory");
+        std::memset(bytes, 0, size);
+        return buffer;
     }
 
     [[nodiscard]] VkSampler sampler(bool compares) const {
