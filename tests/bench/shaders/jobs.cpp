@@ -76,33 +76,6 @@ std::vector<job> jobs(const std::string& folder) {
     };
     const std::string receiver = "umbrage_receiver_rg11(x1.z, 1.0)";
 
-    // A directional light's map, or four cascades, looked up from world position x0 and view depth x1.x.
-    const std::string cascades = R"GLSL(
-layout(binding = 7) uniform lights {
-    mat4 one, rotation, scales, offsets, each[4];
-    vec4 scale[4], offset[4];
-    vec3 ends;
-};
-layout(binding = 3) uniform sampler2DArray maps;
-)GLSL";
-    const std::string number = "umbrage_cascade_by_depth(x1.x, ends)";
-    const std::string rotated = "umbrage_shadow_coordinate(rotation, x0.xyz).xyz";
-    const auto look_up = [&](std::string name, const std::string& type, const std::string& coordinate,
-                             const std::string& where, const std::string& depth) {
-        return shader{us,
-                      std::move(name),
-                      cascades,
-                      {glsl::shadow_coordinate, glsl::project_coordinate, glsl::cascade_by_depth, glsl::cascade_column,
-                       glsl::cascade_coordinate, glsl::cascade_by_projection, glsl::cascade_tile, glsl::pcf_2x2,
-                       bind(glsl::pcf_2x2, "layer", {.texture = glsl::texture::array}),
-                       bind(glsl::pcf_2x2, "tile", {.texture = glsl::texture::atlas})},
-                      "vec4(0.0); " + type + " at = " + coordinate + "; result = vec4(umbrage_pcf_2x2" + where +
-                          ", map_size, at.xy, " + depth + "))"};
-    };
-    const auto by_depth = [&](const std::string& scale, const std::string& offset) {
-        return "umbrage_cascade_coordinate(" + rotated + ", " + scale + ", " + offset + ")";
-    };
-    const std::string indexed = by_depth("scale[int(" + number + ")]", "offset[int(" + number + ")]");
     glsl::binding gathered = level;
     gathered.gather = true;
 
@@ -232,23 +205,7 @@ layout(binding = 3) uniform sampler2DArray maps;
            playcanvas_shadow,
            {},
            "vec4(getShadowPCF1x1(depth_map, x0.xyz, x1))"}}},
-        {"2x2 PCF, from world to visibility",
-         {look_up("one map", "vec3", "umbrage_project_coordinate(umbrage_shadow_coordinate(one, x0.xyz))", "(map",
-                  "at.z"),
-          look_up("one map, without the division", "vec3", "umbrage_shadow_coordinate(one, x0.xyz).xyz", "(map",
-                  "at.z"),
-          look_up("cascades by depth, a matrix each", "vec3",
-                  "umbrage_shadow_coordinate(each[int(" + number + ")], x0.xyz).xyz", "_layer(maps, " + number, "at.z"),
-          look_up("cascades by depth", "vec3", indexed, "_layer(maps, " + number, "at.z"),
-          look_up("cascades by depth, in an atlas", "vec3", indexed,
-                  "_tile(map, umbrage_cascade_tile(" + number + ", map_size.x)", "at.z"),
-          look_up("cascades by depth, without an index", "vec3",
-                  by_depth("umbrage_cascade_column(scales, " + number + ")",
-                           "umbrage_cascade_column(offsets, " + number + ")"),
-                  "_layer(maps, " + number, "at.z"),
-          look_up("cascades by projection", "vec4",
-                  "umbrage_cascade_by_projection(" + rotated + ", scales, offsets, map_size, 1.5)", "_layer(maps, at.w",
-                  "at.z")}},
+        cascades(),
         {"soft, 3x3 texels and about",
          {{us, "box, r = 1, rg11 by level", "", by_level(glsl::box),
            "vec4(umbrage_box(map, map_size, x1.xy, " + receiver + ", 1))"},

@@ -30,6 +30,9 @@ struct job {
 /// @param folder   from packing/peers.mjs
 [[nodiscard]] std::vector<job> jobs(const std::string& folder);
 
+/// The job of jobs() that looks up cascades.
+[[nodiscard]] job cascades();
+
 /// Every snippet of the registry, called as the parity tests call it.
 [[nodiscard]] job registry();
 

@@ -149,13 +149,7 @@ void suite::all() const {
     run("cube_face", inputs, direction, [](glm::vec3 d) { return float(cube_face(d)); });
     run("cube_view_z", inputs, direction, [](glm::vec3 d) { return cube_view_z(d); });
     run("cube_plane", inputs, direction, [](glm::vec3 d) { return cube_plane(d); });
-    run(
-        "cube_point", inputs,
-        [](source& s) {
-            const glm::vec2 xy = s.coords();
-            return glm::vec4(xy, s.level(), float(s.below(6)));
-        },
-        [](glm::vec4 v) { return cube_point(v.w, glm::vec3(v)); });
+    run("cube_point", inputs, direction, [](glm::vec3 d) { return cube_point(float(cube_face(d)), d); });
     const auto cube_texel = [](source& s) {
         const int size = 1 << s.below(12);
         const int u = int(s.below(std::uint32_t(size) + 2)) - 1, v = int(s.below(std::uint32_t(size) + 2)) - 1;

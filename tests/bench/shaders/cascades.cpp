@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+//
+// From a world position to visibility: one directional light's map, and four cascades.
+#include "jobs.hpp"
+
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+namespace bench {
+
+namespace glsl = umbrage::glsl;
+
+job cascades() {
+    // World position x0, view depth x1.x.
+    const std::string lights = R"GLSL(
+layout(binding = 7) uniform lights {
+    mat4 one, rotation, scales, offsets, each[4];
+    vec4 scale[4], offset[4];
+    vec3 ends;
+};
+layout(binding = 3) uniform sampler2DArray maps;
+)GLSL";
+    const std::string number = "umbrage_cascade_by_depth(x1.x, ends)";
+    const std::string rotated = "umbrage_shadow_coordinate(rotation, x0.xyz).xyz";
+    const auto look_up = [&](std::string name, const std::string& type, const std::string& coordinate,
+                             const std::string& where) {
+        return shader{"umbrage",
+                      std::move(name),
+                      lights,
+                      {glsl::shadow_coordinate, glsl::project_coordinate, glsl::cascade_by_depth, glsl::cascade_column,
+                       glsl::cascade_coordinate, glsl::cascade_by_projection, glsl::cascade_tile, glsl::pcf_2x2,
+                       bind(glsl::pcf_2x2, "layer", {.texture = glsl::texture::array}),
+                       bind(glsl::pcf_2x2, "tile", {.texture = glsl::texture::atlas})},
+                      "vec4(0.0); " + type + " at = " + coordinate + "; result = vec4(umbrage_pcf_2x2" + where +
+                          ", map_size, at.xy, at.z))"};
+    };
+    const auto by_depth = [&](const std::string& scale, const std::string& offset) {
+        return "umbrage_cascade_coordinate(" + rotated + ", " + scale + ", " + offset + ")";
+    };
+    const std::string indexed = by_depth("scale[int(" + number + ")]", "offset[int(" + number + ")]");
+    return {"2x2 PCF, from world to visibility",
+            {look_up("one map", "vec3", "umbrage_project_coordinate(umbrage_shadow_coordinate(one, x0.xyz))", "(map"),
+             look_up("one map, without the division", "vec3", "umbrage_shadow_coordinate(one, x0.xyz).xyz", "(map"),
+             look_up("cascades by depth, a matrix each", "vec3",
+                     "umbrage_shadow_coordinate(each[int(" + number + ")], x0.xyz).xyz", "_layer(maps, " + number),
+             look_up("cascades by depth", "vec3", indexed, "_layer(maps, " + number),
+             look_up("cascades by depth, in an atlas", "vec3", indexed,
+                     "_tile(map, umbrage_cascade_tile(" + number + ", map_size.x)"),
+             look_up("cascades by depth, without an index", "vec3",
+                     by_depth("umbrage_cascade_column(scales, " + number + ")",
+                              "umbrage_cascade_column(offsets, " + number + ")"),
+                     "_layer(maps, " + number),
+             look_up("cascades by projection", "vec4",
+                     "umbrage_cascade_by_projection(" + rotated + ", scales, offsets, map_size, 1.5)",
+                     "_layer(maps, at.w")}};
+}
+
+}  // namespace bench
