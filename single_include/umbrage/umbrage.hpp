@@ -5910,7 +5910,8 @@ template <real T>
 /// The cascade that a pixel looks its shadow up in.
 /// @param number      of the cascade;   weight  of the next one, in steps of 1/256
 /// @param threshold   dither_threshold
-/// @return            number, or the next one where weight is above threshold
+/// @return            number, or the next one where weight is above threshold: after the last cascade one that is not
+///                    there, where all is lit
 /// @exactness         A
 template <real T>
 [[nodiscard]] constexpr T dithered_cascade(T number, T weight, T threshold) {
@@ -6434,7 +6435,8 @@ template <real T>
 /// @param scales, offsets  of four cascades, as cascade_coordinate takes them; see make_cascade_uniforms for fewer
 /// @param size             of each map, in texels;   reach  of the filter, in texels
 /// @return                 (x, y) in texels, depth, number; (65536, 65536, 0, 4), which every filter takes as lit,
-///                         where none holds it
+///                         where none holds it: shaders read a texel all the same, so that the layer must be one that
+///                         is there, min(number, 3)
 /// @exactness              B
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> cascade_by_projection(glm::vec<3, T> light, const glm::mat<4, 4, T>& scales,

@@ -46,14 +46,14 @@ layout(binding = 3) uniform sampler2DArray maps;
                      "umbrage_shadow_coordinate(each[int(" + number + ")], x0.xyz).xyz", "_layer(maps, " + number),
              look_up("cascades by depth", "vec3", indexed, "_layer(maps, " + number),
              look_up("cascades by depth, in an atlas", "vec3", indexed,
-                     "_tile(map, umbrage_cascade_tile(" + number + ", map_size.x)"),
+                     "_tile(map, umbrage_cascade_tile(" + number + ", map_size.x * 0.5)"),
              look_up("cascades by depth, without an index", "vec3",
                      by_depth("umbrage_cascade_column(scales, " + number + ")",
                               "umbrage_cascade_column(offsets, " + number + ")"),
                      "_layer(maps, " + number),
              look_up("cascades by projection", "vec4",
                      "umbrage_cascade_by_projection(" + rotated + ", scales, offsets, map_size, 1.5)",
-                     "_layer(maps, at.w")}};
+                     "_layer(maps, min(at.w, 3.0)")}};
 }
 
 }  // namespace bench

@@ -56,16 +56,18 @@ protected:
         throw std::runtime_error("no memory of the kind needed");
     }
 
-    /// An image in the general layout; with texels, filled with them. Views and images are never destroyed.
+    /// An image in the general layout, an array's of four layers; with texels, its first is filled with them. Views and
+    /// images are never destroyed.
     VkImageView image(VkFormat format, std::uint32_t width, std::uint32_t height, VkImageUsageFlags usage, bool noise,
                       VkImageViewType type = VK_IMAGE_VIEW_TYPE_2D) {
+        const std::uint32_t layers = type == VK_IMAGE_VIEW_TYPE_2D ? 1 : 4;
         const VkImage handle = make<VkImage>(device_, vkCreateImage,
                                              VkImageCreateInfo{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
                                                                .imageType = VK_IMAGE_TYPE_2D,
                                                                .format = format,
                                                                .extent = {width, height, 1},
                                                                .mipLevels = 1,
-                                                               .arrayLayers = 1,
+                                                               .arrayLayers = layers,
                                                                .samples = VK_SAMPLE_COUNT_1_BIT,
                                                                .tiling = VK_IMAGE_TILING_OPTIMAL,
                                                                .usage = usage | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
@@ -100,7 +102,7 @@ protected:
                                              .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                                              .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
                                              .image = handle,
-                                             .subresourceRange = {aspect, 0, 1, 0, 1}};
+                                             .subresourceRange = {aspect, 0, 1, 0, layers}};
             vkCmdPipelineBarrier(commands_, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0,
                                  nullptr, 0, nullptr, 1, &ready);
             const VkBufferImageCopy whole{.imageSubresource = {aspect, 0, 0, 1}, .imageExtent = {width, height, 1}};
@@ -113,7 +115,7 @@ protected:
                                                        .image = handle,
                                                        .viewType = type,
                                                        .format = format,
-                                                       .subresourceRange = {aspect, 0, 1, 0, 1}});
+                                                       .subresourceRange = {aspect, 0, 1, 0, layers}});
     }
 
     /// The one set of a pool of its own.

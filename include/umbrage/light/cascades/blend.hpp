@@ -83,7 +83,8 @@ template <real T>
 /// The cascade that a pixel looks its shadow up in.
 /// @param number      of the cascade;   weight  of the next one, in steps of 1/256
 /// @param threshold   dither_threshold
-/// @return            number, or the next one where weight is above threshold
+/// @return            number, or the next one where weight is above threshold: after the last cascade one that is not
+///                    there, where all is lit
 /// @exactness         A
 template <real T>
 [[nodiscard]] constexpr T dithered_cascade(T number, T weight, T threshold) {

@@ -69,7 +69,8 @@ template <real T>
 /// @param scales, offsets  of four cascades, as cascade_coordinate takes them; see make_cascade_uniforms for fewer
 /// @param size             of each map, in texels;   reach  of the filter, in texels
 /// @return                 (x, y) in texels, depth, number; (65536, 65536, 0, 4), which every filter takes as lit,
-///                         where none holds it
+///                         where none holds it: shaders read a texel all the same, so that the layer must be one that
+///                         is there, min(number, 3)
 /// @exactness              B
 template <real T>
 [[nodiscard]] constexpr glm::vec<4, T> cascade_by_projection(glm::vec<3, T> light, const glm::mat<4, 4, T>& scales,
