@@ -60,6 +60,13 @@ struct digest {
     }
 };
 
+// What is passed on as it is: a denormal that counted as zero may be there still.
+inline float passed_on(float v) {
+    const auto bits = std::bit_cast<std::uint32_t>(v);
+    return from_bits((bits & 0x7F800000u) == 0 ? bits & 0x80000000u : bits);
+}
+inline glm::vec3 passed_on(glm::vec3 v) { return {passed_on(v.x), passed_on(v.y), passed_on(v.z)}; }
+
 enum class kind { ordinary, not_a_number, denormal };
 
 struct source {

@@ -147,9 +147,9 @@ void suite::all() const {
         return glm::vec3(xy, s.level());
     };
     run("cube_face", inputs, direction, [](glm::vec3 d) { return float(cube_face(d)); });
-    run("cube_view_z", inputs, direction, [](glm::vec3 d) { return cube_view_z(d); });
-    run("cube_plane", inputs, direction, [](glm::vec3 d) { return cube_plane(d); });
-    run("cube_point", inputs, direction, [](glm::vec3 d) { return cube_point(float(cube_face(d)), d); });
+    run("cube_view_z", inputs, direction, [](glm::vec3 d) { return passed_on(cube_view_z(d)); });
+    run("cube_plane", inputs, direction, [](glm::vec3 d) { return passed_on(cube_plane(d)); });
+    run("cube_point", inputs, direction, [](glm::vec3 d) { return passed_on(cube_point(float(cube_face(d)), d)); });
     const auto cube_texel = [](source& s) {
         const int size = 1 << s.below(12);
         const int u = int(s.below(std::uint32_t(size) + 2)) - 1, v = int(s.below(std::uint32_t(size) + 2)) - 1;
