@@ -19,6 +19,7 @@
 #include <umbrage/clip_space.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/mesh.hpp>
+#include <umbrage/light/bounds.hpp>
 
 #include "scene.hpp"
 
@@ -42,13 +43,16 @@ struct camera_setup {
 struct camera {
     glm::vec3 position;
     glm::mat4 world_to_clip;
+    umbrage::frustum<double> frustum;  ///< what it sees
 };
 
 [[nodiscard]] inline camera make_camera(const camera_setup& s) {
-    const glm::vec3 position = s.target + s.distance * direction_at(s.azimuth, s.elevation);
+    const glm::vec3 back = direction_at(s.azimuth, s.elevation), position = s.target + s.distance * back;
     const glm::vec3 up = direction_at(s.azimuth, s.elevation + 90);  // never parallel to the line of sight
+    const float z_near = 0.1f, z_far = 200.0f, tangent = std::tan(glm::radians(s.fov) / 2);
     return {position,
-            glm::perspectiveRH_ZO(glm::radians(s.fov), s.aspect, 0.1f, 200.0f) * glm::lookAtRH(position, s.target, up)};
+            glm::perspectiveRH_ZO(glm::radians(s.fov), s.aspect, z_near, z_far) * glm::lookAtRH(position, s.target, up),
+            {position, -back, up, tangent * s.aspect, tangent, z_near, z_far}};
 }
 
 [[nodiscard]] inline umbrage::mesh_view view_of(const mesh& m) { return {m.positions, m.triangles}; }

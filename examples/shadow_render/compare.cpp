@@ -29,13 +29,6 @@
 namespace shadow_render {
 namespace {
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-    std::array<char, 200> out{};
-    std::snprintf(out.data(), out.size(), format, values...);
-    return out.data();
-}
-
 /// What snippets cost on RDNA2, from the table that `make bench-shaders` writes; empty without one.
 std::map<std::string, std::string> costs(const options& o) {
     const std::filesystem::path made = "build/bench-shaders/shaders.tsv";
@@ -122,8 +115,7 @@ void compare(const options& o, const view& v, const example::shadow_map& map, ex
     const auto& names = example::filter_names();
     const by_rays expected = progress.stage("rays", [&] { return traced(o, v, progress); });
     const std::vector<std::string> title{
-        text("%s: every filter over one map of %d x %d texels, %s, bias %s",
-             o.mesh.empty() ? "Built-in scene" : std::filesystem::path(o.mesh).filename().string().c_str(), o.map_size,
+        text("%s: every filter over one map of %d x %d texels, %s, bias %s", title_of(o).c_str(), o.map_size,
              o.map_size, o.encoding.c_str(), o.bias.c_str()),
         text("RMS error of visibility against rays to a disc of light %g across, %g away; boxes and discs of radius %g",
              double(o.light_size), double(o.distance), double(o.radius)),

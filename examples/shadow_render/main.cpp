@@ -24,6 +24,7 @@
 
 #include "compare.hpp"
 #include "filter.hpp"
+#include "light_report.hpp"
 #include "options.hpp"
 #include "pictures.hpp"
 #include "receivers.hpp"
@@ -79,6 +80,7 @@ void run(const options& o) {
     std::filesystem::create_directories(o.output, error);
     if (!std::filesystem::is_directory(o.output))
         throw std::runtime_error("cannot make the folder " + o.output.string());
+    if (o.light_report) return light_report(o, scene);
     render(o, scene);
     if (!o.quiet && !o.compare)
         std::printf("%zu triangles, %d x %d texels of %s: picture.png, map.png, depth.png and visibility.png in %s\n",

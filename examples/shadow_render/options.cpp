@@ -44,7 +44,8 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     using example::within;
     options o;
     CLI::App app{
-        "Renders a mesh with a shadow map: picture.png, map.png, depth.png and visibility.png; or compares filters.",
+        "Renders a mesh with a shadow map: picture.png, map.png, depth.png and visibility.png; or compares filters "
+        "or set-ups of the light.",
         "shadow_render"};
     app.option_defaults()->always_capture_default();
 
@@ -84,13 +85,18 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.add_option("--fov", o.fov, "vertical field of view, degrees")->check(within(1, 120));
 
     group("Comparison");
-    app.add_flag("--compare", o.compare,
-                 "every filter against rays to an area light: compare.png alone, a contact sheet; "
-                 "pictures of 480 x 320 without --width and --height");
+    CLI::Option* compare =
+        app.add_flag("--compare", o.compare,
+                     "every filter against rays to an area light: compare.png alone, a contact sheet; "
+                     "pictures of 480 x 320 without --width and --height");
     app.add_option("--light-size", o.light_size, "diameter of that light, world units")->check(within(0, 4));
     app.add_option("--shaders", o.shaders,
                    "shaders.tsv of make bench-shaders, for what filters cost on RDNA2; without it "
                    "the one in build/bench-shaders, if any");
+    app.add_flag("--light-report", o.light_report,
+                 "pixels a texel of every set-up of the light, spots and directional: light-report.png alone, a "
+                 "contact sheet, and a table")
+        ->excludes(compare);
 
     group("Run");
     app.add_flag("-q,--quiet", o.quiet, "no progress, no timings");
@@ -102,6 +108,8 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     if (!example::parse(app, argc, argv)) return std::nullopt;
     if (o.compare && app.count("--width") == 0) o.width = 480;
     if (o.compare && app.count("--height") == 0) o.height = 320;
+    if (o.light_report && o.map_size < 16)
+        throw example::usage_error("--light-report needs a --map-size of 16 or above");
     if (1.0 * o.width * o.height * o.samples * o.samples > 64e6 || std::max(o.width, o.height) * o.samples > 16384)
         throw example::usage_error("too large a picture: at most 64 million samples, 16384 along an edge");
     return o;

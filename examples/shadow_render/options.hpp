@@ -39,8 +39,15 @@ struct options {
     float light_size = 0.4f;          ///< diameter of the area light that filters are compared with
     std::filesystem::path shaders{};  ///< shaders.tsv of `make bench-shaders`
 
+    bool light_report = false;
+
     bool quiet = false;
 };
+
+/// What the scene is called.
+[[nodiscard]] inline std::string title_of(const options& o) {
+    return o.mesh.empty() ? "Built-in scene" : std::filesystem::path(o.mesh).filename().string();
+}
 
 /// Reads the command line; nothing when only help was asked for.
 /// @throws example::usage_error  impossible options, in one line

@@ -18,23 +18,24 @@ int height_of(std::size_t lines) { return static_cast<int>(lines) * line + 2 * m
 }  // namespace
 
 glm::ivec2 sheet::part(glm::ivec2 size) { return glm::max(glm::ivec2(size.y / (2 * zoom), size.y / zoom), 1); }
-glm::ivec2 sheet::cell(glm::ivec2 size) { return {size.x + part(size).x * zoom, size.y + height_of(lines)}; }
 
-sheet::sheet(glm::ivec2 size, int pictures, const std::vector<std::string>& title, glm::ivec2 centre)
+sheet::sheet(glm::ivec2 size, int pictures, const std::vector<std::string>& title, std::optional<glm::ivec2> centre)
     : size_(size),
-      first_(glm::clamp(centre - part(size) / 2, glm::ivec2(0), size - part(size))),
+      part_(centre ? part(size) : glm::ivec2(0)),
+      first_(glm::clamp(centre.value_or(part_) - part_ / 2, glm::ivec2(0), size - part_)),
+      cell_(size.x + part_.x * zoom, size.y + height_of(lines)),
       top_(height_of(title.size())),
-      pixels_(glm::ivec2(columns, (pictures + columns - 1) / columns) * cell(size) + glm::ivec2(0, top_), paper) {
+      pixels_(glm::ivec2(columns, (pictures + columns - 1) / columns) * cell_ + glm::ivec2(0, top_), paper) {
     write(title, glm::ivec2(margin));
 }
 
 void sheet::add(const picture& p, const std::vector<std::string>& text) {
-    const glm::ivec2 at = glm::ivec2(next_ % columns, next_ / columns) * cell(size_) + glm::ivec2(0, top_);
+    const glm::ivec2 at = glm::ivec2(next_ % columns, next_ / columns) * cell_ + glm::ivec2(0, top_);
     ++next_;
     for (int y = 0; y < size_.y; ++y) {
         std::copy_n(p.view().row(y), size_.x, pixels_.view().row(at.y + y) + at.x);
-        for (int x = 0; x < part(size_).x * zoom; ++x)
-            pixels_[at + glm::ivec2(size_.x + x, y)] = p[first_ + glm::min(glm::ivec2(x, y) / zoom, part(size_) - 1)];
+        for (int x = 0; x < part_.x * zoom; ++x)
+            pixels_[at + glm::ivec2(size_.x + x, y)] = p[first_ + glm::min(glm::ivec2(x, y) / zoom, part_ - 1)];
     }
     write(text, at + glm::ivec2(margin, size_.y + margin));
 }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// A contact sheet: pictures in rows, a magnified part beside each and text below it.
+// A contact sheet: pictures in rows, with or without a magnified part beside each, and text below it.
 //
 //     sheet page({480, 320}, 20, {"Every filter", "over one map"}, {200, 120});
 //     page.add(picture, {"box", "RMS error 3.1 %"});
 //
 #pragma once
 
+#include <array>
+#include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,26 +21,34 @@ namespace shadow_render {
 
 using picture = umbrage::image<glm::u8vec3>;
 
+/// printf into a string of less than 200 letters.
+template <class... Values>
+[[nodiscard]] std::string text(const char* format, Values... values) {
+    std::array<char, 200> out{};
+    std::snprintf(out.data(), out.size(), format, values...);
+    return out.data();
+}
+
 class sheet {
 public:
     static constexpr int columns = 4, lines = 3;  ///< of text below a picture
 
     /// @param size      of each picture
-    /// @param centre    of what is magnified, pixels of a picture
-    sheet(glm::ivec2 size, int pictures, const std::vector<std::string>& title, glm::ivec2 centre);
+    /// @param centre    of what is magnified, pixels of a picture; without one nothing is
+    sheet(glm::ivec2 size, int pictures, const std::vector<std::string>& title, std::optional<glm::ivec2> centre = {});
 
     void add(const picture& p, const std::vector<std::string>& text);
 
     [[nodiscard]] const picture& pixels() const { return pixels_; }
 
-    /// Size of a picture with all that belongs to it, and of the part that is magnified.
-    [[nodiscard]] static glm::ivec2 cell(glm::ivec2 size);
+    /// Size of the part that is magnified.
     [[nodiscard]] static glm::ivec2 part(glm::ivec2 size);
 
 private:
     void write(const std::vector<std::string>& text, glm::ivec2 at);
 
-    glm::ivec2 size_, first_;  ///< of the part that is magnified
+    glm::ivec2 size_, part_, first_;  ///< of the part that is magnified
+    glm::ivec2 cell_;                 ///< a picture with all that belongs to it
     int top_, next_ = 0;
     picture pixels_;
 };

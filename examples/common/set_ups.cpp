@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "set_ups.hpp"
+
+#include <cstddef>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <umbrage/images/depth_span.hpp>
+#include <umbrage/images/rasterize.hpp>
+#include <umbrage/light/cascades/cascades.hpp>
+#include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/cascades/splits.hpp>
+#include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/spot_fit.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+#include "surface.hpp"
+
+namespace example {
+namespace {
+
+using frustum = umbrage::frustum<double>;
+
+umbrage::bounding_box<double> whole(const scene& s) { return {s.low, s.high}; }
+umbrage::polyhedron seen(const lit_view& v, const frustum& range) { return intersection(range, whole(v.scene)); }
+
+placed_maps directional(const lit_view& v, const umbrage::hull& receivers, glm::dvec3 up, int snap_texels = 0) {
+    const glm::ivec2 size(v.map_size);
+    const auto space = umbrage::fit_directional_light<double>({.direction = v.light.direction,
+                                                               .up = up,
+                                                               .receivers = receivers,
+                                                               .casters = whole(v.scene),
+                                                               .snap_texels = snap_texels});
+    return {size, {-v.light.direction, 0}, {umbrage::texture_matrix(space, size)}};
+}
+
+placed_maps spot(const lit_view& v, const umbrage::polyhedron& receivers) {
+    const glm::ivec2 size(v.map_size);
+    const auto space = umbrage::fit_spot_light<double>({.position = v.light.position,
+                                                        .direction = v.light.direction,
+                                                        .up = v.light.up,
+                                                        .outer_angle_radians = v.light.outer_angle_radians,
+                                                        .receivers = receivers,
+                                                        .casters = whole(v.scene)});
+    return {size, {v.light.position, 1}, {umbrage::texture_matrix(space, size)}};
+}
+
+placed_maps cascades(const lit_view& v, const frustum& range, double lambda, bool stable) {
+    const umbrage::cascade_fit<double> fit{.camera = range,
+                                           .direction = v.light.direction,
+                                           .up = stable ? v.light.up : range.direction,
+                                           .scene = whole(v.scene),
+                                           .map_size = v.map_size / 2};
+    const auto splits = umbrage::practical_splits<4>(range.z_near, range.z_far, lambda);
+    placed_maps maps{glm::ivec2(fit.map_size), {-fit.direction, 0}, {}, {splits[1], splits[2], splits[3]}};
+    const auto all =
+        stable ? umbrage::make_stable_cascades<4>(fit, splits) : umbrage::make_tight_cascades<4>(fit, splits);
+    for (const auto& c : all) maps.to_texels.push_back(umbrage::texture_matrix(c.light, maps.size));
+    return maps;
+}
+
+std::vector<set_up> all_set_ups() {
+    std::vector<set_up> all{
+        {"whole scene", [](const lit_view& v) { return directional(v, whole(v.scene), v.light.up); }},
+        {"spot", [](const lit_view& v) { return spot(v, whole(v.scene)); }},
+        {"spot, tight", [](const lit_view& v) { return spot(v, seen(v, v.planes)); }}};
+    for (const auto& [range, where] : {std::pair(&lit_view::planes, ""), {&lit_view::depths, ", measured"}}) {
+        const auto add = [&all, where = where](const std::string& name, auto place) {
+            all.push_back({name + where, place});
+        };
+        add("tight",
+            [=, range = range](const lit_view& v) { return directional(v, seen(v, v.*range), v.planes.direction); });
+        add("sphere", [=, range = range](const lit_view& v) {
+            return directional(v, umbrage::sphere_around(v.*range), v.light.up, v.map_size);
+        });
+        for (const bool stable : {true, false})
+            for (const auto& [name, lambda] : {std::pair("uniform", 0.0), {"practical", 0.9}, {"logarithmic", 1.0}})
+                add(std::string("4 ") + name + (stable ? " spheres" : " tight"),
+                    [=, range = range, lambda = lambda](const lit_view& v) {
+                        return cascades(v, v.*range, lambda, stable);
+                    });
+    }
+    return all;
+}
+
+}  // namespace
+
+lit_view make_lit_view(const scene& s, const camera& c, glm::ivec2 size, const placed_light& light, int map_size) {
+    const float cleared = umbrage::cleared_depth(picture_clip);
+    umbrage::image<float> depth(size, cleared);
+    umbrage::rasterize_depth(depth, view_of(s.geometry), c.world_to_clip, picture_clip, umbrage::cull_mode::none);
+    const glm::dvec2 range = umbrage::seen_range(umbrage::measure_depths(std::as_const(depth).view(), cleared),
+                                                 c.frustum.z_near, c.frustum.z_far, picture_clip.direction);
+    lit_view v{s, c, light, map_size, camera_pass(s.geometry, c, size), c.frustum, c.frustum};
+    v.depths.z_near = range.x, v.depths.z_far = range.y;
+    return v;
+}
+
+const std::vector<set_up>& set_ups() {
+    static const std::vector<set_up> all = all_set_ups();
+    return all;
+}
+
+umbrage::quality_report measure(const set_up& s, const lit_view& v, int step, umbrage::image_view<float> extents) {
+    const placed_maps maps = s.place(v);
+    const glm::ivec2 screen = v.seen.size();
+    const glm::dmat4 to_pixels =
+        umbrage::texture_matrix<double>({glm::dmat4(1), glm::dmat4(v.camera.world_to_clip), picture_clip}, screen);
+    return umbrage::measure_quality(
+        {.screen = screen, .map_size = maps.size, .maps = static_cast<int>(maps.to_texels.size()), .step = step},
+        [&](glm::ivec2 pixel) {
+            if (v.seen[pixel] == nothing) return glm::dmat2(0);
+            const surface at = surface_at(v.scene, v.camera, v.seen, pixel);
+            const glm::dvec3 p(at.position), normal(at.face_normal);
+            if (!(glm::dot(normal, glm::dvec3(maps.light) - p * maps.light.w) > 0)) return glm::dmat2(0);
+            const double depth = glm::dot(p - v.planes.position, v.planes.direction);
+            const glm::dmat4& to_texels =
+                maps.to_texels[static_cast<std::size_t>(umbrage::cascade_by_depth(depth, maps.ends))];
+            const glm::dvec2 texel(umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, p)));
+            const bool inside = glm::all(glm::greaterThanEqual(texel, glm::dvec2(0))) &&
+                                glm::all(glm::lessThan(texel, glm::dvec2(maps.size)));
+            return inside ? umbrage::pixels_per_texel(to_texels, to_pixels, p, normal) : glm::dmat2(0);
+        },
+        extents);
+}
+
+}  // namespace example

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+//
+// Every way that the library has of placing a light's maps, by name, and how good each is for a view.
+//
+//     const example::lit_view view = example::make_lit_view(scene, camera, size, light, 1024);
+//     for (const example::set_up& s : example::set_ups()) print(s.name, example::measure(s, view).mean);
+//
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <umbrage/images/quality.hpp>
+
+#include "camera.hpp"
+#include "scene.hpp"
+
+namespace example {
+
+/// Stands somewhere as a spot, and shines the same way from afar as a directional light.
+struct placed_light {
+    glm::dvec3 position, direction, up;
+    double outer_angle_radians;
+};
+
+/// What a camera sees in a light that has map_size^2 texels.
+struct lit_view {
+    const example::scene& scene;
+    const example::camera& camera;
+    placed_light light;
+    int map_size;
+    umbrage::image<std::uint32_t> seen;       ///< camera_pass
+    umbrage::frustum<double> planes, depths;  ///< the camera's, and between what depths it sees anything
+};
+[[nodiscard]] lit_view make_lit_view(const scene& s, const camera& c, glm::ivec2 size, const placed_light& light,
+                                     int map_size);
+
+/// A map, or cascades that meet at distances from the camera.
+struct placed_maps {
+    glm::ivec2 size;                                           ///< of each, texels
+    glm::dvec4 light;                                          ///< position and 1, or the way towards it and 0
+    std::vector<glm::dmat4> to_texels;                         ///< texture_matrix
+    glm::dvec3 ends{std::numeric_limits<double>::infinity()};  ///< see cascade_by_depth
+};
+
+struct set_up {
+    std::string name;
+    std::function<placed_maps(const lit_view&)> place;
+};
+[[nodiscard]] const std::vector<set_up>& set_ups();
+
+/// Over surfaces that face the light and lie in a map; see umbrage::measure_quality.
+[[nodiscard]] umbrage::quality_report measure(const set_up& s, const lit_view& v, int step,
+                                              umbrage::image_view<float> extents = {});
+
+}  // namespace example

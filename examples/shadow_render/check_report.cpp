@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include <set_ups.hpp>
+
+#include "check.hpp"
+
+using namespace shadow_render_check;
+using example::set_ups;
+
+TEST_CASE("shadow_render: the report has a row and a picture for every set-up") {
+    const result r = run("--light-report --width 96 --height 64 --map-size 64 --output " + quoted(folder / "report"));
+    REQUIRE_MESSAGE(r.code == 0, r.said);
+    const auto sheet = picture("report", "light-report.png");
+    constexpr int top = 88, width = 48, height = 120;  // of the title, of a cell
+    const int count = static_cast<int>(set_ups().size());
+    REQUIRE(sheet.size() == glm::ivec2(4 * width, top + (count + 3) / 4 * height));
+    for (int cell = 0; cell < count; ++cell) {
+        const std::string& name = set_ups()[static_cast<std::size_t>(cell)].name;
+        CAPTURE(name);
+        const std::size_t row = r.said.find("\n" + name + "  ");
+        REQUIRE(row != std::string::npos);
+        double mean = 0, p95 = 0, greatest = 0, storage = 0, pixels = 0;
+        std::istringstream(r.said.substr(row + 1 + name.size())) >> mean >> p95 >> greatest >> storage >> pixels;
+        CHECK(mean > 0);
+        CHECK(p95 > 0);
+        CHECK(std::max(mean, p95) < greatest);
+        CHECK(storage > 0);
+        CHECK(std::isfinite(greatest + storage));
+        CHECK(pixels > 800);
+        int coloured = 0;
+        for (glm::ivec2 p{0}; p.y < 32; ++p.y)
+            for (p.x = 0; p.x < width; ++p.x) {
+                const glm::u8vec4 c = sheet[glm::ivec2(cell % 4 * width, top + cell / 4 * height) + p];
+                coloured += c.r != c.g || c.g != c.b;
+            }
+        CHECK(coloured == pixels);
+    }
+    fails("--light-report --compare", 2, "--compare");
+    fails("--light-report --map-size 15", 2, "--map-size");
+}
+
+TEST_CASE("set_ups: one map and four from measured depths, on a kilometre of ground under suns all around") {
+    example::scene ground;
+    ground.low = {-600, 0, -1000}, ground.high = {600, 10, 200};
+    ground.geometry = {{{-600, 0, -1000}, {600, 0, -1000}, {600, 0, 200}, {-600, 0, 200}},
+                       std::vector(4, glm::vec3(0, 1, 0)),
+                       std::vector(4, glm::vec3(1)),
+                       {{0, 2, 1}, {0, 3, 2}}};
+    const glm::ivec2 screen(1280, 720);
+    const glm::vec3 eye(0, 2, 0), ahead(0, 0, -1), up(0, 1, 0);
+    const float fov = glm::radians(60.0f), tangent = std::tan(fov / 2), aspect = 1280.0f / 720;
+    const example::camera camera{
+        eye,
+        glm::perspectiveRH_ZO(fov, aspect, 0.5f, 1000.0f) * glm::lookAtRH(eye, ahead + eye, up),
+        {eye, ahead, up, tangent * aspect, tangent, 0.5, 1000}};
+    struct row {
+        float elevation, azimuth;
+        double p95, greatest, cascades_p95, cascades_greatest;
+    };
+    // of an implementation apart from this one, by finite differences
+    for (const row& r : {row{90, 180, 116, 143, 5.05, 5.51},
+                         {45, 90, 116, 143, 6.67, 7.17},
+                         {20, 90, 117, 144, 9.57, 10.2},
+                         {45, 0, 116, 143, 5.40, 6.49},
+                         {15, 0, 117, 145, 8.21, 11.0}}) {
+        CAPTURE(r.elevation);
+        const glm::dvec3 direction(-example::direction_at(r.azimuth, r.elevation));
+        const auto v = example::make_lit_view(ground, camera, screen, {{}, direction, ahead, 0.5}, 2048);
+        const auto of = [&](const char* name) {
+            const auto s = std::ranges::find(set_ups(), name, &example::set_up::name);
+            REQUIRE(s != set_ups().end());
+            return measure(*s, v, 4);
+        };
+        const auto one = of("tight"), four = of("4 logarithmic tight, measured");
+        CHECK(one.p95 == doctest::Approx(r.p95).epsilon(0.1));
+        CHECK(one.greatest == doctest::Approx(r.greatest).epsilon(0.1));
+        CHECK(four.p95 == doctest::Approx(r.cascades_p95).epsilon(0.1));
+        CHECK(four.greatest == doctest::Approx(r.cascades_greatest).epsilon(0.1));
+        CHECK(of("4 uniform tight, measured").p95 > 5 * four.p95);
+    }
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "light_report.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <umbrage/unorm.hpp>
+#include <umbrage/view/false_colour.hpp>
+
+#include <png.hpp>
+#include <progress.hpp>
+#include <set_ups.hpp>
+#include <surface.hpp>
+
+#include "light.hpp"
+#include "sheet.hpp"
+#include "view.hpp"
+
+namespace shadow_render {
+namespace {
+
+constexpr int step = 2;  ///< from one measured pixel to the next
+
+/// From an eighth of a pixel to eight, grey where nothing was measured; darker on surfaces that turn away.
+picture false_colours(const example::lit_view& v, const umbrage::image<float>& extents) {
+    picture out(extents.size(), glm::u8vec3(0));
+    for (glm::ivec2 p{0}; p.y < out.size().y; ++p.y)
+        for (p.x = 0; p.x < out.size().x; ++p.x) {
+            if (v.seen[p * step] == example::nothing) continue;
+            const example::surface at = surface_at(v.scene, v.camera, v.seen, p * step);
+            const float shade = 0.6f + 0.4f * glm::dot(at.face_normal, glm::normalize(v.camera.position - at.position));
+            const float level = 0.5f + std::log2(extents[p]) / 6;
+            out[p] = umbrage::store_unorm8(shade * (extents[p] > 0 ? umbrage::false_colour(level) : glm::vec3(0.2f)));
+        }
+    return out;
+}
+
+}  // namespace
+
+void light_report(const options& o, const example::scene& scene) {
+    const auto& set_ups = example::set_ups();
+    example::progress progress(set_ups.size() + 2, o.quiet);
+    const light lamp = make_light(o, scene);
+    const example::camera camera = make_camera(o, scene);
+    const auto view = progress.stage("camera pass", [&] {
+        return example::make_lit_view(scene, camera, {o.width, o.height},
+                                      {lamp.position, lamp.direction,
+                                       example::direction_at(o.azimuth, o.elevation + 90), glm::radians(o.cone / 2.0)},
+                                      o.map_size);
+    });
+    const std::vector<std::string> title{
+        text("%s: pixels that a texel's longer axis covers, over %d x %d pixels; one map of %d x %d texels, or four of "
+             "%d x %d",
+             title_of(o).c_str(), o.width, o.height, o.map_size, o.map_size, o.map_size / 2, o.map_size / 2),
+        text("Surfaces that face the light and lie in a map; the camera sees something from %.3g to %.3g",
+             view.depths.z_near, view.depths.z_far),
+        "Dark blue: 1/8 of a pixel or less; green: 1; dark red: 8 or more; grey: not measured"};
+    const glm::ivec2 size = (view.seen.size() - 1) / step + 1;
+    sheet page(size, static_cast<int>(set_ups.size()), title);
+    if (!o.quiet)
+        std::printf("%s\n%s\n\n%-32s %9s %9s %9s %11s %8s\n", title[0].c_str(), title[1].c_str(), "set-up", "mean",
+                    "p95", "greatest", "storage", "pixels");
+    for (const example::set_up& s : set_ups)
+        progress.stage(s.name, [&] {
+            umbrage::image<float> extents(size);
+            const umbrage::quality_report r = example::measure(s, view, step, extents.view());
+            page.add(false_colours(view, extents), {s.name, text("mean %.3g, p95 %.3g", r.mean, r.p95),
+                                                    text("greatest %.3g, storage %.3g", r.greatest, r.storage_factor)});
+            if (!o.quiet)
+                std::printf("%-32s %9.3f %9.3f %9.2f %11.3g %8zu\n", s.name.c_str(), r.mean, r.p95, r.greatest,
+                            r.storage_factor, r.measured);
+        });
+    progress.stage("write", [&] { example::write_png(o.output / "light-report.png", page.pixels().view()); });
+}
+
+}  // namespace shadow_render
