@@ -13,18 +13,24 @@
 namespace shadow_render {
 namespace {
 
-/// A filter over stored depths that a receiver's plane moves.
+using any_fetch = std::function<float(glm::ivec2)>;
+using any_filter = std::function<float(const any_fetch&, glm::vec2, float, glm::ivec2)>;
+
 template <class Filter>
+any_filter erased(const Filter& filter) {
+    return [&filter](const any_fetch& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel) {
+        if constexpr (requires { filter(fetch, coord, receiver, pixel); }) return filter(fetch, coord, receiver, pixel);
+        else return filter(fetch, coord, receiver);
+    };
+}
+
+/// A filter over stored depths that a receiver's plane moves; compiled once for all filters.
 struct on_planes {
-    const Filter& filter;
+    any_filter filter;
     const umbrage::image<glm::vec2>& slope;
 
-    float operator()(const std::function<float(glm::ivec2)>& fetch, glm::vec2 coord, float receiver,
-                     glm::ivec2 pixel = {}) const {
-        const std::function<float(glm::ivec2)> moved =
-            umbrage::on_receiver_plane(std::cref(fetch), slope[pixel], coord);
-        if constexpr (requires { filter(moved, coord, receiver, pixel); }) return filter(moved, coord, receiver, pixel);
-        else return filter(moved, coord, receiver);
+    float operator()(const any_fetch& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
+        return filter(umbrage::on_receiver_plane(std::cref(fetch), slope[pixel], coord), coord, receiver, pixel);
     }
 };
 
@@ -42,7 +48,7 @@ umbrage::image<float> visibility_of(const options& o, const umbrage::image<float
         umbrage::image<float> projected(map.size());
         std::ranges::transform(map.texels(), projected.texels().begin(),
                                [&](float depth) { return lamp.projected_depth(depth); });
-        filter_by(projected, on_planes<std::remove_cvref_t<decltype(filter)>>{filter, receivers.slope});
+        filter_by(projected, on_planes{erased(filter), receivers.slope});
     });
     return visibility;
 }
