@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Command lines: checks that CLI11's own let through, and one way to end.
+// Command lines: checks that CLI11's own let through.
 //
 //     app.add_option("--fov", options.fov)->check(example::within(1, 120));
-//     int main(int argc, char** argv) { return example::run("name", [&] { ... }); }
 //
 #pragma once
 
-#include <exception>
 #include <iostream>
-#include <stdexcept>
 #include <sstream>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
-namespace example {
+#include "run.hpp"
 
-/// Thrown for options that cannot be met: ends the program with 2, everything else thrown with 1.
-struct usage_error : std::runtime_error {
-    using runtime_error::runtime_error;
-};
+namespace example {
 
 /// low <= value <= high; CLI::Range takes NaN for a number.
 inline CLI::Validator within(double low, double high) {
@@ -58,21 +52,6 @@ inline bool parse(CLI::App& app, int argc, const char* const* argv) {
         throw usage_error(std::string(error.what()) + " (--help lists the options)");
     }
     return true;
-}
-
-/// Runs the program; what it throws becomes one line and an exit code: 2 for options, 1 for the rest.
-template <class Program>
-int run(const char* name, Program&& program) {
-    try {
-        program();
-        return 0;
-    } catch (const usage_error& error) {
-        std::cerr << name << ": " << error.what() << '\n';
-        return 2;
-    } catch (const std::exception& error) {
-        std::cerr << name << ": " << error.what() << '\n';
-        return 1;
-    }
 }
 
 }  // namespace example

@@ -16,9 +16,9 @@
 
 #include <biases.hpp>
 #include <camera.hpp>
-#include <command_line.hpp>
 #include <names.hpp>
 #include <progress.hpp>
+#include <run.hpp>
 #include <scene.hpp>
 #include <shadow_map.hpp>
 
