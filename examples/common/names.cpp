@@ -47,6 +47,12 @@ std::string_view snippet_of(std::string_view filter) {
     return name;
 }
 
-bool moves_stored_depths(std::string_view bias) { return bias == biases::receiver_plane::name; }
+bool moves_stored_depths(std::string_view bias) {
+    bool moves = false;
+    with_bias(bias, [&](const auto& b) {
+        moves = requires { b.moves_stored_depths; };
+    });
+    return moves;
+}
 
 }  // namespace example

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Pictures to files. Row 0 of an image becomes the top of the picture; bytes are written as they are.
+// Pictures to files and back. Row 0 of an image becomes the top of the picture; bytes are written as they are.
 //
 //     example::write_png("out/picture.png", picture);
+//     const umbrage::image<glm::u8vec3> same = example::read_png<glm::u8vec3>("out/picture.png");
 //
 #pragma once
 
@@ -21,5 +22,12 @@ namespace example {
 void write_png(const std::filesystem::path& path, umbrage::image_view<const std::uint8_t> grey);
 void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec3> rgb);
 void write_png(const std::filesystem::path& path, umbrage::image_view<const glm::u8vec4> rgba);
+
+/// @tparam Texel  glm::u8vec3, or glm::u8vec4 with 255 where the file has no opacity
+/// @throws std::runtime_error  there is no such picture
+template <class Texel>
+[[nodiscard]] umbrage::image<Texel> read_png(const std::filesystem::path& path);
+extern template umbrage::image<glm::u8vec3> read_png(const std::filesystem::path&);
+extern template umbrage::image<glm::u8vec4> read_png(const std::filesystem::path&);
 
 }  // namespace example

@@ -4,26 +4,17 @@
 //
 //     gallery --output build/gallery/index.html
 //
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include <command_line.hpp>
+#include <processor.hpp>
 
 #include "sections.hpp"
 
 namespace gallery {
 namespace {
-
-/// "AMD EPYC", where the system tells.
-std::string processor() {
-    std::ifstream in("/proc/cpuinfo");
-    for (std::string line; std::getline(in, line);)
-        if (line.starts_with("model name")) return line.substr(std::min(line.size(), line.find(':') + 2));
-    return "an unnamed processor";
-}
 
 void run(const settings& o) {
     std::filesystem::path folder = o.output;  // for pictures on their way into the page
@@ -34,7 +25,7 @@ void run(const settings& o) {
     add_encodings(page, o, folder);
     add_biases(page, o, folder);
     add_filters(page, o, folder);
-    page.write(o.output, "Times are of one run on one thread of " + processor() + " unless said otherwise.");
+    page.write(o.output, "Times are of one run on one thread of " + example::processor() + " unless said otherwise.");
     std::filesystem::remove_all(folder);
     std::printf("%s, %.1f MB\n", o.output.string().c_str(), double(std::filesystem::file_size(o.output)) / 1e6);
 }

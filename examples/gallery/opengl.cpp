@@ -1,33 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "opengl.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <fstream>
-#include <memory>
 #include <utility>
 
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#include <stb/stb_image.h>
+#include <png.hpp>
 
 namespace gallery {
-namespace {
-
-std::optional<umbrage::image<glm::u8vec3>> read_png(const std::filesystem::path& file) {
-    int width = 0, height = 0, channels = 0;
-    const std::unique_ptr<stbi_uc, void (*)(void*)> data(
-        stbi_load(file.string().c_str(), &width, &height, &channels, 3), stbi_image_free);
-    if (!data) return std::nullopt;
-    umbrage::image<glm::u8vec3> out({width, height});
-    for (std::size_t i = 0; i < out.texels().size(); ++i)
-        out.texels()[i] = {data.get()[3 * i], data.get()[3 * i + 1], data.get()[3 * i + 2]};
-    return out;
-}
-
-}  // namespace
 
 std::optional<opengl_pictures> run_viewer(const std::filesystem::path& viewer, std::string_view system, glm::ivec2 size,
                                           const std::filesystem::path& folder) {
@@ -43,9 +24,9 @@ std::optional<opengl_pictures> run_viewer(const std::filesystem::path& viewer, s
         return std::system(command.c_str()) == 0;
     };
     if (!run("--mask --no-map", out.mask) || !run("--frames 9", out.picture)) return std::nullopt;
-    auto visibility = read_png(out.mask);
-    if (!visibility || visibility->size() != size) return std::nullopt;
-    out.visibility = std::move(*visibility);
+    if (!std::filesystem::exists(out.mask)) return std::nullopt;
+    out.visibility = example::read_png<glm::u8vec3>(out.mask);
+    if (out.visibility.size() != size) return std::nullopt;
     std::ifstream in(said);
     for (std::string line; std::getline(in, line);)
         if (line.find(" ms a frame") != std::string::npos) out.frame = line;

@@ -8,17 +8,13 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
-#include <memory>
 #include <string>
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#include <stb/stb_image.h>
 
 #include <glm/gtc/type_precision.hpp>
 
 #include <umbrage/image.hpp>
+
+#include <png.hpp>
 
 namespace {
 
@@ -30,14 +26,7 @@ bool runs(const std::string& program, const std::string& arguments, int size = 1
 }
 
 umbrage::image<glm::u8vec3> picture(const std::string& program, const char* file) {
-    int width = 0, height = 0, channels = 0;
-    const std::unique_ptr<stbi_uc, void (*)(void*)> data(
-        stbi_load((folder / program / file).string().c_str(), &width, &height, &channels, 3), stbi_image_free);
-    REQUIRE_MESSAGE(data, file);
-    umbrage::image<glm::u8vec3> out({width, height});
-    for (std::size_t i = 0; i < out.texels().size(); ++i)
-        out.texels()[i] = {data.get()[3 * i], data.get()[3 * i + 1], data.get()[3 * i + 2]};
-    return out;
+    return example::read_png<glm::u8vec3>(folder / program / file);
 }
 
 /// Share of the pixels that `is` says yes to.

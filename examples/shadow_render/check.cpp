@@ -29,7 +29,7 @@ double dark(const umbrage::image<glm::u8vec4>& mask) {
 }  // namespace
 
 TEST_CASE("shadow_render: the built-in scene, from the camera that is the default") {
-    const result r = run(output("default") + small);
+    const example::finished r = run(output("default") + small);
     REQUIRE_MESSAGE(r.code == 0, r.said);
     CHECK(r.said.empty());
     const auto colours = picture("default", "picture.png"), mask = picture("default", "visibility.png");
@@ -47,7 +47,7 @@ TEST_CASE("shadow_render: the built-in scene, from the camera that is the defaul
 }
 
 TEST_CASE("shadow_render: without --quiet each stage's time is printed, and no bar when nobody watches") {
-    const result r = run(std::string("--output ").append(quoted(folder / "times")) + small);
+    const example::finished r = run(std::string("--output ").append(quoted(folder / "times")) + small);
     REQUIRE(r.code == 0);
     for (const char* stage : {"depth pass", "encode", "camera pass", "visibility", "shade", "write", " ms\n"})
         CHECK_MESSAGE(r.said.find(stage) != std::string::npos, stage);
@@ -180,7 +180,7 @@ TEST_CASE("shadow_render: impossible options") {
 }
 
 TEST_CASE("shadow_render: --help") {
-    const result r = run("--help");
+    const example::finished r = run("--help");
     CHECK(r.code == 0);
     for (const char* option : {"--light", "--azimuth", "--encoding", "--filter", "--bias", "--output"})
         CHECK_MESSAGE(r.said.find(option) != std::string::npos, option);

@@ -12,21 +12,20 @@
 
 #include <umbrage/image.hpp>
 
+#include <shell.hpp>
+
 namespace shadow_render_check {
 
 inline const std::filesystem::path folder = std::filesystem::path(WORK_DIR) / "check";
 inline const std::string small = "--width 240 --height 160 --map-size 256 ";
 
-struct result {
-    int code;
-    std::string said;  ///< on either stream
-};
-[[nodiscard]] result run(const std::string& arguments);
+using example::quoted;
+
+[[nodiscard]] example::finished run(const std::string& arguments);
 
 /// A failure that a person can read: the right code, and one line that says `why`.
 void fails(const std::string& arguments, int code, const std::string& why);
 
-[[nodiscard]] std::string quoted(const std::filesystem::path& path);
 [[nodiscard]] std::string output(const std::string& name);
 [[nodiscard]] umbrage::image<glm::u8vec4> picture(const std::string& name, const char* file);
 [[nodiscard]] std::string file(const std::string& name, const std::string& content);

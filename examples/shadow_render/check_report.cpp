@@ -12,7 +12,8 @@ using namespace shadow_render_check;
 using example::set_ups;
 
 TEST_CASE("shadow_render: the report has a row and a picture for every set-up") {
-    const result r = run("--light-report --width 96 --height 64 --map-size 64 --output " + quoted(folder / "report"));
+    const example::finished r =
+        run("--light-report --width 96 --height 64 --map-size 64 --output " + quoted(folder / "report"));
     REQUIRE_MESSAGE(r.code == 0, r.said);
     const auto sheet = picture("report", "light-report.png");
     constexpr int top = 88, width = 48, height = 120;  // of the title, of a cell

@@ -17,7 +17,7 @@ const std::string tiny = "--width 48 --height 32 ";
 
 /// The printed table's RMS errors, per cent.
 std::map<std::string, double> errors(const std::string& options) {
-    const result r = run("--compare --output " + quoted(folder / "sheet") + tiny + options);
+    const example::finished r = run("--compare --output " + quoted(folder / "sheet") + tiny + options);
     REQUIRE_MESSAGE(r.code == 0, r.said);
     std::map<std::string, double> out;
     std::istringstream lines(r.said.substr(r.said.find("\n\n")));
@@ -74,7 +74,8 @@ TEST_CASE("shadow_render: what filters cost on a GPU is read from a table, or is
                                    "job\twhose\tshader\tinstructions\tinv. thrpt\tlatency\n"
                                    "every snippet\tumbrage\ttent3\t158\t232\t819\n"
                                    "every snippet\tother\thard\t1\t2\t3\n");
-    const result r = run("--compare --output " + quoted(folder / "sheet") + tiny + "--map-size 128 --shaders " + table);
+    const example::finished r =
+        run("--compare --output " + quoted(folder / "sheet") + tiny + "--map-size 128 --shaders " + table);
     REQUIRE_MESSAGE(r.code == 0, r.said);
     CHECK(r.said.find("158 instructions, 232 cycles") != std::string::npos);
     CHECK(std::ranges::count(r.said.substr(r.said.find("RDNA2\n")), '-') ==

@@ -19,6 +19,7 @@
 #include <biases.hpp>
 #include <names.hpp>
 #include <png.hpp>
+#include <processor.hpp>
 
 #include "area_light.hpp"
 #include "filter.hpp"
@@ -44,19 +45,6 @@ std::map<std::string, std::string> costs(const options& o) {
     }
     if (all.empty()) throw std::runtime_error(table.string() + ": not a table of make bench-shaders");
     return all;
-}
-
-/// Virtual machines call different processors by the same name: family and model tell them apart.
-std::string processor() {
-    std::map<std::string, std::string> fields;  // of the first one
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line) && !line.empty();) {
-        const std::size_t colon = line.find(": ");
-        if (colon != std::string::npos)
-            fields[line.substr(0, line.find_last_not_of("\t ", colon - 1) + 1)] = line.substr(colon + 2);
-    }
-    if (!fields.contains("model name")) return "an unknown processor";
-    return fields["model name"] + ", family " + fields["cpu family"] + ", model " + fields["model"];
 }
 
 /// Root of the mean square over pixels that face the light, in per cent.
@@ -120,7 +108,7 @@ void compare(const options& o, const view& v, const example::shadow_map& map, ex
         text("RMS error of visibility against rays to a disc of light %g across, %g away; boxes and discs of radius %g",
              double(o.light_size), double(o.distance), double(o.radius)),
         text("ms: %d x %d pixels of %d x %d samples, one thread of %s", o.width, o.height, o.samples, o.samples,
-             processor().c_str())};
+             example::processor().c_str())};
     sheet page({o.width, o.height}, static_cast<int>(names.size()) + 1, title, softest(expected, o.samples));
     const auto add = [&](const umbrage::image<float>& visibility, const std::vector<std::string>& about) {
         page.add(shade(v, visibility, o.samples, progress.bands()), about);

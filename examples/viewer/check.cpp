@@ -8,6 +8,7 @@
 #include <string>
 
 #include <names.hpp>
+#include <png.hpp>
 
 #include "check.hpp"
 #include "headless.hpp"
@@ -24,13 +25,15 @@ void same_shadow(const example::shadow_system& system, int width, const std::str
     const std::string light =
         " --azimuth " + std::to_string(system.azimuth) + " --elevation " + std::to_string(system.elevation);
     CAPTURE(light);
-    const result r = run(quoted(std::filesystem::path(ORIGINALS) / name) + "--output " + quoted(folder / name) +
-                         "--size " + std::to_string(width) + light + (name == "exercise" ? " --frames 1" : ""));
+    const example::finished r =
+        example::run_line(quoted(std::filesystem::path(ORIGINALS) / name) + "--output " + quoted(folder / name) +
+                          "--size " + std::to_string(width) + light + (name == "exercise" ? " --frames 1" : ""));
     REQUIRE_MESSAGE(r.code == 0, r.said);
     const std::string arguments = "--headless --system " + name + " --width " + std::to_string(width) + " --height " +
                                   std::to_string(width * 2 / 3) + light + " " + viewer_only;
 
-    const picture expected = load(folder / name / "visibility.png"), got = viewed(arguments + " --mask");
+    const picture expected = example::read_png<glm::u8vec3>(folder / name / "visibility.png"),
+                  got = viewed(arguments + " --mask");
     REQUIRE(expected.size() == got.size());
     const viewer::silhouettes silhouettes(system, got.size());
     int other = 0, astray = 0, near = 0;
@@ -54,7 +57,7 @@ void same_shadow(const example::shadow_system& system, int width, const std::str
     if (width < 500) return;
 
     // Colours, but for the corner where the map lies: its contrast is stretched after fewer texels.
-    const picture colours = load(folder / name / "picture.png"), seen = viewed(arguments);
+    const picture colours = example::read_png<glm::u8vec3>(folder / name / "picture.png"), seen = viewed(arguments);
     const int edge = got.size().y * 3 / 10;
     int other_colours = 0;
     for (glm::ivec2 p{0}; p.y < got.size().y; ++p.y)
@@ -91,7 +94,7 @@ TEST_CASE("self_shadowing: the viewer's shadow is the CPU's") {
 
 TEST_CASE("refusals: one line and an exit code") {
     const auto fails = [](const std::string& arguments, int code, const std::string& why, const std::string& in = {}) {
-        const result r = run(in + quoted(VIEWER) + arguments);
+        const example::finished r = example::run_line(in + quoted(VIEWER) + arguments);
         CAPTURE(arguments);
         CHECK_MESSAGE(r.code == code, r.said);
         CHECK_MESSAGE(r.said.find(why) != std::string::npos, r.said);

@@ -12,20 +12,15 @@
 
 #include <umbrage/image.hpp>
 
+#include <shell.hpp>
+
 namespace viewer_check {
 
 using picture = umbrage::image<glm::u8vec3>;
 
 inline const std::filesystem::path folder = std::filesystem::current_path();  // each test's own: they run side by side
 
-struct result {
-    int code;
-    std::string said;  ///< on either stream
-};
-[[nodiscard]] result run(const std::string& command);
-
-[[nodiscard]] std::string quoted(const std::filesystem::path& path);
-[[nodiscard]] picture load(const std::filesystem::path& file);
+using example::quoted;
 
 /// What the viewer draws.
 [[nodiscard]] picture viewed(const std::string& arguments, const std::string& in = {});

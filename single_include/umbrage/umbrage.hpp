@@ -4780,7 +4780,8 @@ template <real T>
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_neighbour(glm::vec<3, T> texel, T size) {
     const T u = texel.x * T(2) + T(1) - size, v = texel.y * T(2) + T(1) - size;
-    const bool beyond_u = u > size || u<-size, beyond_v = v> size || v < -size;
+    const bool beyond_u = (u > size) || (u < -size);
+    const bool beyond_v = (v > size) || (v < -size);
     if (beyond_u && beyond_v) return {T(0), T(0), T(-1)};
     const T m = beyond_u || beyond_v ? size - T(1) : size;
     const glm::vec<3, T> p = cube_plane(cube_point(texel.z, glm::vec<3, T>(u, v, m)));
@@ -6084,9 +6085,13 @@ struct extent {
     return planes;
 }
 
-/// The four sides of a rectangle, as planes of the same kind.
-[[nodiscard]] inline std::vector<glm::dvec4> sides(glm::dvec2 low, glm::dvec2 high) {
-    return {{1, 0, 0, -low.x}, {-1, 0, 0, high.x}, {0, 1, 0, -low.y}, {0, -1, 0, high.y}};
+/// Planes of the same kind around what points sweep, moved outwards: their hull's, within their rectangle's.
+[[nodiscard]] inline std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
+    std::vector<glm::dvec4> planes = sides(convex_hull(seen), outwards);
+    const auto [least, greatest] = extent_of(seen);
+    const glm::dvec3 low = least - outwards, high = greatest + outwards;
+    planes.insert(planes.end(), {{1, 0, 0, -low.x}, {-1, 0, 0, high.x}, {0, 1, 0, -low.y}, {0, -1, 0, high.y}});
+    return planes;
 }
 
 /// The least distance along the light of a box's faces within planes; infinite where none is.
@@ -6190,10 +6195,8 @@ template <real T = float>
         const auto casters = detail::extent_of(detail::seen(frame, hull(*fit.casters).points));
         box.z_near = glm::min(box.z_near, casters.low.z), box.z_far = glm::max(box.z_far, casters.high.z);
     } else if (fit.casters) {
-        auto planes = detail::sides(detail::convex_hull(points), around);
-        const auto square = detail::sides(glm::dvec2(low) - around, glm::dvec2(high) + around);
-        planes.insert(planes.end(), square.begin(), square.end());
-        box.z_near = glm::min(box.z_near, detail::nearest(frame, *fit.casters, planes) - margin);
+        const auto swept = detail::sweep(points, around);
+        box.z_near = glm::min(box.z_near, detail::nearest(frame, *fit.casters, swept) - margin);
     }
     if (snaps) box = detail::snapped(box, fit.snap_texels);
 
@@ -6248,12 +6251,9 @@ namespace detail {
 /// A fitted light, whose view is a rotation, as a cascade.
 template <real T>
 [[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, int map_size, const char* function) {
-    const glm::dmat4& p = light.projection;
-    const double half = map_size * 0.5, upward = light.clip.origin == texture_origin::bottom ? 1 : -1;
-    const double depth = light.clip.range == depth_range::zero_to_one ? 1 : 0.5;
-    const glm::dvec4 scale(p[0][0] * half, p[1][1] * half * upward, p[2][2] * depth, 0.0);
-    const glm::dvec4 offset((p[3][0] + 1) * half, (p[3][1] * upward + 1) * half, p[3][2] * depth + (1 - depth), 0.0);
-    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(p), light.clip};
+    const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, glm::ivec2(map_size));
+    const glm::dvec4 scale(m[0][0], m[1][1], m[2][2], 0.0), offset(glm::dvec3(m[3]), 0.0);
+    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), light.clip};
     const cascade<T> c{checked(cast, function, "camera, splits and scene"), glm::vec<4, T>(scale),
                        glm::vec<4, T>(offset)};
     const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
@@ -6803,11 +6803,7 @@ namespace detail {
 /// @param receivers  tangents;   outwards  the margin around them;   closest  where the sweep ends
 [[nodiscard]] inline double nearest_to_spot(const glm::dmat4& frame, const polyhedron& casters,
                                             const std::vector<glm::dvec3>& receivers, double outwards, double closest) {
-    const std::vector<glm::dvec2> outline = convex_hull(receivers);
-    const auto [low, high] = extent_of(receivers);
-    std::vector<glm::dvec4> planes = sides(outline, outwards);
-    const auto rectangle = sides(glm::dvec2(low) - outwards, glm::dvec2(high) + outwards);
-    planes.insert(planes.end(), rectangle.begin(), rectangle.end());
+    std::vector<glm::dvec4> planes = sweep(receivers, outwards);
     for (glm::dvec4& plane : planes) plane = {plane.x, plane.y, plane.w, 0.0};  // through the light
     planes.emplace_back(0.0, 0.0, 1.0, -closest);
     // the sweep's end may lie within the casters, none of whose faces it then meets
@@ -6900,8 +6896,7 @@ struct spot_light {
 
 /// View and perspective projection around the light's cone, which the square map holds whole.
 /// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), planes out of order, and
-/// what
-///                                gives matrices that are not finite
+///                                what gives matrices that are not finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
     constexpr auto function = "make_spot_light";
@@ -8855,6 +8850,26 @@ struct block_form<filters::window> {
 
 namespace umbrage::detail {
 
+/// What bounds say of a block: lit or dark, and which receivers are open, as their texels differ.
+/// @return   whether any is open: not 0
+template <class Test>
+UMBRAGE_INLINE inline std::int32_t ask_bounds(const box_bounds& tree, const std::int32_t* offsets,
+                                              const std::int32_t* compared, const float* depths, float* visibility,
+                                              std::int32_t* open) {
+    const texel_bytes memory(tree.bounds.view());
+    alignas(64) glm::vec2 bounds[block];
+    std::int32_t any = 0;
+    gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); }});
+    for (int i = 0; i < block; ++i) {
+        const std::int32_t lit = Test::all_lit(depths[i], bounds[i].x, bounds[i].y);
+        const std::int32_t dark = Test::none_lit(depths[i], bounds[i].x, bounds[i].y);
+        visibility[i] = select(-lit | ~compared[i], 1.0f, 0.0f);
+        open[i] = compared[i] & ~-(lit | dark);
+        any |= open[i];
+    }
+    return any;
+}
+
 /// @tparam Blocks   of the filter that reads every texel of its box
 template <class Blocks>
 struct hierarchical_blocks {
@@ -8886,20 +8901,9 @@ struct hierarchical_blocks {
 
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
-        const texel_bytes memory(tree.bounds.view());
-        const receiver_block& r = at.r;
         alignas(64) std::int32_t open[block];
-        alignas(64) glm::vec2 bounds[block];
-        std::int32_t any = 0;
-        gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }});
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t lit = test::all_lit(r.z(i), bounds[i].x, bounds[i].y);
-            const std::int32_t dark = test::none_lit(r.z(i), bounds[i].x, bounds[i].y);
-            visibility[i] = select(-lit | ~at.compared[i], 1.0f, 0.0f);
-            open[i] = at.compared[i] & ~-(lit | dark);
-            any |= open[i];
-        }
-        if (any) out_of_line(set, [&](auto) UMBRAGE_INLINE { count_open(r, open, count, visibility, set); });
+        if (ask_bounds<test>(tree, at.offsets, at.compared, at.r.zs, visibility, open))
+            out_of_line(set, [&](auto) UMBRAGE_INLINE { count_open(at.r, open, count, visibility, set); });
     }
 
 private:
@@ -8951,17 +8955,9 @@ struct hierarchical_disc_blocks {
 
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
-        const texel_bytes memory(tree.bounds.view());
-        alignas(64) glm::vec2 bounds[block];
-        std::int32_t any = 0;
-        gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }});
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t lit = test::all_lit(at.points.z[i], bounds[i].x, bounds[i].y);
-            const std::int32_t dark = test::none_lit(at.points.z[i], bounds[i].x, bounds[i].y);
-            visibility[i] = select(-lit | ~at.points.compared[i], 1.0f, 0.0f);
-            any |= at.points.compared[i] & ~-(lit | dark);
-        }
-        if (any) every_point(at.points, count, visibility, set);
+        alignas(64) std::int32_t open[block];
+        if (ask_bounds<test>(tree, at.offsets, at.points.compared, at.points.z, visibility, open))
+            every_point(at.points, count, visibility, set);
     }
 };
 

@@ -21,7 +21,7 @@ TEST_CASE("a light fitted, drawn and looked up agrees with rays, away from edges
         CHECK(found.outside == 0);
     }
     for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
-        CAPTURE(proof::light_kinds[kind]);
+        CAPTURE(proof::light_kinds[kind].name);
         CHECK(kinds[kind].lit > 200);
         CHECK(kinds[kind].shadowed > 150);
     }

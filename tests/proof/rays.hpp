@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -26,15 +27,29 @@
 
 namespace proof {
 
-inline constexpr std::array light_kinds{"directional: box",
-                                        "directional: points",
-                                        "directional: frustum, casters apart",
-                                        "directional: sphere, snapped",
-                                        "directional: depth clamp",
-                                        "spot: cone",
-                                        "spot: receivers, casters apart",
-                                        "spot: depth clamp",
-                                        "spot: no far plane"};
+/// What a light is set up around, and how. Without casters of its own it clamps them onto its near plane.
+struct light_kind {
+    enum class fitted_to { cone, box, points, frustum, sphere };
+    const char* name;
+    bool is_spot;
+    fitted_to receivers;
+    umbrage::near_plane at_near = umbrage::near_plane::clips;
+    bool has_far_plane = true;
+
+    [[nodiscard]] constexpr bool sees_camera_only() const {
+        return receivers == fitted_to::frustum || receivers == fitted_to::sphere;
+    }
+};
+inline constexpr std::array light_kinds{
+    light_kind{"directional: box", false, light_kind::fitted_to::box},
+    light_kind{"directional: points", false, light_kind::fitted_to::points},
+    light_kind{"directional: frustum, casters apart", false, light_kind::fitted_to::frustum},
+    light_kind{"directional: sphere, snapped", false, light_kind::fitted_to::sphere},
+    light_kind{"directional: depth clamp", false, light_kind::fitted_to::frustum, umbrage::near_plane::clamps},
+    light_kind{"spot: cone", true, light_kind::fitted_to::cone},
+    light_kind{"spot: receivers, casters apart", true, light_kind::fitted_to::frustum},
+    light_kind{"spot: depth clamp", true, light_kind::fitted_to::frustum, umbrage::near_plane::clamps},
+    light_kind{"spot: no far plane", true, light_kind::fitted_to::frustum, umbrage::near_plane::clips, false}};
 inline constexpr std::uint64_t clip_space_count = 16, setting_count = light_kinds.size() * clip_space_count;
 
 /// What look-ups found, of the receivers at which rays tell.
@@ -51,7 +66,8 @@ struct verdicts {
 /// A scene of a ground and few triangles, a camera and a light, all from one number.
 class ray_scene {
 public:
-    explicit ray_scene(std::uint64_t n) : kind_(n % light_kinds.size()), random_(static_cast<std::uint32_t>(n)) {
+    explicit ray_scene(std::uint64_t n)
+        : kind_(light_kinds[n % light_kinds.size()]), random_(static_cast<std::uint32_t>(n)) {
         const std::uint64_t c = n / light_kinds.size();
         clip_.range = c & 1 ? umbrage::depth_range::minus_one_to_one : umbrage::depth_range::zero_to_one;
         clip_.direction = c & 2 ? umbrage::depth_direction::reversed : umbrage::depth_direction::forward;
@@ -68,7 +84,7 @@ public:
         make_light();
     }
 
-    [[nodiscard]] const char* kind() const { return light_kinds[kind_]; }
+    [[nodiscard]] const char* kind() const { return kind_.name; }
 
     /// A filter at random points of triangles.
     template <class Filter>
@@ -77,7 +93,7 @@ public:
         filter.is_lit = {clip_.direction};
         image<float> map({map_size, map_size}, cleared_depth(clip_));
         rasterize_depth(map, {positions_, triangles_}, light_.projection * light_.view, clip_, cull_mode::none,
-                        serial{}, at_near_);
+                        serial{}, kind_.at_near);
         const depth32f encoding{.direction = clip_.direction};
         const auto fetch = clamped(map);
         verdicts found;
@@ -141,32 +157,30 @@ private:
 
     void make_light() {
         using namespace umbrage;
-        is_spot_ = kind_ > 4;
-        sees_camera_only_ = kind_ != 0 && kind_ != 1 && kind_ != 5;
-        at_near_ = kind_ == 4 || kind_ == 7 ? near_plane::clamps : near_plane::clips;
+        using fitted_to = light_kind::fitted_to;
         position_ = random_() % 4 ? around(real(6, 9)) : glm::vec3(real(-1, 1), real(1, 3), real(-1, 1));
-        direction_ = is_spot_ ? vector(-1, 1) - position_ : vector(-1, 1);
+        direction_ = kind_.is_spot ? vector(-1, 1) - position_ : vector(-1, 1);
         const polyhedron seen = intersection(camera_, box_);
-        if (!is_spot_) {
-            directional_fit<float> fit{.direction = direction_, .clip = clip_};
-            if (kind_ == 0) fit.receivers = box_;
-            else if (kind_ == 1) fit.receivers = positions_;
-            else if (kind_ == 3) fit.receivers = sphere_around(camera_), fit.snap_texels = map_size;
-            else fit.receivers = seen;
-            if (kind_ != 4) fit.casters = box_;
+        std::optional<bounding_box<float>> casters;
+        if (kind_.at_near == near_plane::clips) casters = box_;
+        if (!kind_.is_spot) {
+            directional_fit<float> fit{.direction = direction_, .receivers = seen, .casters = casters, .clip = clip_};
+            if (kind_.receivers == fitted_to::box) fit.receivers = box_;
+            if (kind_.receivers == fitted_to::points) fit.receivers = positions_;
+            if (kind_.receivers == fitted_to::sphere)
+                fit.receivers = sphere_around(camera_), fit.snap_texels = map_size;
             light_ = fit_directional_light(fit);
-        } else if (kind_ == 5) {
+        } else if (kind_.receivers == fitted_to::cone) {
             light_ = make_spot_light<float>(
                 {.position = position_, .direction = direction_, .z_near = z_near, .z_far = 30, .clip = clip_});
         } else {
-            spot_fit<float> fit{.position = position_,
-                                .direction = direction_,
-                                .z_near = z_near,
-                                .receivers = seen,
-                                .has_far_plane = kind_ != 8,
-                                .clip = clip_};
-            if (kind_ != 7) fit.casters = box_;
-            light_ = fit_spot_light(fit);
+            light_ = fit_spot_light<float>({.position = position_,
+                                            .direction = direction_,
+                                            .z_near = z_near,
+                                            .receivers = seen,
+                                            .casters = casters,
+                                            .has_far_plane = kind_.has_far_plane,
+                                            .clip = clip_});
         }
         matrix_ = texture_matrix(light_, {map_size, map_size});
         planes_ = plane_matrix(matrix_);
@@ -194,13 +208,13 @@ private:
             return std::all_of(body.faces().begin(), body.faces().end(),
                                [&](const auto& face) { return glm::dot(face.plane, point) > 1e-4; });
         };
-        if (sees_camera_only_ && !holds(camera_)) return false;
-        return !is_spot_ || holds(umbrage::frustum<float>{.position = position_,
-                                                          .direction = direction_,
-                                                          .tan_half_x = 0.57735f,
-                                                          .tan_half_y = 0.57735f,
-                                                          .z_near = z_near,
-                                                          .z_far = 29});
+        if (kind_.sees_camera_only() && !holds(camera_)) return false;
+        return !kind_.is_spot || holds(umbrage::frustum<float>{.position = position_,
+                                                               .direction = direction_,
+                                                               .tan_half_x = 0.57735f,
+                                                               .tan_half_y = 0.57735f,
+                                                               .z_near = z_near,
+                                                               .z_far = 29});
     }
 
     /// How far before a receiver, in depth, a triangle meets the line to the light, below 0 behind it; NaN where it
@@ -209,7 +223,7 @@ private:
     [[nodiscard]] double blocked_by(std::size_t k, glm::vec3 receiver) const {
         const double none = std::numeric_limits<double>::quiet_NaN();
         const auto [a, b, c] = corners(k);
-        const glm::dvec3 from(receiver), way = is_spot_ ? glm::dvec3(position_) - from : -glm::dvec3(direction_);
+        const glm::dvec3 from(receiver), way = kind_.is_spot ? glm::dvec3(position_) - from : -glm::dvec3(direction_);
         const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(way, ac), s = from - a;
         const double det = glm::dot(ab, p);
         if (det == 0) return none;
@@ -218,10 +232,11 @@ private:
         if (u < 0 || v < 0 || u + v > 1) return none;
         const auto placed = [&](glm::dvec3 world) { return glm::dmat4(matrix_) * glm::dvec4(world, 1.0); };
         const glm::dvec4 caster = placed(from + t * way), here = placed(from);
-        if (caster.w <= (at_near_ == umbrage::near_plane::clips && is_spot_ ? double(z_near) : 0.0)) return none;
+        if (caster.w <= (kind_.at_near == umbrage::near_plane::clips && kind_.is_spot ? double(z_near) : 0.0))
+            return none;
         const auto depth = [&](const glm::dvec4& h) {
             const double d = clip_.direction == umbrage::depth_direction::forward ? h.z / h.w : 1.0 - h.z / h.w;
-            return at_near_ == umbrage::near_plane::clamps ? std::max(d, 0.0) : d;
+            return kind_.at_near == umbrage::near_plane::clamps ? std::max(d, 0.0) : d;
         };
         return depth(here) - depth(caster);
     }
@@ -246,15 +261,13 @@ private:
         return false;
     }
 
-    std::uint64_t kind_;
+    light_kind kind_;
     std::mt19937 random_;
     umbrage::clip_space clip_;
     std::vector<glm::vec3> positions_;
     std::vector<glm::uvec3> triangles_;
     umbrage::bounding_box<float> box_{glm::vec3(1e9f), glm::vec3(-1e9f)};
     umbrage::frustum<float> camera_;
-    bool is_spot_ = false, sees_camera_only_ = false;
-    umbrage::near_plane at_near_ = umbrage::near_plane::clips;
     glm::vec3 position_{0}, direction_{0};
     umbrage::light_space<float> light_;
     glm::mat4 matrix_{1}, planes_{1};

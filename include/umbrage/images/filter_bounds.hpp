@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <umbrage/simd/blocks/box_bounds.hpp>
 

@@ -115,7 +115,8 @@ template <real T>
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_neighbour(glm::vec<3, T> texel, T size) {
     const T u = texel.x * T(2) + T(1) - size, v = texel.y * T(2) + T(1) - size;
-    const bool beyond_u = u > size || u<-size, beyond_v = v> size || v < -size;
+    const bool beyond_u = (u > size) || (u < -size);
+    const bool beyond_v = (v > size) || (v < -size);
     if (beyond_u && beyond_v) return {T(0), T(0), T(-1)};
     const T m = beyond_u || beyond_v ? size - T(1) : size;
     const glm::vec<3, T> p = cube_plane(cube_point(texel.z, glm::vec<3, T>(u, v, m)));

@@ -94,10 +94,8 @@ template <real T = float>
         const auto casters = detail::extent_of(detail::seen(frame, hull(*fit.casters).points));
         box.z_near = glm::min(box.z_near, casters.low.z), box.z_far = glm::max(box.z_far, casters.high.z);
     } else if (fit.casters) {
-        auto planes = detail::sides(detail::convex_hull(points), around);
-        const auto square = detail::sides(glm::dvec2(low) - around, glm::dvec2(high) + around);
-        planes.insert(planes.end(), square.begin(), square.end());
-        box.z_near = glm::min(box.z_near, detail::nearest(frame, *fit.casters, planes) - margin);
+        const auto swept = detail::sweep(points, around);
+        box.z_near = glm::min(box.z_near, detail::nearest(frame, *fit.casters, swept) - margin);
     }
     if (snaps) box = detail::snapped(box, fit.snap_texels);
 

@@ -45,11 +45,7 @@ namespace detail {
 /// @param receivers  tangents;   outwards  the margin around them;   closest  where the sweep ends
 [[nodiscard]] inline double nearest_to_spot(const glm::dmat4& frame, const polyhedron& casters,
                                             const std::vector<glm::dvec3>& receivers, double outwards, double closest) {
-    const std::vector<glm::dvec2> outline = convex_hull(receivers);
-    const auto [low, high] = extent_of(receivers);
-    std::vector<glm::dvec4> planes = sides(outline, outwards);
-    const auto rectangle = sides(glm::dvec2(low) - outwards, glm::dvec2(high) + outwards);
-    planes.insert(planes.end(), rectangle.begin(), rectangle.end());
+    std::vector<glm::dvec4> planes = sweep(receivers, outwards);
     for (glm::dvec4& plane : planes) plane = {plane.x, plane.y, plane.w, 0.0};  // through the light
     planes.emplace_back(0.0, 0.0, 1.0, -closest);
     // the sweep's end may lie within the casters, none of whose faces it then meets

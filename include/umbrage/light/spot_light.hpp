@@ -26,8 +26,7 @@ struct spot_light {
 
 /// View and perspective projection around the light's cone, which the square map holds whole.
 /// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), planes out of order, and
-/// what
-///                                gives matrices that are not finite
+///                                what gives matrices that are not finite
 template <real T = float>
 [[nodiscard]] light_space<T> make_spot_light(const spot_light<T>& light) {
     constexpr auto function = "make_spot_light";

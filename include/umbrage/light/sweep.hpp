@@ -75,9 +75,13 @@ struct extent {
     return planes;
 }
 
-/// The four sides of a rectangle, as planes of the same kind.
-[[nodiscard]] inline std::vector<glm::dvec4> sides(glm::dvec2 low, glm::dvec2 high) {
-    return {{1, 0, 0, -low.x}, {-1, 0, 0, high.x}, {0, 1, 0, -low.y}, {0, -1, 0, high.y}};
+/// Planes of the same kind around what points sweep, moved outwards: their hull's, within their rectangle's.
+[[nodiscard]] inline std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
+    std::vector<glm::dvec4> planes = sides(convex_hull(seen), outwards);
+    const auto [least, greatest] = extent_of(seen);
+    const glm::dvec3 low = least - outwards, high = greatest + outwards;
+    planes.insert(planes.end(), {{1, 0, 0, -low.x}, {-1, 0, 0, high.x}, {0, 1, 0, -low.y}, {0, -1, 0, high.y}});
+    return planes;
 }
 
 /// The least distance along the light of a box's faces within planes; infinite where none is.

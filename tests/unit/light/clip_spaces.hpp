@@ -41,6 +41,13 @@ inline glm::dvec3 in_world(glm::dvec3 p, umbrage::clip_space clip) {
     return clip.hand == umbrage::handedness::right ? p : glm::dvec3(p.x, p.y, -p.z);
 }
 
+/// Texels and depth of a map with its first row at the bottom and depth that runs forward, in the convention's.
+inline glm::dvec3 in_convention(glm::dvec3 p, umbrage::clip_space clip, double height) {
+    if (clip.origin == umbrage::texture_origin::top) p.y = height - p.y;
+    if (clip.direction == umbrage::depth_direction::reversed) p.z = 1.0 - p.z;
+    return p;
+}
+
 /// What a set-up function complains of; empty when it does not.
 template <class Call>
 std::string complaint(Call call) {

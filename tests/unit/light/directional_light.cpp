@@ -12,16 +12,6 @@
 
 using namespace umbrage;
 
-namespace {
-
-glm::dvec3 in_convention(glm::dvec3 p, clip_space clip, double height) {
-    if (clip.origin == texture_origin::top) p.y = height - p.y;
-    if (clip.direction == depth_direction::reversed) p.z = 1.0 - p.z;
-    return p;
-}
-
-}  // namespace
-
 TEST_CASE("make_directional_light: the exercise's set-up on points worked out by hand, in every convention") {
     for (clip_space clip : all_clip_spaces()) {
         CAPTURE(to_string(clip));

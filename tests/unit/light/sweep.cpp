@@ -43,7 +43,7 @@ TEST_CASE("convex_hull, sides: every point within, every corner one of them") {
 
 TEST_CASE("nearest: of a box before, beside and around a square") {
     const glm::dmat4 frame(1.0);
-    const auto planes = detail::sides(glm::dvec2(0), glm::dvec2(1));
+    const auto planes = detail::sweep({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, 0.0);
     const auto of = [&](glm::dvec3 low, glm::dvec3 high) {
         return detail::nearest(frame, bounding_box<double>{low, high}, planes);
     };

@@ -22,6 +22,7 @@
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/light_space.hpp>
+#include <umbrage/light/texture_matrix.hpp>
 
 namespace umbrage {
 
@@ -51,12 +52,9 @@ namespace detail {
 /// A fitted light, whose view is a rotation, as a cascade.
 template <real T>
 [[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, int map_size, const char* function) {
-    const glm::dmat4& p = light.projection;
-    const double half = map_size * 0.5, upward = light.clip.origin == texture_origin::bottom ? 1 : -1;
-    const double depth = light.clip.range == depth_range::zero_to_one ? 1 : 0.5;
-    const glm::dvec4 scale(p[0][0] * half, p[1][1] * half * upward, p[2][2] * depth, 0.0);
-    const glm::dvec4 offset((p[3][0] + 1) * half, (p[3][1] * upward + 1) * half, p[3][2] * depth + (1 - depth), 0.0);
-    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(p), light.clip};
+    const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, glm::ivec2(map_size));
+    const glm::dvec4 scale(m[0][0], m[1][1], m[2][2], 0.0), offset(glm::dvec3(m[3]), 0.0);
+    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), light.clip};
     const cascade<T> c{checked(cast, function, "camera, splits and scene"), glm::vec<4, T>(scale),
                        glm::vec<4, T>(offset)};
     const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);

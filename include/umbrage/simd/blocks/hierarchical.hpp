@@ -20,6 +20,26 @@
 
 namespace umbrage::detail {
 
+/// What bounds say of a block: lit or dark, and which receivers are open, as their texels differ.
+/// @return   whether any is open: not 0
+template <class Test>
+UMBRAGE_INLINE inline std::int32_t ask_bounds(const box_bounds& tree, const std::int32_t* offsets,
+                                              const std::int32_t* compared, const float* depths, float* visibility,
+                                              std::int32_t* open) {
+    const texel_bytes memory(tree.bounds.view());
+    alignas(64) glm::vec2 bounds[block];
+    std::int32_t any = 0;
+    gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); }});
+    for (int i = 0; i < block; ++i) {
+        const std::int32_t lit = Test::all_lit(depths[i], bounds[i].x, bounds[i].y);
+        const std::int32_t dark = Test::none_lit(depths[i], bounds[i].x, bounds[i].y);
+        visibility[i] = select(-lit | ~compared[i], 1.0f, 0.0f);
+        open[i] = compared[i] & ~-(lit | dark);
+        any |= open[i];
+    }
+    return any;
+}
+
 /// @tparam Blocks   of the filter that reads every texel of its box
 template <class Blocks>
 struct hierarchical_blocks {
@@ -51,20 +71,9 @@ struct hierarchical_blocks {
 
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
-        const texel_bytes memory(tree.bounds.view());
-        const receiver_block& r = at.r;
         alignas(64) std::int32_t open[block];
-        alignas(64) glm::vec2 bounds[block];
-        std::int32_t any = 0;
-        gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }});
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t lit = test::all_lit(r.z(i), bounds[i].x, bounds[i].y);
-            const std::int32_t dark = test::none_lit(r.z(i), bounds[i].x, bounds[i].y);
-            visibility[i] = select(-lit | ~at.compared[i], 1.0f, 0.0f);
-            open[i] = at.compared[i] & ~-(lit | dark);
-            any |= open[i];
-        }
-        if (any) out_of_line(set, [&](auto) UMBRAGE_INLINE { count_open(r, open, count, visibility, set); });
+        if (ask_bounds<test>(tree, at.offsets, at.compared, at.r.zs, visibility, open))
+            out_of_line(set, [&](auto) UMBRAGE_INLINE { count_open(at.r, open, count, visibility, set); });
     }
 
 private:
@@ -116,17 +125,9 @@ struct hierarchical_disc_blocks {
 
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int count, float* visibility, Isa set) const {
-        const texel_bytes memory(tree.bounds.view());
-        alignas(64) glm::vec2 bounds[block];
-        std::int32_t any = 0;
-        gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(at.offsets[i]); }});
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t lit = test::all_lit(at.points.z[i], bounds[i].x, bounds[i].y);
-            const std::int32_t dark = test::none_lit(at.points.z[i], bounds[i].x, bounds[i].y);
-            visibility[i] = select(-lit | ~at.points.compared[i], 1.0f, 0.0f);
-            any |= at.points.compared[i] & ~-(lit | dark);
-        }
-        if (any) every_point(at.points, count, visibility, set);
+        alignas(64) std::int32_t open[block];
+        if (ask_bounds<test>(tree, at.offsets, at.points.compared, at.points.z, visibility, open))
+            every_point(at.points, count, visibility, set);
     }
 };
 

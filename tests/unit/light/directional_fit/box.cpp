@@ -14,16 +14,6 @@
 
 using namespace umbrage;
 
-namespace {
-
-glm::dvec3 in_convention(glm::dvec3 p, clip_space clip, double height) {
-    if (clip.origin == texture_origin::top) p.y = height - p.y;
-    if (clip.direction == depth_direction::reversed) p.z = 1.0 - p.z;
-    return p;
-}
-
-}  // namespace
-
 TEST_CASE("fit_directional_light: a box's corners and the margin touch the sides, in every convention") {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> coordinate(-5, 5), extent(0, 8);

@@ -16,6 +16,7 @@
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
+#include "../../bodies.hpp"
 #include "../../clip_spaces.hpp"
 
 using namespace umbrage;
@@ -24,11 +25,7 @@ namespace {
 
 const bounding_box<double> scene{{-400, -5, -350}, {380, 60, 420}};
 
-glm::dvec3 random_vector(std::mt19937& random) {
-    std::uniform_real_distribution<double> unit(-1, 1);
-    const double x = unit(random), y = unit(random), z = unit(random);
-    return {x, y, z};
-}
+glm::dvec3 random_vector(std::mt19937& random) { return bodies::random_vector(random, -1, 1); }
 
 /// A camera somewhere in the scene, and the light.
 cascade_fit<double> random_fit(std::mt19937& random, clip_space clip) {
