@@ -4,6 +4,8 @@
 #include <sstream>
 #include <string>
 
+#include <umbrage/images/stability.hpp>
+
 #include <set_ups.hpp>
 
 #include "check.hpp"
@@ -42,6 +44,48 @@ TEST_CASE("shadow_render: the report has a row and a picture for every set-up") 
     }
     fails("--light-report --compare", 2, "--compare");
     fails("--light-report --map-size 15", 2, "--map-size");
+}
+
+TEST_CASE("shadow_render: stable cascades stand still, tight ones do not, in the table and on film") {
+    const example::finished r =
+        run("--stability-report --width 96 --height 64 --map-size 128 --output " + quoted(folder / "stability"));
+    REQUIRE_MESSAGE(r.code == 0, r.said);
+    for (const std::string where : {"", ", 3 km out"}) {
+        const auto of = [&](const std::string& name) {
+            CAPTURE(name);
+            const std::size_t row = r.said.find("\n" + name + where + "  ");
+            REQUIRE(row != std::string::npos);
+            umbrage::stability_report found;
+            std::istringstream(r.said.substr(row + 1 + name.size() + where.size())) >> found.drift >> found.compared >>
+                found.changed;
+            CHECK(found.compared > 300);
+            return found;
+        };
+        CHECK(of("4 practical spheres, double").drift == 0);
+        CHECK(of("4 practical spheres, float").drift < 1e-4);
+        CHECK(of("4 practical spheres, float, one matrix").drift < 0.01);
+        for (const char* name : {"double", "float", "float, one matrix"})
+            CHECK(of(std::string("4 practical spheres, ") + name).changed == 0);
+        CHECK(of("4 practical tight, float").drift > 0.3);
+        CHECK(of("4 practical tight, float").changed > 0);
+    }
+    const auto film = picture("stability", "film.png");
+    constexpr int top = 88, width = 96, height = 64 + 88;
+    REQUIRE(film.size() == glm::ivec2(4 * width, top + 4 * height));
+    const auto differ = [&](int row, int frame) {  // from the first frame
+        int count = 0;
+        for (glm::ivec2 p(0, top + row * height); p.y < top + row * height + 64; ++p.y)
+            for (p.x = 0; p.x < width; ++p.x) count += film[p] != film[p + glm::ivec2(frame * width, 0)];
+        return count;
+    };
+    for (int frame : {1, 2, 3}) {
+        CHECK(differ(0, frame) > 1000);
+        CHECK(differ(1, frame) == 0);
+        CHECK(differ(3, frame) > 50);
+    }
+    fails("--stability-report --compare", 2, "--compare");
+    fails("--stability-report --light-report", 2, "--light-report");
+    fails("--stability-report --map-size 15", 2, "--map-size");
 }
 
 TEST_CASE("set_ups: one map and four from measured depths, on a kilometre of ground under suns all around") {

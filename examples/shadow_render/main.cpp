@@ -29,6 +29,7 @@
 #include "pictures.hpp"
 #include "receivers.hpp"
 #include "shade.hpp"
+#include "stability_report.hpp"
 #include "view.hpp"
 
 namespace shadow_render {
@@ -81,6 +82,7 @@ void run(const options& o) {
     if (!std::filesystem::is_directory(o.output))
         throw std::runtime_error("cannot make the folder " + o.output.string());
     if (o.light_report) return light_report(o, scene);
+    if (o.stability_report) return stability_report(o, scene);
     render(o, scene);
     if (!o.quiet && !o.compare)
         std::printf("%zu triangles, %d x %d texels of %s: picture.png, map.png, depth.png and visibility.png in %s\n",

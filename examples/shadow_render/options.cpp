@@ -93,10 +93,15 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.add_option("--shaders", o.shaders,
                    "shaders.tsv of make bench-shaders, for what filters cost on RDNA2; without it "
                    "the one in build/bench-shaders, if any");
-    app.add_flag("--light-report", o.light_report,
-                 "pixels a texel of every set-up of the light, spots and directional: light-report.png alone, a "
-                 "contact sheet, and a table")
-        ->excludes(compare);
+    CLI::Option* light_report =
+        app.add_flag("--light-report", o.light_report,
+                     "pixels a texel of every set-up of the light, spots and directional: light-report.png alone, a "
+                     "contact sheet, and a table")
+            ->excludes(compare);
+    app.add_flag("--stability-report", o.stability_report,
+                 "how still cascades stand while the camera moves: film.png alone, a film strip, and a table")
+        ->excludes(compare)
+        ->excludes(light_report);
 
     group("Run");
     app.add_flag("-q,--quiet", o.quiet, "no progress, no timings");
@@ -106,10 +111,11 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.footer(names);
 
     if (!example::parse(app, argc, argv)) return std::nullopt;
-    if (o.compare && app.count("--width") == 0) o.width = 480;
-    if (o.compare && app.count("--height") == 0) o.height = 320;
-    if (o.light_report && o.map_size < 16)
-        throw example::usage_error("--light-report needs a --map-size of 16 or above");
+    const bool sheet_of_pictures = o.compare || o.stability_report;
+    if (sheet_of_pictures && app.count("--width") == 0) o.width = 480;
+    if (sheet_of_pictures && app.count("--height") == 0) o.height = 320;
+    if ((o.light_report || o.stability_report) && o.map_size < 16)
+        throw example::usage_error("reports on the light need a --map-size of 16 or above");
     if (1.0 * o.width * o.height * o.samples * o.samples > 64e6 || std::max(o.width, o.height) * o.samples > 16384)
         throw example::usage_error("too large a picture: at most 64 million samples, 16384 along an edge");
     return o;

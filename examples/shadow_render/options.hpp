@@ -39,7 +39,7 @@ struct options {
     float light_size = 0.4f;          ///< diameter of the area light that filters are compared with
     std::filesystem::path shaders{};  ///< shaders.tsv of `make bench-shaders`
 
-    bool light_report = false;
+    bool light_report = false, stability_report = false;
 
     bool quiet = false;
 };

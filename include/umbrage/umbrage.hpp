@@ -17,6 +17,7 @@
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/images/quality.hpp>
 #include <umbrage/images/rasterize.hpp>
+#include <umbrage/images/stability.hpp>
 #include <umbrage/images/summed_area.hpp>
 #include <umbrage/images/visibility.hpp>
 

@@ -11027,6 +11027,74 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
 }  // namespace umbrage
 UMBRAGE_END_STRICT_MATH
 
+// ---- umbrage/images/stability.hpp
+// How still a light's maps stand while the camera moves: whether points of the world keep their places between texels,
+// and their light.
+//
+//     auto report = umbrage::measure_stability(frames, points.size(), [&](int frame) {
+//         const auto maps = draw_maps(camera_at(frame));
+//         return [&, maps](std::size_t i) {
+//             return umbrage::placed_point{0, maps.texel(points[i]), maps.lit(points[i])};
+//         };
+//     });
+//     std::printf("drift %g texels, %g %% flicker\n", report.drift, 100 * report.share());
+//
+
+namespace umbrage {
+
+/// A point of the world in a frame's maps.
+struct placed_point {
+    int map = -1;          ///< number of the map or cascade that it is looked up in; below 0: in none
+    glm::dvec2 texel{0};   ///< where in it, finite
+    double visibility{0};  ///< of the filter
+};
+
+/// Over all points and frames.
+struct stability_report {
+    double drift = 0;  ///< of the grid against the world, texels: 0 where maps move by whole texels, at most 1/2
+    std::size_t compared = 0;  ///< points that a map held in two frames or more
+    std::size_t changed = 0;   ///< those of them whose visibility changed in one map
+
+    /// Of points whose visibility changed.
+    [[nodiscard]] double share() const { return compared ? double(changed) / double(compared) : 0; }
+};
+
+/// Measures a set-up over the frames of a moving camera, each point against the first frame in which the same map holds
+/// it: what passes from one map to another is not compared.
+///
+/// @param frame   (int) -> what places points in that frame: (std::size_t point) -> placed_point
+/// @throws std::invalid_argument  frames below 1
+/// @formula       drift = max |m - nearest whole number to m|, m what a point has moved by through a map, in x or in y
+template <class Frame>
+[[nodiscard]] stability_report measure_stability(int frames, std::size_t points, Frame&& frame) {
+    detail::require(frames >= 1, "measure_stability", "frames", "must be above 0");
+    std::vector<std::vector<placed_point>> first;  // by map, then by point
+    std::vector<char> compared(points), changed(points);
+    stability_report report;
+    for (int i = 0; i < frames; ++i) {
+        auto&& place = frame(i);
+        for (std::size_t k = 0; k < points; ++k) {
+            const placed_point now = place(k);
+            if (now.map < 0) continue;
+            const auto map = static_cast<std::size_t>(now.map);
+            if (map >= first.size()) first.resize(map + 1, std::vector<placed_point>(points));
+            placed_point& then = first[map][k];
+            if (then.map < 0) {
+                then = now;
+                continue;
+            }
+            const glm::dvec2 moved = now.texel - then.texel, off = glm::abs(moved - glm::round(moved));
+            report.drift = glm::max(report.drift, glm::max(off.x, off.y));
+            compared[k] = 1;
+            if (now.visibility != then.visibility) changed[k] = 1;
+        }
+    }
+    for (std::size_t k = 0; k < points; ++k) report.compared += compared[k] != 0, report.changed += changed[k] != 0;
+    return report;
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/images/summed_area.hpp
 // Summed-area tables: the sum over any rectangle of an image from four texels.
 //

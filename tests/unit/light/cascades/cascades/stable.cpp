@@ -8,10 +8,12 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/images/rasterize.hpp>
+#include <umbrage/images/stability.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -168,9 +170,8 @@ TEST_CASE("make_stable_cascades: what a map shows of fixed points never changes 
     for (const clip_space clip : {vulkan_clip_space, clip_space{.range = depth_range::minus_one_to_one,
                                                      .direction = depth_direction::reversed,
                                                      .origin = texture_origin::top}}) {
-        std::vector<float> known(points.size(), -1.0f);
-        std::size_t changed = 0, again = 0, partly = 0;
-        for (int frame = 0; frame < 12; ++frame) {
+        std::size_t partly = 0;
+        const stability_report r = measure_stability(12, points.size(), [&](int frame) {
             const float a = 0.61f * static_cast<float>(frame);
             cascade_fit<float> fit{
                 .direction = direction, .scene = {middle - 60.0f, middle + 60.0f}, .map_size = 256, .clip = clip};
@@ -180,17 +181,17 @@ TEST_CASE("make_stable_cascades: what a map shows of fixed points never changes 
             CHECK(cascade.light.view == rotation);
             image<float> map({256, 256}, cleared_depth(clip));
             rasterize_depth(map, {positions, triangles}, cascade.light.projection, clip);
-            for (std::size_t i = 0; i < points.size(); ++i) {
+            return [&, cascade, map = std::move(map)](std::size_t i) -> placed_point {
                 const glm::vec3 at = cascade_coordinate(points[i], cascade.scale, cascade.offset);
-                if (!inside_cascade(at, glm::vec2(256), 1.5f)) continue;
+                if (!inside_cascade(at, glm::vec2(256), 1.5f)) return {};
                 const float visibility = pcf_2x2(clamped(map), glm::vec2(at), at.z, comparison{clip.direction});
-                if (known[i] >= 0.0f) ++again, changed += visibility != known[i];
-                known[i] = visibility;
                 partly += visibility > 0.0f && visibility < 1.0f;
-            }
-        }
-        CHECK(changed == 0);
-        CHECK(again > 5000);
+                return {0, glm::dvec2(at), double(visibility)};
+            };
+        });
+        CHECK(r.drift == 0);
+        CHECK(r.changed == 0);
+        CHECK(r.compared > 2000);
         CHECK(partly > 300);
     }
 }

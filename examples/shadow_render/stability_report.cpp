@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "stability_report.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
+#include <umbrage/images/rasterize.hpp>
+#include <umbrage/images/stability.hpp>
+#include <umbrage/light/cascades/cascades.hpp>
+#include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/cascades/splits.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/shade/lighting.hpp>
+#include <umbrage/unorm.hpp>
+
+#include <camera.hpp>
+#include <png.hpp>
+#include <progress.hpp>
+#include <srgb.hpp>
+#include <surface.hpp>
+
+#include "shade.hpp"
+#include "sheet.hpp"
+
+namespace shadow_render {
+namespace {
+
+constexpr int frames = 24;
+constexpr float lift = 0.05f;  ///< of points off their surfaces, world units: less than that is acne's
+
+/// What the camera does: it walks past the scene, and turns and nods as it does.
+example::camera camera_at(const options& o, const example::scene& scene, int frame) {
+    const float at = static_cast<float>(frame) / (frames - 1);
+    return example::make_camera({.target = scene.target + glm::vec3(0.9f * at, 0.1f * at, -0.5f * at),
+                                 .azimuth = o.camera_azimuth + 25 * at,
+                                 .elevation = o.camera_elevation + 6 * std::sin(9 * at),
+                                 .distance = o.camera_distance,
+                                 .fov = o.fov,
+                                 .aspect = static_cast<float>(o.width) / static_cast<float>(o.height)});
+}
+
+/// How cascades are made, and how depths are drawn and looked up.
+struct way {
+    const char* name;
+    bool stable;
+    bool in_double = false;
+    bool one_matrix = false;  ///< from world to texels, in place of a rotation, a scale and an offset
+};
+
+/// Four cascades of a frame, drawn.
+template <umbrage::real T>
+class frame {
+public:
+    frame(const options& o, const example::scene& scene, const example::camera& c, const way& w)
+        : way_(w), size_(o.map_size / 2), position_(c.frustum.position), direction_(c.frustum.direction) {
+        using vector = glm::vec<3, T>;
+        const auto& f = c.frustum;
+        const auto tangent = [](double t) { return static_cast<T>(t); };
+        const umbrage::cascade_fit<T> fit{
+            .camera = {vector(f.position), vector(f.direction), vector(f.up), tangent(f.tan_half_x),
+                       tangent(f.tan_half_y)},
+            .direction = -vector(example::direction_at(o.azimuth, o.elevation)),
+            .up = vector(w.stable ? example::direction_at(o.azimuth, o.elevation + 90) : glm::vec3(f.direction)),
+            .scene = {vector(scene.low), vector(scene.high)},
+            .map_size = o.map_size / 2,
+            .clip = example::picture_clip};
+        const auto splits = umbrage::practical_splits<4>(T(f.z_near), T(f.z_far), T(0.9));
+        cascades_ =
+            w.stable ? umbrage::make_stable_cascades<4>(fit, splits) : umbrage::make_tight_cascades<4>(fit, splits);
+        uniforms_ = umbrage::make_cascade_uniforms(cascades_, T(0));
+        std::vector<glm::vec3> rotated;
+        if (!w.one_matrix)
+            for (const glm::vec3& p : scene.geometry.positions)
+                rotated.emplace_back(umbrage::shadow_coordinate(uniforms_.rotation, vector(p)));
+        for (const umbrage::cascade<T>& of : cascades_) {
+            to_texels_.push_back(umbrage::texture_matrix(of.light, glm::ivec2(size_)));
+            maps_.emplace_back(glm::ivec2(size_), umbrage::cleared_depth(fit.clip));
+            const umbrage::mesh_view world = view_of(scene.geometry), turned{rotated, world.triangles};
+            umbrage::rasterize_depth(
+                maps_.back(), w.one_matrix ? world : turned,
+                glm::mat4(w.one_matrix ? of.light.projection * of.light.view : of.light.projection), fit.clip,
+                umbrage::cull_mode::none);
+        }
+    }
+
+    [[nodiscard]] umbrage::placed_point operator()(glm::vec3 point) const {
+        const double depth = glm::dot(glm::dvec3(point) - position_, direction_);
+        const auto number = static_cast<glm::length_t>(umbrage::cascade_by_depth(T(depth), uniforms_.ends));
+        const auto i = static_cast<std::size_t>(number);
+        const glm::vec<3, T> p(point);
+        const glm::vec<3, T> at =
+            way_.one_matrix
+                ? glm::vec<3, T>(umbrage::shadow_coordinate(to_texels_[i], p))
+                : umbrage::cascade_coordinate(glm::vec<3, T>(umbrage::shadow_coordinate(uniforms_.rotation, p)),
+                                              uniforms_.scales[number], uniforms_.offsets[number]);
+        if (!umbrage::inside_cascade(at, glm::vec<2, T>(T(size_)), T(1.5))) return {};
+        return {static_cast<int>(number), glm::dvec2(at),
+                static_cast<double>(umbrage::pcf_2x2(umbrage::clamped(maps_[i]), glm::vec<2, T>(at), at.z))};
+    }
+
+private:
+    way way_;
+    int size_;
+    glm::dvec3 position_, direction_;
+    std::array<umbrage::cascade<T>, 4> cascades_;
+    umbrage::cascade_uniforms<T> uniforms_;
+    std::vector<glm::mat<4, 4, T>> to_texels_;
+    std::vector<umbrage::image<float>> maps_;
+};
+
+using look_up = std::function<umbrage::placed_point(glm::vec3)>;
+
+look_up draw(const options& o, const example::scene& scene, int number, const way& w) {
+    const example::camera camera = camera_at(o, scene, number);
+    if (w.in_double) return frame<double>(o, scene, camera, w);
+    return frame<float>(o, scene, camera, w);
+}
+
+/// Points that the first frame's camera sees, where they face the light, a little off their surfaces.
+std::vector<glm::vec3> points_of(const options& o, const example::scene& scene) {
+    const example::camera camera = camera_at(o, scene, 0);
+    const auto seen = example::camera_pass(scene.geometry, camera, {o.width, o.height});
+    const glm::vec3 to_light = example::direction_at(o.azimuth, o.elevation);
+    std::vector<glm::vec3> points;
+    for (glm::ivec2 p{0}; p.y < o.height; p.y += 3)
+        for (p.x = 0; p.x < o.width; p.x += 3) {
+            if (seen[p] == example::nothing) continue;
+            const example::surface at = surface_at(scene, camera, seen, p);
+            if (glm::dot(at.face_normal, to_light) > 0.1f) points.push_back(at.position + lift * at.face_normal);
+        }
+    return points;
+}
+
+example::scene moved(example::scene scene, glm::vec3 by) {
+    for (glm::vec3& p : scene.geometry.positions) p += by;
+    scene.low += by, scene.high += by, scene.target += by;
+    return scene;
+}
+
+/// What the camera sees.
+picture photograph(const options& o, const example::scene& scene, const example::camera& camera, const look_up& lit) {
+    picture out({o.width, o.height}, example::to_srgb(background));
+    const auto seen = example::camera_pass(scene.geometry, camera, out.size());
+    const glm::vec3 to_light = example::direction_at(o.azimuth, o.elevation);
+    for (glm::ivec2 p{0}; p.y < o.height; ++p.y)
+        for (p.x = 0; p.x < o.width; ++p.x) {
+            if (seen[p] == example::nothing) continue;
+            const example::surface at = surface_at(scene, camera, seen, p);
+            const umbrage::placed_point in = lit(at.position + lift * at.face_normal);
+            out[p] = example::to_srgb(umbrage::diffuse_ambient(at.colour, ambient, glm::dot(at.normal, to_light),
+                                                               in.map < 0 ? 1.0f : static_cast<float>(in.visibility)));
+        }
+    return out;
+}
+
+/// Visibility on the same piece of floor, from above, behind the scene's middle as the light sees it. Red: where it is
+/// another than in the first frame.
+class patch {
+public:
+    patch(const options& o, const example::scene& scene) : size_(o.width, o.height) {
+        const glm::vec3 way = -example::direction_at(o.azimuth, o.elevation);
+        middle_ = scene.target - way * ((scene.target.y - scene.low.y) / way.y);
+    }
+
+    [[nodiscard]] picture operator()(const look_up& lit) {
+        constexpr float width = 1.6f;
+        picture out(size_);
+        const bool first = first_.empty();
+        if (first) first_ = umbrage::image<umbrage::placed_point>(size_);
+        for (glm::ivec2 p{0}; p.y < size_.y; ++p.y)
+            for (p.x = 0; p.x < size_.x; ++p.x) {
+                const glm::vec2 at = (glm::vec2(p) + 0.5f - glm::vec2(size_) * 0.5f) * (width / float(size_.x));
+                const umbrage::placed_point in = lit(middle_ + glm::vec3(at.x, lift, at.y));
+                if (first) first_[p] = in;
+                const auto grey = static_cast<float>(0.15 + 0.7 * in.visibility);
+                const bool same = in.map != first_[p].map || in.visibility == first_[p].visibility;
+                out[p] = umbrage::store_unorm8(same ? glm::vec3(grey) : glm::vec3(0.9f, 0.1f, 0.1f));
+            }
+        return out;
+    }
+
+private:
+    glm::ivec2 size_;
+    glm::vec3 middle_;
+    umbrage::image<umbrage::placed_point> first_;
+};
+
+}  // namespace
+
+void stability_report(const options& o, const example::scene& scene) {
+    constexpr way stable{"4 practical spheres, float", true}, tight{"4 practical tight, float", false};
+    constexpr std::array ways{way{"4 practical spheres, double", true, true}, stable,
+                              way{"4 practical spheres, float, one matrix", true, false, true}, tight};
+    example::progress progress(2 * ways.size() + 2, o.quiet);
+    const auto points = progress.stage("points", [&] { return points_of(o, scene); });
+    const std::string title = text("%s: four cascades of %d x %d texels, %d frames of a camera that moves and turns",
+                                   title_of(o).c_str(), o.map_size / 2, o.map_size / 2, frames);
+    if (!o.quiet)
+        std::printf(
+            "%s\n%zu points of surfaces, each against the first frame in which the same cascade held it\n\n"
+            "%-52s %14s %9s %9s %7s\n",
+            title.c_str(), points.size(), "set-up", "drift, texels", "points", "changed", "%");
+    for (const auto& [where, by] : {std::pair("", glm::vec3(0)), {", 3 km out", glm::vec3(2300, 40, 1900)}}) {
+        const example::scene there = moved(scene, by);
+        for (const way& w : ways)
+            progress.stage(w.name, [&, by = by, where = where] {
+                const umbrage::stability_report r = umbrage::measure_stability(frames, points.size(), [&](int i) {
+                    return [&, lit = draw(o, there, i, w)](std::size_t k) { return lit(points[k] + by); };
+                });
+                if (!o.quiet)
+                    std::printf("%-52s %14.6f %9zu %9zu %7.2f\n", (std::string(w.name) + where).c_str(), r.drift,
+                                r.compared, r.changed, 100 * r.share());
+            });
+    }
+    progress.stage("film", [&] {
+        const glm::ivec2 size(o.width, o.height);
+        sheet film(size, 4 * sheet::columns,
+                   {title, "Below each row the same piece of floor in the same frames, from above",
+                    "Red: in another light than in the first frame, by the same cascade"});
+        for (const way& w : {stable, tight}) {
+            std::array<picture, sheet::columns> floor;
+            patch above(o, scene);
+            for (int i = 0; i < sheet::columns; ++i) {
+                const int number = i * (frames - 1) / (sheet::columns - 1);
+                const look_up lit = draw(o, scene, number, w);
+                floor[static_cast<std::size_t>(i)] = above(lit);
+                film.add(photograph(o, scene, camera_at(o, scene, number), lit), {w.name, text("frame %d", number)});
+            }
+            for (const picture& p : floor) film.add(p, {});
+        }
+        example::write_png(o.output / "film.png", film.pixels().view());
+    });
+}
+
+}  // namespace shadow_render

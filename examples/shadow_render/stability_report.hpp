@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+//
+// --stability-report: whether cascades stand still while the camera moves and turns. A table, of double and float, of
+// one matrix and of a rotation with an offset, here and 3 km from the origin; and a film strip, film.png.
+#pragma once
+
+#include <scene.hpp>
+
+#include "options.hpp"
+
+namespace shadow_render {
+
+/// @throws std::runtime_error  the film strip cannot be written
+void stability_report(const options& o, const example::scene& scene);
+
+}  // namespace shadow_render
