@@ -2,11 +2,15 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include <umbrage/images/quality.hpp>
+#include <umbrage/light/cascades/cascades.hpp>
+#include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -50,16 +54,19 @@ glm::dvec3 sun(double elevation, double azimuth) {
     return {-std::sin(a) * std::cos(e), -std::sin(e), std::cos(a) * std::cos(e)};
 }
 
-quality_report on_ground(const glm::dmat4& texture_matrix) {
+/// @param to_texels   the map's, or the cascades', which meet at ends
+quality_report on_ground(const std::vector<glm::dmat4>& to_texels, glm::ivec2 size = map_size, glm::dvec3 ends = {}) {
     const glm::dmat4 back = glm::inverse(reference.to_pixels);
-    return measure_quality({.screen = screen, .map_size = map_size, .step = 4}, [&](glm::ivec2 i) {
+    const measured_view view{.screen = screen, .map_size = size, .maps = int(to_texels.size()), .step = 4};
+    return measure_quality(view, [&](glm::ivec2 i) {
         const glm::dvec2 pixel = glm::dvec2(i) + 0.5;
         const glm::dvec4 h = back * glm::dvec4(pixel, 0.5, 1);
         const glm::dvec3 way = glm::dvec3(h) / h.w - reference.seen.position;
         const double share = -reference.seen.position.y / way.y;
         if (!(share > 0) || -way.z * share > 1000) return glm::dmat2(0);
-        return pixels_per_texel(texture_matrix, reference.to_pixels, reference.seen.position + share * way,
-                                glm::dvec3(0, 1, 0));
+        const double number = to_texels.size() > 1 ? cascade_by_depth(-way.z * share, ends) : 0;
+        return pixels_per_texel(to_texels[std::size_t(number)], reference.to_pixels,
+                                reference.seen.position + share * way, glm::dvec3(0, 1, 0));
     });
 }
 
@@ -180,7 +187,7 @@ TEST_CASE("measure_quality: one map around what a camera sees of a long ground, 
                                                           .receivers = intersection(reference.seen, reference_scene),
                                                           .casters = reference_scene,
                                                           .margin = 0});
-        const quality_report report = on_ground(texture_matrix(light, map_size));
+        const quality_report report = on_ground({texture_matrix(light, map_size)});
         CHECK(report.p95 == doctest::Approx(r.p95).epsilon(0.01));
         CHECK(report.greatest == doctest::Approx(r.greatest).epsilon(0.01));
         if (r.elevation < 90) continue;
@@ -189,19 +196,73 @@ TEST_CASE("measure_quality: one map around what a camera sees of a long ground, 
     }
 }
 
-TEST_CASE("measure_quality: overhead light and a bare frustum need the storage that theory says") {
-    // of surfaces halfway between light and camera, on its axis: (far / near) (far - near) / (2 near tangent)
-    for (double z_far : {50.0, 1000.0}) {
-        const double z_near = 1;
-        frustum<double> f{.tan_half_x = 1, .tan_half_y = 1, .z_near = z_near, .z_far = z_far};
-        const auto light =
-            fit_directional_light<double>({.direction = {0, -1, 0}, .up = {0, 0, -1}, .receivers = f, .margin = 0});
-        const glm::dmat4 texels = texture_matrix(light, map_size), pixels = view(f).to_pixels;
-        const auto report = measure_quality({.screen = screen, .map_size = map_size}, [&](glm::ivec2 p) {
-            if (p.y != 0) return glm::dmat2(0);
-            const double z = z_near * std::pow(z_far / z_near, p.x / 1279.0);
-            return pixels_per_texel(texels, pixels, glm::dvec3(0, 0, -z), glm::dvec3(0, 1, 1));
-        });
-        CHECK(report.storage_factor == doctest::Approx(z_far / z_near * (z_far - z_near) / (2 * z_near)).epsilon(0.05));
+TEST_CASE("measure_quality: four spheres and four tight cascades over the same ground and suns") {
+    struct row {
+        double elevation, azimuth, sphere_p95, sphere_greatest, tight_p95, tight_greatest;
+    };
+    const double step = std::pow(1000.0, 0.25);
+    const std::array splits{0.5, step, step * step, step * step * step, 1000.0};
+    // of an implementation apart from this one, by finite differences
+    for (const row& r : {row{90, 0, 8.79, 11.6, 6.65, 7.53}, row{45, 90, 11.4, 14.1, 7.60, 8.53},
+                         row{20, 90, 22.1, 24.8, 9.31, 10.3}, row{45, 180, 10.3, 14.5, 6.80, 8.03},
+                         row{45, 0, 10.3, 14.5, 6.72, 7.78}, row{45, 135, 10.9, 16.4, 8.01, 11.5},
+                         row{15, 180, 22.8, 34.3, 7.49, 9.99}, row{15, 0, 22.8, 34.3, 7.20, 9.33}}) {
+        CAPTURE(r.elevation);
+        CAPTURE(r.azimuth);
+        cascade_fit<double> fit{
+            .camera = reference.seen, .direction = sun(r.elevation, r.azimuth), .scene = reference_scene, .margin = 0};
+        const auto over = [&](const auto& cascades) {
+            std::vector<glm::dmat4> to_texels;
+            for (const auto& c : cascades) to_texels.push_back(texture_matrix(c.light, {1024, 1024}));
+            return on_ground(to_texels, {1024, 1024}, {splits[1], splits[2], splits[3]});
+        };
+        const quality_report sphere = over(make_stable_cascades<4>(fit, splits));
+        fit.up = reference.seen.direction;
+        const quality_report tight = over(make_tight_cascades<4>(fit, splits));
+        CHECK(sphere.p95 == doctest::Approx(r.sphere_p95).epsilon(0.01));
+        CHECK(sphere.greatest == doctest::Approx(r.sphere_greatest).epsilon(0.01));
+        CHECK(tight.p95 == doctest::Approx(r.tight_p95).epsilon(0.01));
+        CHECK(tight.greatest == doctest::Approx(r.tight_greatest).epsilon(0.01));
+        if (r.elevation < 90) continue;
+        CHECK(sphere.mean == doctest::Approx(4.16).epsilon(0.01));
+        CHECK(sphere.storage_factor == doctest::Approx(315).epsilon(0.05));
+        CHECK(tight.mean == doctest::Approx(3.19).epsilon(0.01));
+        CHECK(tight.storage_factor == doctest::Approx(96).epsilon(0.05));
+    }
+}
+
+TEST_CASE(
+    "measure_quality: overhead light and bare frusta need the storage that theory says, in one map and in parts") {
+    // of surfaces halfway between light and camera, on its axis: parts ratio (ratio - 1) / (2 tangent), ratio from
+    // each part's near plane to its far plane
+    struct row {
+        double z_far;
+        int parts;
+        double storage_factor;
+    };
+    for (const row& r : {row{50, 1, 1225}, row{1000, 1, 499500}, row{1000, 2, 968}, row{1000, 3, 135}, row{1000, 4, 52},
+                         row{1000, 8, 13}}) {
+        CAPTURE(r.parts);
+        const double ratio = std::pow(r.z_far, 1.0 / r.parts);
+        const frustum<double> whole{.tan_half_x = 1, .tan_half_y = 1, .z_near = 1, .z_far = r.z_far};
+        std::vector<glm::dmat4> to_texels;
+        for (int i = 0; i < r.parts; ++i) {
+            frustum<double> part = whole;
+            part.z_near = std::pow(ratio, i), part.z_far = part.z_near * ratio;
+            to_texels.push_back(
+                texture_matrix(fit_directional_light<double>(
+                                   {.direction = {0, -1, 0}, .up = {0, 0, -1}, .receivers = part, .margin = 0}),
+                               map_size));
+        }
+        const glm::dmat4 pixels = view(whole).to_pixels;
+        const auto report =
+            measure_quality({.screen = screen, .map_size = map_size, .maps = r.parts}, [&](glm::ivec2 p) {
+                if (p.y != 0) return glm::dmat2(0);
+                const double at = r.parts * p.x / 1279.0;
+                const auto part = static_cast<std::size_t>(std::min(at, r.parts - 1.0));
+                return pixels_per_texel(to_texels[part], pixels, glm::dvec3(0, 0, -std::pow(ratio, at)),
+                                        glm::dvec3(0, 1, 1));
+            });
+        CHECK(report.storage_factor == doctest::Approx(r.storage_factor).epsilon(0.05));
     }
 }
