@@ -11,6 +11,7 @@
 #include <umbrage/images/depth_span.hpp>
 #include <umbrage/images/encode.hpp>
 #include <umbrage/images/filter_bounds.hpp>
+#include <umbrage/images/instances.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/min_max.hpp>
 #include <umbrage/images/overlay.hpp>

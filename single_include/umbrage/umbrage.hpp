@@ -9634,11 +9634,12 @@ template <class ParallelFor = serial>
 }  // namespace umbrage
 
 // ---- umbrage/images/mesh.hpp
-// What the depth pass draws.
+// What the depth pass draws: triangles, once or as instances, each under its matrix.
 //
 //     umbrage::mesh_view mesh{positions, triangles};
 //
 
+UMBRAGE_STRICT_MATH
 namespace umbrage {
 
 /// Triangles that somebody else owns: three indices into the positions each.
@@ -9655,6 +9656,109 @@ enum class cull_mode { none, front, back };
 /// casters between the light and a near plane at the receivers still cast. GPUs' depth clamp, but that the far plane
 /// still clips.
 enum class near_plane { clips, clamps };
+
+/// The matrix that an instance of a mesh is drawn with.
+/// @param model       model to world
+/// @exactness         the product in double, rounded once: far from the world's origin a float product would lose what
+///                    subtracting the camera's or the light's place leaves
+[[nodiscard]] inline glm::mat4 model_to_clip(const glm::mat4& world_to_clip, const glm::mat4& model) {
+    return glm::mat4(glm::dmat4(world_to_clip) * glm::dmat4(model));
+}
+
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/images/instances.hpp
+// Which instances of a mesh a map has to draw: a cascade's holds a small part of the world, and most casters lie beside
+// it.
+//
+//     const umbrage::bounding_box<float> box = umbrage::bounds_of(tree);  // once
+//     for (const auto& c : cascades) {
+//         const glm::mat4 world_to_clip = c.light.projection * c.light.view;
+//         umbrage::rasterize_depth(map, tree, umbrage::instances_in_map(box, trees, world_to_clip, clip),
+//                                  world_to_clip, clip);
+//     }
+//
+
+namespace umbrage {
+
+/// The box around a mesh's positions.
+/// @param mesh   positions that are not finite do not count, as the depth pass leaves their triangles out
+/// @return       low above high where there is none: nothing is then drawn, and corners() refuses it
+[[nodiscard]] inline bounding_box<float> bounds_of(const mesh_view& mesh) {
+    bounding_box<float> box{glm::vec3(std::numeric_limits<float>::max()),
+                            glm::vec3(std::numeric_limits<float>::lowest())};
+    for (const glm::vec3& p : mesh.positions)
+        if (detail::all_finite(p)) box.low = glm::min(box.low, p), box.high = glm::max(box.high, p);
+    return box;
+}
+
+namespace detail {
+
+/// Whether a body, within a box around its middle, may mark a texel; the rest as for umbrage::may_mark.
+/// @param reach   dvec3 normal -> how far the body goes from its middle along it, times its length
+template <class Reach>
+[[nodiscard]] bool may_mark(const glm::dvec3& middle, const glm::dvec3& half, const Reach& reach,
+                            const glm::mat4& to_clip, clip_space clip, near_plane at_near) {
+    if (!all_finite(to_clip)) return false;
+    if (!all_finite(middle) || !all_finite(half)) return true;
+    const glm::dmat4 rows = glm::transpose(glm::dmat4(to_clip));
+    const auto magnitude = [&](const glm::dvec4& row) {
+        return glm::dot(glm::abs(glm::dvec3(row)), glm::abs(middle) + half) + glm::abs(row.w);
+    };
+    const double of_w = magnitude(rows[3]);
+    // All of it where a multiple of w and another of a row sum to less than 0.
+    const auto beyond = [&](double w, glm::length_t row, double sign) {
+        const glm::dvec4 plane = rows[3] * w + rows[row] * sign;
+        const double farthest = glm::dot(glm::dvec3(plane), middle) + plane.w + reach(glm::dvec3(plane));
+        return farthest < -0x1p-20 * (of_w + magnitude(rows[row]));
+    };
+    const bool forward = clip.direction == depth_direction::forward, clips = at_near == near_plane::clips;
+    const double low = clip.range == depth_range::zero_to_one ? 0.0 : 1.0;  // z >= 0, or w + z >= 0
+    return !(beyond(1, 0, 1) || beyond(1, 0, -1) || beyond(1, 1, 1) || beyond(1, 1, -1) || beyond(1, 3, 0) ||
+             ((clips || !forward) && beyond(low, 2, 1)) || ((clips || forward) && beyond(1, 2, -1)));
+}
+
+}  // namespace detail
+
+/// Whether a mesh within bounds may mark a texel of a map: false only where all of it lies beyond one side, beyond the
+/// far plane, behind the eye, or, if that clips, before the near plane. Where the near plane clamps, casters between
+/// it and the light stay.
+///
+/// @param bounds    in the mesh's own space; low above high, or a radius below 0: there is nothing, false; not finite:
+///                  anything may be there, true
+/// @param to_clip   model_to_clip, or any matrix that the mesh is drawn with; not finite: nothing is drawn, false
+/// @param at_near   as the depth pass has it
+/// @exactness       conservative: with 2^-20 to spare of the sums that a shader's floats round
+[[nodiscard]] inline bool may_mark(const bounding_box<float>& bounds, const glm::mat4& to_clip, clip_space clip,
+                                   near_plane at_near = near_plane::clips) {
+    if (glm::any(glm::greaterThan(bounds.low, bounds.high))) return false;
+    const glm::dvec3 low(bounds.low), high(bounds.high), half = (high - low) * 0.5;
+    const auto reach = [&](const glm::dvec3& normal) { return glm::dot(glm::abs(normal), half); };
+    return detail::may_mark((low + high) * 0.5, half, reach, to_clip, clip, at_near);
+}
+[[nodiscard]] inline bool may_mark(const bounding_sphere<float>& bounds, const glm::mat4& to_clip, clip_space clip,
+                                   near_plane at_near = near_plane::clips) {
+    if (bounds.radius < 0.0f) return false;
+    const double radius = bounds.radius;
+    const auto reach = [&](const glm::dvec3& normal) { return glm::length(normal) * radius; };
+    return detail::may_mark(glm::dvec3(bounds.centre), glm::dvec3(radius), reach, to_clip, clip, at_near);
+}
+
+/// The instances that may mark a map, in their order: the depth pass of these has the bits of that of all.
+/// @param bounds          of the mesh: box or sphere
+/// @param instances       model to world, a matrix each
+/// @param world_to_clip   projection * view
+/// The rest as for may_mark.
+template <class Bounds>
+[[nodiscard]] std::vector<glm::mat4> instances_in_map(const Bounds& bounds, std::span<const glm::mat4> instances,
+                                                      const glm::mat4& world_to_clip, clip_space clip,
+                                                      near_plane at_near = near_plane::clips) {
+    std::vector<glm::mat4> kept;
+    for (const glm::mat4& model : instances)
+        if (may_mark(bounds, model_to_clip(world_to_clip, model), clip, at_near)) kept.push_back(model);
+    return kept;
+}
 
 }  // namespace umbrage
 
@@ -9985,6 +10089,12 @@ struct snapped_vertex {
     friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
 };
 
+/// @throws std::invalid_argument  a side is negative or above guard_band
+inline void require_drawable(glm::ivec2 size) {
+    if (size.x < 0 || size.y < 0) detail::fail("umbrage::rasterize: negative size");
+    if (size.x > guard_band || size.y > guard_band) detail::fail("umbrage::rasterize: image side above 16384 texels");
+}
+
 /// What stands for a vertex outside of planes: off the grid, with their bits.
 [[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
     return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
@@ -10002,12 +10112,10 @@ public:
     static constexpr unsigned nowhere = 1u << planes;  ///< stands for a position that is not finite
 
     /// @param world_to_clip  projection * view; its elements must be finite
-    /// @throws std::invalid_argument  a side of `size` is negative or above guard_band
+    /// @throws std::invalid_argument  see require_drawable
     projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size)
         : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
-        if (size.x < 0 || size.y < 0) detail::fail("umbrage::rasterize: negative size");
-        if (size.x > guard_band || size.y > guard_band)
-            detail::fail("umbrage::rasterize: image side above 16384 texels");
+        require_drawable(size);
     }
 
     [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {
@@ -10676,14 +10784,15 @@ enum class near_side { behind, before };
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
-// ---- umbrage/simd/raster/snapped_mesh.hpp
-// A mesh on the grid of an image, some ten thousand triangles at a time: their vertices projected and snapped, they
-// themselves clipped and handed out in batches, in the mesh's order or band by band of the image's rows.
+// ---- umbrage/simd/raster/snapped_chunk.hpp
+// Some triangles of a mesh in some instances, their vertices projected and snapped: what fits a cache at a time.
 //
-//     snapped_mesh snapped(size, mesh, world_to_clip, clip, cull_mode::none, near_plane::clips);
-//     snapped.for_each_chunk(serial{}, [&] {
-//         snapped.for_each_batch([&](const triangles& batch) { ... });
-//     });
+//     snapped_chunk chunk(mesh, projections);
+//     chunk.take(first_triangle, first_instance, 1 << 16);
+//     chunk.snap(serial{});
+//     for (unsigned i = 0; i < chunk.count(); ++i) use(chunk.vertex(chunk.place_of(i), 0));
+//
+// Triangles are counted on from one instance to the next, and so are vertices.
 //
 
 UMBRAGE_STRICT_MATH
@@ -10714,30 +10823,153 @@ private:
     std::size_t count_ = 0;
 };
 
-/// The triangles of a mesh, chunk by chunk.
+struct index_range {
+    unsigned lowest, highest;
+};
+
+[[nodiscard]] inline index_range indices_of(std::span<const glm::uvec3> triangles) {
+    index_range range{~0u, 0u};
+    on_best_isa([&](auto) UMBRAGE_INLINE {
+        const glm::uvec3* t = triangles.data();
+        const glm::uvec3* const last = t + triangles.size();
+        unsigned low = ~0u, high = 0;
+        for (; last - t >= block; t += block)
+            for (int i = 0; i < block; ++i)
+                for (glm::length_t k = 0; k < 3; ++k) {
+                    low = low < t[i][k] ? low : t[i][k];
+                    high = high < t[i][k] ? t[i][k] : high;
+                }
+        for (; t < last; ++t)
+            for (glm::length_t k = 0; k < 3; ++k) low = std::min(low, (*t)[k]), high = std::max(high, (*t)[k]);
+        range = {low, high};
+    });
+    return range;
+}
+
+/// Of a chunk: which instance of those in it, and which triangle of the mesh.
+struct drawn_triangle {
+    std::size_t instance, triangle;
+};
+
+class snapped_chunk {
+public:
+    explicit snapped_chunk(const mesh_view& mesh) : mesh_(mesh) {}
+
+    /// From a triangle and an instance on: the rest of the mesh, and as many instances more as `most` has room for, or
+    /// `most` triangles.
+    /// @param instances   those from that instance on, at least one
+    void take(std::size_t first, std::span<const projection> instances, std::size_t most) {
+        first_ = first;
+        triangles_ = std::min(most, mesh_.triangles.size() - first);
+        const auto [lowest, highest] = indices_of(mesh_.triangles.subspan(first_, triangles_));
+        const std::size_t corners = 3 * triangles_, range = std::size_t(highest) - lowest + 1;
+        by_corner_ = corners < range;
+        lowest_ = lowest;
+        used_ = std::min(corners, range);
+        stride_ = (used_ + block - 1) / block * block;
+        const bool whole = triangles_ == mesh_.triangles.size();
+        const std::size_t room = whole ? std::max(most / std::max(triangles_, stride_), std::size_t(1)) : 1;
+        instances_ = instances.first(std::min(room, instances.size()));
+    }
+
+    [[nodiscard]] std::size_t instances() const { return instances_.size(); }
+    [[nodiscard]] unsigned count() const { return static_cast<unsigned>(triangles_ * instances_.size()); }
+
+    template <class ParallelFor>
+    void snap(ParallelFor&& parallel) {
+        const std::size_t blocks = stride_ / block * instances_.size();
+        vertices_.make(blocks * block);
+        constexpr std::size_t piece = 64;  // that a thread takes at a time
+        parallel(static_cast<int>((blocks + piece - 1) / piece), [&](int begin, int end) {
+            for (std::size_t i = std::size_t(begin) * piece; i < std::min(std::size_t(end) * piece, blocks); ++i) {
+                const std::size_t instance = i * block / stride_, vertex = i * block - instance * stride_;
+                alignas(64) glm::vec3 positions[block];
+                for (std::size_t k = 0; k < block; ++k) positions[k] = position(std::min(vertex + k, used_ - 1));
+                instances_[instance].snap(positions, vertices_.data() + i * block);
+            }
+        });
+    }
+
+    /// @param i   below count()
+    [[nodiscard]] UMBRAGE_INLINE drawn_triangle place_of(unsigned i) const {
+        if (instances_.size() == 1) return {0, first_ + i};
+        const unsigned triangles = static_cast<unsigned>(triangles_), instance = i / triangles;
+        return {instance, first_ + (i - instance * triangles)};
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE const snapped_vertex& vertex(const drawn_triangle& at, glm::length_t corner) const {
+        const std::size_t vertex = by_corner_ ? 3 * (at.triangle - first_) + std::size_t(corner)
+                                              : std::size_t(mesh_.triangles[at.triangle][corner] - lowest_);
+        return vertices_[at.instance * stride_ + vertex];
+    }
+
+    /// A corner before it was snapped.
+    [[nodiscard]] glm::dvec4 homogeneous(const drawn_triangle& at, glm::length_t corner) const {
+        return instances_[at.instance].homogeneous(mesh_.positions[mesh_.triangles[at.triangle][corner]]);
+    }
+    [[nodiscard]] const projection& projection_of(const drawn_triangle& at) const { return instances_[at.instance]; }
+
+private:
+    [[nodiscard]] const glm::vec3& position(std::size_t i) const {
+        if (!by_corner_) return mesh_.positions[lowest_ + i];
+        return mesh_.positions[mesh_.triangles[first_ + i / 3][glm::length_t(i % 3)]];
+    }
+
+    mesh_view mesh_;
+    std::span<const projection> instances_;
+    std::size_t first_ = 0, triangles_ = 0;
+    std::size_t used_ = 0, stride_ = 0;  // vertices of an instance, and in whole blocks
+    unsigned lowest_ = 0;                // index
+    bool by_corner_ = false;             // three vertices a triangle, rather than a range of the mesh's
+    unwritten_vertices vertices_;
+};
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/simd/raster/snapped_mesh.hpp
+// Instances of a mesh on the grid of an image, some ten thousand triangles at a time: their vertices projected and
+// snapped, they themselves clipped and handed out in batches, in the mesh's order or band by band of the image's rows.
+//
+//     snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull_mode::none, near_plane::clips);
+//     snapped.for_each_chunk(serial{}, [&] {
+//         snapped.for_each_batch([&](const triangles& batch) { ... });
+//     });
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+/// The triangles of a mesh, once for each of some matrices, chunk by chunk.
 class snapped_mesh {
 public:
+    /// @param to_clip   of each instance; those that are not finite draw nothing
     /// @throws std::invalid_argument  an index is out of range; a side of the image is above guard_band
-    snapped_mesh(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
+    snapped_mesh(glm::ivec2 size, const mesh_view& mesh, std::span<const glm::mat4> to_clip, clip_space clip,
                  cull_mode cull, near_plane at_near)
-        : mesh_(mesh), size_(size), cull_(cull), at_near_(at_near), project_(world_to_clip, clip, size) {
+        : mesh_(mesh), size_(size), cull_(cull), at_near_(at_near), chunk_(mesh) {
+        require_drawable(size);
         if (mesh.triangles.empty()) return;
-        if (indices(0, mesh.triangles.size()).highest >= mesh.positions.size())
+        if (indices_of(mesh.triangles).highest >= mesh.positions.size())
             detail::fail("umbrage::rasterize: a triangle's index is out of range");
-        if (size.x == 0 || size.y == 0 || !all_finite(world_to_clip)) mesh_.triangles = {};
+        if (size.x == 0 || size.y == 0) return;
+        for (const glm::mat4& matrix : to_clip)
+            if (all_finite(matrix)) instances_.emplace_back(matrix, clip, size);
     }
+    snapped_mesh(const snapped_mesh&) = delete;
+    snapped_mesh& operator=(const snapped_mesh&) = delete;
 
     /// @param use   (), which draws the chunk
     template <class ParallelFor, class Use>
     void for_each_chunk(ParallelFor&& parallel, const Use& use) {
         // As many vertices as a cache holds; with threads more, which are then started less often.
         constexpr std::size_t step = is_serial<ParallelFor> ? 1 << 16 : 1 << 20;
-        for (std::size_t first = 0; first < mesh_.triangles.size(); first += step) {
-            first_ = static_cast<unsigned>(first);
-            last_ = static_cast<unsigned>(std::min(first + step, mesh_.triangles.size()));
-            snap_vertices(parallel);
-            use();
-        }
+        for (std::size_t instance = 0; instance < instances_.size(); instance += chunk_.instances())
+            for (std::size_t first = 0; first < mesh_.triangles.size(); first += step) {
+                chunk_.take(first, std::span<const projection>(instances_).subspan(instance), step);
+                chunk_.snap(parallel);
+                use();
+            }
     }
 
     /// The chunk in the mesh's order, all over the image.
@@ -10745,7 +10977,7 @@ public:
     template <class Draw>
     void for_each_batch(const Draw& draw) const {
         for_each_batch(
-            {{0, 0}, size_}, last_ - first_, [this](std::size_t k) { return first_ + unsigned(k); }, draw);
+            {{0, 0}, size_}, chunk_.count(), [](std::size_t k) { return unsigned(k); }, draw);
     }
 
     /// The chunk band by band, where that keeps texels in the cache or lets threads draw side by side; else as above.
@@ -10775,57 +11007,6 @@ private:
     static constexpr int band_texels = 1 << 16, band_rows = 64;
     static constexpr unsigned piece = 1 << 16;  // triangles that one thread sorts at a time
 
-    struct index_range {
-        unsigned lowest, highest;
-    };
-
-    [[nodiscard]] index_range indices(std::size_t first, std::size_t last) const {
-        index_range range{~0u, 0u};
-        on_best_isa([&](auto) UMBRAGE_INLINE {
-            const glm::uvec3* t = mesh_.triangles.data() + first;
-            unsigned low = ~0u, high = 0;
-            for (; first + block <= last; first += block, t += block)
-                for (int i = 0; i < block; ++i)
-                    for (glm::length_t k = 0; k < 3; ++k) {
-                        low = low < t[i][k] ? low : t[i][k];
-                        high = high < t[i][k] ? t[i][k] : high;
-                    }
-            for (; first < last; ++first, ++t)
-                for (glm::length_t k = 0; k < 3; ++k) low = std::min(low, (*t)[k]), high = std::max(high, (*t)[k]);
-            range = {low, high};
-        });
-        return range;
-    }
-
-    /// The vertices that the chunk's triangles refer to, or each corner of theirs, whichever is less.
-    template <class ParallelFor>
-    void snap_vertices(ParallelFor&& parallel) {
-        const auto [lowest, highest] = indices(first_, last_);
-        const std::size_t corners = 3 * std::size_t(last_ - first_), range = std::size_t(highest) - lowest + 1;
-        by_corner_ = corners < range;
-        lowest_ = lowest;
-        const std::size_t count = by_corner_ ? corners : range;
-        vertices_.make((count + block - 1) / block * block);
-        constexpr std::size_t blocks = 64;  // that a thread takes at a time
-        parallel(static_cast<int>((count + blocks * block - 1) / (blocks * block)), [&](int first, int last) {
-            for (std::size_t i = std::size_t(first) * blocks * block;
-                 i < std::min(std::size_t(last) * blocks * block, count); i += block) {
-                alignas(64) glm::vec3 positions[block];
-                for (std::size_t k = 0; k < block; ++k) positions[k] = position(std::min(i + k, count - 1));
-                project_.snap(positions, vertices_.data() + i);
-            }
-        });
-    }
-
-    [[nodiscard]] const glm::vec3& position(std::size_t i) const {
-        return mesh_.positions[by_corner_ ? mesh_.triangles[first_ + i / 3][glm::length_t(i % 3)] : lowest_ + i];
-    }
-
-    [[nodiscard]] const snapped_vertex& vertex(unsigned triangle, glm::length_t corner) const {
-        if (by_corner_) return vertices_[3 * std::size_t(triangle - first_) + std::size_t(corner)];
-        return vertices_[mesh_.triangles[triangle][corner] - lowest_];
-    }
-
     [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b,
                                                  const snapped_vertex& c) {
         return planes_outside(a) | planes_outside(b) | planes_outside(c);
@@ -10835,15 +11016,14 @@ private:
     /// before it; nothing where it is outside of another plane, or not finite.
     /// @param use   (const clipped_polygon&), of three vertices or more
     template <class Use>
-    void for_each_part(unsigned triangle, const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c,
-                       unsigned crossed, const Use& use) const {
+    void for_each_part(const drawn_triangle& at, const snapped_vertex& a, const snapped_vertex& b,
+                       const snapped_vertex& c, unsigned crossed, const Use& use) const {
         constexpr unsigned before = 1u << projection::z_near;
         const unsigned beyond = planes_outside(a) & planes_outside(b) & planes_outside(c);
         if ((beyond & ~before) || (crossed & projection::nowhere)) return;
-        const auto& t = mesh_.triangles[triangle];
-        const auto h = [&](unsigned index) { return project_.homogeneous(mesh_.positions[index]); };
+        const auto h = [&](glm::length_t corner) { return chunk_.homogeneous(at, corner); };
         const auto part = [&](near_side side) {
-            const clipped_polygon polygon = clip_triangle(project_, h(t.x), h(t.y), h(t.z), crossed, side);
+            const clipped_polygon polygon = clip_triangle(chunk_.projection_of(at), h(0), h(1), h(2), crossed, side);
             if (polygon.count > 0) use(polygon);
         };
         if (!beyond) part(near_side::behind);
@@ -10862,15 +11042,16 @@ private:
             batch.count = 0;
         };
         for (std::size_t k = 0; k < count; ++k) {
-            const unsigned i = next(k);
-            const snapped_vertex &a = vertex(i, 0), &b = vertex(i, 1), &c = vertex(i, 2);
+            const drawn_triangle at = chunk_.place_of(next(k));
+            const unsigned id = static_cast<unsigned>(at.triangle);
+            const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
             if (const unsigned crossed = planes_crossed(a, b, c)) {
-                for_each_part(i, a, b, c, crossed, [&](const clipped_polygon& polygon) {
+                for_each_part(at, a, b, c, crossed, [&](const clipped_polygon& polygon) {
                     for (std::size_t v = 1; int(v) + 1 < polygon.count; ++v)
-                        add(polygon.vertices[0], polygon.vertices[v], polygon.vertices[v + 1], i);
+                        add(polygon.vertices[0], polygon.vertices[v], polygon.vertices[v + 1], id);
                 });
             } else {
-                add(a, b, c, i);
+                add(a, b, c, id);
             }
         }
         if (batch.count == 0) return;
@@ -10881,10 +11062,11 @@ private:
     /// Whether triangles that follow each other lie in a band's rows, by a look at some.
     [[nodiscard]] bool is_coherent(int rows) const {
         constexpr unsigned looks = 64;
-        const unsigned step = std::max(1u, (last_ - first_) / looks);
+        const unsigned step = std::max(1u, chunk_.count() / looks);
         unsigned near = 0, all = 0;
-        for (unsigned i = first_; i + 1 < last_; i += step, ++all) {
-            const int here = vertex(i, 0).y >> 8, next = vertex(i + 1, 0).y >> 8;
+        for (unsigned i = 0; i + 1 < chunk_.count(); i += step, ++all) {
+            const int here = chunk_.vertex(chunk_.place_of(i), 0).y >> 8,
+                      next = chunk_.vertex(chunk_.place_of(i + 1), 0).y >> 8;
             near += next - here < rows && here - next < rows;
         }
         return 4 * near >= 3 * all;
@@ -10892,11 +11074,12 @@ private:
 
     /// Rows that a triangle may cover, from the bottom: first <= y < last, of which there may be none.
     [[nodiscard]] glm::ivec2 rows(unsigned triangle) const {
-        const snapped_vertex &a = vertex(triangle, 0), &b = vertex(triangle, 1), &c = vertex(triangle, 2);
+        const drawn_triangle at = chunk_.place_of(triangle);
+        const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
         std::int32_t lowest = std::min({a.y, b.y, c.y}), highest = std::max({a.y, b.y, c.y});
         if (const unsigned crossed = planes_crossed(a, b, c)) {
             lowest = std::numeric_limits<std::int32_t>::max(), highest = std::numeric_limits<std::int32_t>::min();
-            for_each_part(triangle, a, b, c, crossed, [&](const clipped_polygon& polygon) {
+            for_each_part(at, a, b, c, crossed, [&](const clipped_polygon& polygon) {
                 for (std::size_t i = 0; int(i) < polygon.count; ++i) {
                     lowest = std::min(lowest, polygon.vertices[i].y);
                     highest = std::max(highest, polygon.vertices[i].y);
@@ -10910,13 +11093,12 @@ private:
 
     template <class ParallelFor>
     void sort_into_bands(int rows_a_band, int bands, ParallelFor&& parallel) {
-        const unsigned pieces = (last_ - first_ + piece - 1) / piece;
+        const unsigned pieces = (chunk_.count() + piece - 1) / piece;
         for (auto& list : lists_) list.clear();
         lists_.resize(std::size_t(pieces) * std::size_t(bands));
         parallel(static_cast<int>(pieces), [&](int from, int to) {
-            for (unsigned i = first_ + unsigned(from) * piece; i < std::min(first_ + unsigned(to) * piece, last_);
-                 ++i) {
-                auto* const lists = lists_.data() + std::size_t((i - first_) / piece) * std::size_t(bands);
+            for (unsigned i = unsigned(from) * piece; i < std::min(unsigned(to) * piece, chunk_.count()); ++i) {
+                auto* const lists = lists_.data() + std::size_t(i / piece) * std::size_t(bands);
                 const glm::ivec2 covered = rows(i);
                 for (int band = covered.x / rows_a_band; band * rows_a_band < covered.y; ++band)
                     lists[band].push_back(i);
@@ -10928,19 +11110,18 @@ private:
     /// the reason that prefetch_line() gives.
     UMBRAGE_INLINE void expect(const std::vector<unsigned>& list, std::size_t k) const {
         constexpr std::size_t soon = 16, later = 32;
-        if (k + later < list.size()) prefetch_line(&mesh_.triangles[list[k + later]]);
-        if (k + soon < list.size())
-            for (glm::length_t corner = 0; corner < 3; ++corner) prefetch_line(&vertex(list[k + soon], corner));
+        if (k + later < list.size()) prefetch_line(&mesh_.triangles[chunk_.place_of(list[k + later]).triangle]);
+        if (k + soon >= list.size()) return;
+        const drawn_triangle at = chunk_.place_of(list[k + soon]);
+        for (glm::length_t corner = 0; corner < 3; ++corner) prefetch_line(&chunk_.vertex(at, corner));
     }
 
     mesh_view mesh_;
     glm::ivec2 size_;
     cull_mode cull_;
     near_plane at_near_;
-    projection project_;
-    unsigned first_ = 0, last_ = 0, lowest_ = 0;  // triangles of the chunk; its lowest index
-    bool by_corner_ = false;                      // three vertices a triangle, rather than a range of the mesh's
-    unwritten_vertices vertices_;
+    std::vector<projection> instances_;
+    snapped_chunk chunk_;
     std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band
 };
 
@@ -10952,6 +11133,7 @@ UMBRAGE_END_STRICT_MATH
 //
 //     umbrage::image<float> map({1024, 1024}, umbrage::cleared_depth(clip));
 //     umbrage::rasterize_depth(map, {positions, triangles}, world_to_clip, clip);
+//     umbrage::rasterize_depth(map, tree, model_matrices, world_to_clip, clip);  // a forest; culled: see instances.hpp
 //
 // A camera pass keeps the nearest triangle of each texel and interpolates afterwards:
 //
@@ -10969,6 +11151,22 @@ UMBRAGE_END_STRICT_MATH
 
 UMBRAGE_STRICT_MATH
 namespace umbrage {
+namespace detail {
+
+template <class ParallelFor>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> to_clip,
+                     clip_space clip, cull_mode cull, ParallelFor&& parallel, near_plane at_near) {
+    snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near);
+    const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
+    snapped.for_each_chunk(parallel, [&] {
+        snapped.for_each_batch_in_bands(parallel, [&](const triangles& batch) {
+            if (forward) draw<true>(depth, flipped, batch);
+            else draw<false>(depth, flipped, batch);
+        });
+    });
+}
+
+}  // namespace detail
 
 /// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
 ///
@@ -10988,14 +11186,22 @@ template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      cull_mode cull = cull_mode::none, ParallelFor&& parallel = {},
                      near_plane at_near = near_plane::clips) {
-    detail::snapped_mesh snapped(depth.size, mesh, world_to_clip, clip, cull, at_near);
-    const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
-    snapped.for_each_chunk(parallel, [&] {
-        snapped.for_each_batch_in_bands(parallel, [&](const detail::triangles& batch) {
-            if (forward) detail::draw<true>(depth, flipped, batch);
-            else detail::draw<false>(depth, flipped, batch);
-        });
-    });
+    detail::rasterize_depth(depth, mesh, {&world_to_clip, 1}, clip, cull, parallel, at_near);
+}
+
+/// The same for many instances of a mesh, whose vertices are not copied.
+///
+/// @param instances   model to world, a matrix each; those that give a model_to_clip that is not finite draw nothing
+/// @exactness         the bits of a pass of the mesh under model_to_clip(world_to_clip, instance) for each, whatever
+///                    their order
+/// The rest as above.
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
+                     const glm::mat4& world_to_clip, clip_space clip, cull_mode cull = cull_mode::none,
+                     ParallelFor&& parallel = {}, near_plane at_near = near_plane::clips) {
+    std::vector<glm::mat4> to_clip(instances.begin(), instances.end());
+    for (glm::mat4& matrix : to_clip) matrix = model_to_clip(world_to_clip, matrix);
+    detail::rasterize_depth(depth, mesh, to_clip, clip, cull, parallel, at_near);
 }
 
 /// The general form: one call for each covered sample between the near and the far plane, triangle by triangle.
@@ -11008,7 +11214,7 @@ template <class Sample>
 void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
                cull_mode cull = cull_mode::none, near_plane at_near = near_plane::clips) {
     const bool flipped = clip.origin == texture_origin::top;
-    detail::snapped_mesh snapped(size, mesh, world_to_clip, clip, cull, at_near);
+    detail::snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull, at_near);
     snapped.for_each_chunk(serial{}, [&] {
         snapped.for_each_batch([&](const detail::triangles& batch) {
             for (int i = 0; i < batch.count; ++i) {

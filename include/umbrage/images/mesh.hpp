@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the depth pass draws.
+// What the depth pass draws: triangles, once or as instances, each under its matrix.
 //
 //     umbrage::mesh_view mesh{positions, triangles};
 //
@@ -8,8 +8,12 @@
 
 #include <span>
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <umbrage/simd/strict_math.hpp>
+
+UMBRAGE_STRICT_MATH
 namespace umbrage {
 
 /// Triangles that somebody else owns: three indices into the positions each.
@@ -27,4 +31,13 @@ enum class cull_mode { none, front, back };
 /// still clips.
 enum class near_plane { clips, clamps };
 
+/// The matrix that an instance of a mesh is drawn with.
+/// @param model       model to world
+/// @exactness         the product in double, rounded once: far from the world's origin a float product would lose what
+///                    subtracting the camera's or the light's place leaves
+[[nodiscard]] inline glm::mat4 model_to_clip(const glm::mat4& world_to_clip, const glm::mat4& model) {
+    return glm::mat4(glm::dmat4(world_to_clip) * glm::dmat4(model));
+}
+
 }  // namespace umbrage
+UMBRAGE_END_STRICT_MATH

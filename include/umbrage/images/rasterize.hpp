@@ -4,6 +4,7 @@
 //
 //     umbrage::image<float> map({1024, 1024}, umbrage::cleared_depth(clip));
 //     umbrage::rasterize_depth(map, {positions, triangles}, world_to_clip, clip);
+//     umbrage::rasterize_depth(map, tree, model_matrices, world_to_clip, clip);  // a forest; culled: see instances.hpp
 //
 // A camera pass keeps the nearest triangle of each texel and interpolates afterwards:
 //
@@ -19,6 +20,9 @@
 // texel.
 //
 #pragma once
+
+#include <span>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -37,6 +41,22 @@
 
 UMBRAGE_STRICT_MATH
 namespace umbrage {
+namespace detail {
+
+template <class ParallelFor>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> to_clip,
+                     clip_space clip, cull_mode cull, ParallelFor&& parallel, near_plane at_near) {
+    snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near);
+    const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
+    snapped.for_each_chunk(parallel, [&] {
+        snapped.for_each_batch_in_bands(parallel, [&](const triangles& batch) {
+            if (forward) draw<true>(depth, flipped, batch);
+            else draw<false>(depth, flipped, batch);
+        });
+    });
+}
+
+}  // namespace detail
 
 /// Renders triangles into a depth image that holds the cleared depth or an earlier pass.
 ///
@@ -56,14 +76,22 @@ template <class ParallelFor = serial>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip,
                      cull_mode cull = cull_mode::none, ParallelFor&& parallel = {},
                      near_plane at_near = near_plane::clips) {
-    detail::snapped_mesh snapped(depth.size, mesh, world_to_clip, clip, cull, at_near);
-    const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
-    snapped.for_each_chunk(parallel, [&] {
-        snapped.for_each_batch_in_bands(parallel, [&](const detail::triangles& batch) {
-            if (forward) detail::draw<true>(depth, flipped, batch);
-            else detail::draw<false>(depth, flipped, batch);
-        });
-    });
+    detail::rasterize_depth(depth, mesh, {&world_to_clip, 1}, clip, cull, parallel, at_near);
+}
+
+/// The same for many instances of a mesh, whose vertices are not copied.
+///
+/// @param instances   model to world, a matrix each; those that give a model_to_clip that is not finite draw nothing
+/// @exactness         the bits of a pass of the mesh under model_to_clip(world_to_clip, instance) for each, whatever
+///                    their order
+/// The rest as above.
+template <class ParallelFor = serial>
+void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> instances,
+                     const glm::mat4& world_to_clip, clip_space clip, cull_mode cull = cull_mode::none,
+                     ParallelFor&& parallel = {}, near_plane at_near = near_plane::clips) {
+    std::vector<glm::mat4> to_clip(instances.begin(), instances.end());
+    for (glm::mat4& matrix : to_clip) matrix = model_to_clip(world_to_clip, matrix);
+    detail::rasterize_depth(depth, mesh, to_clip, clip, cull, parallel, at_near);
 }
 
 /// The general form: one call for each covered sample between the near and the far plane, triangle by triangle.
@@ -76,7 +104,7 @@ template <class Sample>
 void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
                cull_mode cull = cull_mode::none, near_plane at_near = near_plane::clips) {
     const bool flipped = clip.origin == texture_origin::top;
-    detail::snapped_mesh snapped(size, mesh, world_to_clip, clip, cull, at_near);
+    detail::snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull, at_near);
     snapped.for_each_chunk(serial{}, [&] {
         snapped.for_each_batch([&](const detail::triangles& batch) {
             for (int i = 0; i < batch.count; ++i) {

@@ -44,6 +44,12 @@ struct snapped_vertex {
     friend auto operator<=>(const snapped_vertex&, const snapped_vertex&) = default;
 };
 
+/// @throws std::invalid_argument  a side is negative or above guard_band
+inline void require_drawable(glm::ivec2 size) {
+    if (size.x < 0 || size.y < 0) detail::fail("umbrage::rasterize: negative size");
+    if (size.x > guard_band || size.y > guard_band) detail::fail("umbrage::rasterize: image side above 16384 texels");
+}
+
 /// What stands for a vertex outside of planes: off the grid, with their bits.
 [[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
     return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
@@ -61,12 +67,10 @@ public:
     static constexpr unsigned nowhere = 1u << planes;  ///< stands for a position that is not finite
 
     /// @param world_to_clip  projection * view; its elements must be finite
-    /// @throws std::invalid_argument  a side of `size` is negative or above guard_band
+    /// @throws std::invalid_argument  see require_drawable
     projection(const glm::mat4& world_to_clip, clip_space clip, glm::ivec2 size)
         : matrix_(world_to_clip), clip_(clip), half_size_(glm::dvec2(size) * 0.5) {
-        if (size.x < 0 || size.y < 0) detail::fail("umbrage::rasterize: negative size");
-        if (size.x > guard_band || size.y > guard_band)
-            detail::fail("umbrage::rasterize: image side above 16384 texels");
+        require_drawable(size);
     }
 
     [[nodiscard]] glm::dvec4 homogeneous(glm::vec3 p) const {
