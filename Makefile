@@ -73,11 +73,12 @@ test:
 	@if command -v clang++-14 > /dev/null; then cmake --workflow --preset clang; \
 	else echo "No clang++-14 here: the pass with it is left out."; fi
 
+unit: program = unit.$(subst /,.,$(T))
 unit:
 	$(call install,$(test_packages))
 	@test -f build/dev/build.ninja || cmake --preset dev
-	cmake --build --preset dev --target $(if $(T),unit.$(subst /,.,$(T)),unit)
-	ctest --preset dev -R '^unit/$(T)$(if $(T),$$)'
+	cmake --build --preset dev --target $(if $(T),$(program),unit)
+	$(if $(T),build/dev/tests/$(program),ctest --preset dev -R '^unit/')
 
 newest-clang:
 	$(if $(newest_clang),$(call install,$(newest_clang)))

@@ -18,12 +18,12 @@
 namespace shadow_render {
 
 void write(const options& o, const example::shadow_map& map, const umbrage::image<float>& visibility,
-           umbrage::image<glm::u8vec3> picture) {
+           umbrage::image<glm::u8vec3> lit) {
     const umbrage::contrast_stretch stretch = umbrage::stretch(map.depth, map.cleared);
     umbrage::image<glm::u8vec3> colours(map.depth.size());
     std::ranges::transform(map.depth.texels(), colours.texels().begin(),
                            [&](float d) { return umbrage::store_unorm8(umbrage::false_colour(stretch(d))); });
-    umbrage::image<std::uint8_t> mask(picture.size());
+    umbrage::image<std::uint8_t> mask(lit.size());
     for (int y = 0; y < mask.size().y; ++y)
         for (int x = 0; x < mask.size().x; ++x)
             mask[{x, y}] = umbrage::store_unorm8(mean<float>(x, o.samples, [&](int at, int row) {
@@ -31,13 +31,12 @@ void write(const options& o, const example::shadow_map& map, const umbrage::imag
             }));
     const int corner = std::min(o.width, o.height) / 4;
     if (corner > 0)
-        umbrage::overlay(picture, map.depth, {.size{corner, corner}, .map_origin = example::picture_clip.origin},
-                         stretch);
+        umbrage::overlay(lit, map.depth, {.size{corner, corner}, .map_origin = example::picture_clip.origin}, stretch);
 
     std::visit([&](const auto& bytes) { example::write_png(o.output / "map.png", bytes.view()); }, map.bytes);
     example::write_png(o.output / "depth.png", std::as_const(colours).view());
     example::write_png(o.output / "visibility.png", std::as_const(mask).view());
-    example::write_png(o.output / "picture.png", std::as_const(picture).view());
+    example::write_png(o.output / "picture.png", std::as_const(lit).view());
 }
 
 }  // namespace shadow_render

@@ -15,6 +15,6 @@ namespace shadow_render {
 
 /// @throws std::runtime_error  a file cannot be written
 void write(const options& o, const example::shadow_map& map, const umbrage::image<float>& visibility,
-           umbrage::image<glm::u8vec3> picture);
+           umbrage::image<glm::u8vec3> lit);
 
 }  // namespace shadow_render

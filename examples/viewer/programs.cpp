@@ -32,11 +32,11 @@ std::vector<glsl::bound> joined(std::initializer_list<snippets> lists, const std
 }
 
 // One text for GLSL 100 and 330: written in the words of 100.
-std::string vertex(version v, const snippets& uses, std::string_view rest) {
+std::string vertex_text(version v, const snippets& uses, std::string_view rest) {
     return glsl::source(v, uses, v == version::v100 ? "" : "#define attribute in\n#define varying out\n").append(rest);
 }
-std::string fragment(version v, const std::vector<glsl::bound>& uses, std::string_view rest,
-                     const std::string& ahead = {}) {
+std::string fragment_text(version v, const std::vector<glsl::bound>& uses, std::string_view rest,
+                          const std::string& ahead = {}) {
     const std::string words =
         v == version::v100
             ? "precision highp float;\nprecision highp sampler2D;\n#define fragment_colour gl_FragColor\n"
@@ -58,7 +58,7 @@ void main() {
 /// depth_here(): the map's depth at a corner's place, nearest texel.
 std::string overlay_head(const shadow_system& s, version v, const snippets& more) {
     const glsl::binding map = encoding_called(s.encoding).map;  // whatever way the system itself reads it
-    return fragment(v, joined({{glsl::fetch_depth, glsl::saturate}, more}, map), R"GLSL(
+    return fragment_text(v, joined({{glsl::fetch_depth, glsl::saturate}, more}, map), R"GLSL(
 uniform sampler2D map;
 uniform vec2 map_size;
 varying vec2 at;
@@ -70,7 +70,7 @@ float depth_here() { return umbrage_fetch_depth(map, map_size, floor(vec2(at.x, 
 
 stages depth_stages(const shadow_system& s, version v) {
     const storage how = storage_of(s);
-    return {vertex(v, {glsl::shadow_coordinate}, R"GLSL(
+    return {vertex_text(v, {glsl::shadow_coordinate}, R"GLSL(
 attribute vec3 position;
 uniform mat4 light_to_clip, world_to_texels;
 varying vec4 coordinate;
@@ -79,13 +79,13 @@ void main() {
     gl_Position = light_to_clip * vec4(position, 1.0);
 }
 )GLSL"),
-            fragment(v, joined({how.writers, depth_snippets(), {glsl::project_coordinate}}, glsl::binding{}),
-                     "uniform sampler2D table;\nvarying vec4 coordinate;\n" + map_depth(s) + R"GLSL(
+            fragment_text(v, joined({how.writers, depth_snippets(), {glsl::project_coordinate}}, glsl::binding{}),
+                          "uniform sampler2D table;\nvarying vec4 coordinate;\n" + map_depth(s) + R"GLSL(
 void main() {
     float depth = map_depth(umbrage_project_coordinate(coordinate).z);
-    fragment_colour = )GLSL" +
-                         how.write + ";\n}\n",
-                     planes)};
+    fragment_colour = )GLSL" + how.write +
+                              ";\n}\n",
+                          planes)};
 }
 
 stages camera_stages(const shadow_system& s, version v, bool mask) {
@@ -99,7 +99,7 @@ stages camera_stages(const shadow_system& s, version v, bool mask) {
                                   "(ambient + (1.0 - ambient) * clamp(4.0 * n_dot_l, 0.0, 1.0) * visibility)";
 
     stages out;
-    out.vertex = vertex(v, {}, R"GLSL(
+    out.vertex = vertex_text(v, {}, R"GLSL(
 attribute vec3 position, normal, face_normal;
 attribute vec4 colour;
 uniform mat4 world_to_clip;
@@ -113,15 +113,15 @@ void main() {
     gl_Position = world_to_clip * vec4(position, 1.0);
 }
 )GLSL");
-    out.fragment = fragment(v,
-                            joined({how.writers,
-                                    depth_snippets(),
-                                    bias.uses,
-                                    filter.uses,
-                                    {glsl::receiver_ps14, glsl::shadow_coordinate, glsl::project_coordinate,
-                                     glsl::texels_to_world, glsl::biased, glsl::spot_cone, glsl::diffuse_ambient}},
-                                   moved ? std::nullopt : std::optional(how.map)),
-                            R"GLSL(
+    out.fragment = fragment_text(v,
+                                 joined({how.writers,
+                                         depth_snippets(),
+                                         bias.uses,
+                                         filter.uses,
+                                         {glsl::receiver_ps14, glsl::shadow_coordinate, glsl::project_coordinate,
+                                          glsl::texels_to_world, glsl::biased, glsl::spot_cone, glsl::diffuse_ambient}},
+                                        moved ? std::nullopt : std::optional(how.map)),
+                                 R"GLSL(
 varying vec3 world, world_normal, world_face;
 varying vec4 surface_colour;  // alpha: 1 on the floor
 uniform vec3 eye, light_direction;
@@ -161,7 +161,7 @@ void main() {
     vec3 offset = vec3(0.0, 0.0, 0.0);
     float by = 0.0;
     )GLSL" + bias.statement +
-                                R"GLSL(
+                                     R"GLSL(
 
     // Light, and where in its map the surface lies.
     looked_up = world + offset;
@@ -171,18 +171,18 @@ void main() {
     // Fetch, decode, compare, filter.
     float biased = umbrage_biased(depth, epsilon);
 )GLSL" +
-                                (moved ? "    plane_at = p.xy;\n    depth = " + projected(s, "depth") +
-                                             ";\n    biased = " + projected(s, "biased") + ";\n"
-                                       : std::string()) +
-                                R"GLSL(
+                                     (moved ? "    plane_at = p.xy;\n    depth = " + projected(s, "depth") +
+                                                  ";\n    biased = " + projected(s, "biased") + ";\n"
+                                            : std::string()) +
+                                     R"GLSL(
     float receiver = )GLSL" + receiver_of(s) +
-                                R"GLSL(;
+                                     R"GLSL(;
     float visibility = )GLSL" + filter.visibility +
-                                R"GLSL(;
+                                     R"GLSL(;
     if (light_position.w > 0.0)
         visibility *= umbrage_spot_cone(light_direction, world - light_position.xyz, cos_outer);
 )GLSL",
-                            bias.ahead);
+                                 bias.ahead);
     if (mask) {
         out.fragment += "    fragment_colour = vec4(vec3(visibility), 1.0);\n}\n";
         return out;
@@ -203,20 +203,20 @@ void main() {
 }
 
 stages overlay_stages(const shadow_system& s, version v) {
-    return {vertex(v, {}, rectangle_vertex), overlay_head(s, v, {}) + R"GLSL(
+    return {vertex_text(v, {}, rectangle_vertex), overlay_head(s, v, {}) + R"GLSL(
 uniform float low, high;
 void main() { fragment_colour = vec4(vec3(umbrage_saturate((depth_here() - low) / (high - low))), 1.0); }
 )GLSL"};
 }
 
 stages read_back_stages(const shadow_system& s, version v) {
-    return {vertex(v, {}, rectangle_vertex), overlay_head(s, v, {glsl::encode_rgb24, glsl::to_unorm}) + R"GLSL(
+    return {vertex_text(v, {}, rectangle_vertex), overlay_head(s, v, {glsl::encode_rgb24, glsl::to_unorm}) + R"GLSL(
 void main() { fragment_colour = vec4(umbrage_to_unorm(umbrage_encode_rgb24(depth_here())), 1.0); }
 )GLSL"};
 }
 
 stages text_stages(version v) {
-    return {vertex(v, {}, R"GLSL(
+    return {vertex_text(v, {}, R"GLSL(
 attribute vec2 corner;       // pixels, from the top left
 uniform vec2 offset, pixel;  // pixels; size of one in NDC
 void main() {
@@ -224,7 +224,7 @@ void main() {
     gl_Position = vec4(at.x - 1.0, 1.0 - at.y, 0.0, 1.0);
 }
 )GLSL"),
-            fragment(v, {}, "uniform vec4 ink;\nvoid main() { fragment_colour = ink; }\n")};
+            fragment_text(v, {}, "uniform vec4 ink;\nvoid main() { fragment_colour = ink; }\n")};
 }
 
 }  // namespace viewer

@@ -7,12 +7,12 @@
 
 #include <umbrage/scalar.hpp>
 
+#include "special_values.hpp"
+
 using namespace umbrage;
 
 namespace {
 
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr double inf64 = std::numeric_limits<double>::infinity();
 constexpr float from_bits(std::uint32_t bits) { return std::bit_cast<float>(bits); }
 constexpr double from_bits64(std::uint64_t bits) { return std::bit_cast<double>(bits); }
 constexpr std::uint32_t bits(float v) { return std::bit_cast<std::uint32_t>(v); }
@@ -34,8 +34,8 @@ TEST_CASE("saturate: the value inside [0, 1], to the bit") {
 }
 
 TEST_CASE("saturate: below, above, -0, infinities") {
-    for (float v : {-0.0f, -from_bits(1), -0.5f, -1e30f, -inf}) CHECK(bits(saturate(v)) == 0u);
-    for (float v : {from_bits(0x3F800001), 2.0f, 1e30f, inf}) CHECK(saturate(v) == 1.0f);
+    for (float v : {-0.0f, -from_bits(1), -0.5f, -1e30f, -inf32}) CHECK(bits(saturate(v)) == 0u);
+    for (float v : {from_bits(0x3F800001), 2.0f, 1e30f, inf32}) CHECK(saturate(v) == 1.0f);
     for (double v : {-0.0, -from_bits64(1), -1e300, -inf64}) CHECK(bits(saturate(v)) == 0u);
     for (double v : {1.0 + 1e-15, 1e300, inf64}) CHECK(saturate(v) == 1.0);
 }

@@ -7,12 +7,11 @@
 
 #include <umbrage/unorm.hpp>
 
+#include "special_values.hpp"
+
 using namespace umbrage;
 
 namespace {
-
-constexpr float nan32 = std::numeric_limits<float>::quiet_NaN();
-constexpr float inf = std::numeric_limits<float>::infinity();
 
 static_assert(to_unorm(0.0f) == 0.25f / 256.0f);
 static_assert(to_unorm(192.0f) == 193.0f / 256.0f);
@@ -72,11 +71,11 @@ TEST_CASE("store_unorm8: ties, out of range, NaN") {
     for (auto mode : {unorm_store::rounds, unorm_store::truncates}) {
         CHECK(store_unorm8(1.0f, mode) == 255);
         CHECK(store_unorm8(1.5f, mode) == 255);
-        CHECK(store_unorm8(inf, mode) == 255);
+        CHECK(store_unorm8(inf32, mode) == 255);
         CHECK(store_unorm8(0.0f, mode) == 0);
         CHECK(store_unorm8(-0.0f, mode) == 0);
         CHECK(store_unorm8(-1.0f, mode) == 0);
-        CHECK(store_unorm8(-inf, mode) == 0);
+        CHECK(store_unorm8(-inf32, mode) == 0);
         CHECK(store_unorm8(nan32, mode) == 0);
         CHECK(store_unorm8(-nan32, mode) == 0);
         CHECK(store_unorm8(std::numeric_limits<float>::denorm_min(), mode) == 0);

@@ -39,12 +39,12 @@ void add_compare(std::vector<entry>& all) {
              .map_kind = {.direction = direction}});
     all.push_back({.primitive = &glsl::compare,
                    .classes = pairs(),
-                   .twin = [](const sample& s) { return vec4(compare(s.x[0].x, s.x[0].y)); },
+                   .twin = [](const sample& s) { return vec4(umbrage::compare(s.x[0].x, s.x[0].y)); },
                    .call = "vec4(umbrage_compare(x0.x, x0.y))"});
     all.push_back({.primitive = &glsl::compare,
                    .variant = "reversed",
                    .classes = pairs(),
-                   .twin = [](const sample& s) { return vec4(compare(s.x[0].x, s.x[0].y, greater_equal{})); },
+                   .twin = [](const sample& s) { return vec4(umbrage::compare(s.x[0].x, s.x[0].y, greater_equal{})); },
                    .call = "vec4(umbrage_compare(x0.x, x0.y))",
                    .map_kind = {.direction = depth_direction::reversed}});
     all.push_back({.primitive = &glsl::compare_dx_sdk,

@@ -3,19 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include <umbrage/bias/acne_free.hpp>
 #include <umbrage/bias/rasterizer.hpp>
 
 #include "../light/clip_spaces.hpp"
+#include "../special_values.hpp"
 
 using namespace umbrage;
 
 namespace {
-
-constexpr float nan32 = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
 
 /// The bias as Vulkan's specification has it, which OpenGL and Direct3D follow.
 /// @param greatest_z   of the primitive, for buffers of floats
@@ -88,7 +86,7 @@ TEST_CASE("rasterizers' biases: what is refused") {
     };
     CHECK(said({}).empty());
     CHECK(said({.reach = 0, .constant = 0}).empty());
-    for (float bad : {-1.0f, nan32, inf}) {
+    for (float bad : {-1.0f, nan32, inf32}) {
         CHECK(said({.reach = bad}) == "umbrage::make_polygon_offset: reach must be finite, 0 or more");
         CHECK(said({.constant = bad}) == "umbrage::make_polygon_offset: constant must be finite, 0 or more");
         CHECK(said({.greatest = bad}) == "umbrage::make_polygon_offset: greatest must be finite, 0 or more");

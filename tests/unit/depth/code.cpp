@@ -7,12 +7,12 @@
 
 #include <umbrage/depth/code.hpp>
 
+#include "../special_values.hpp"
+
 using namespace umbrage;
 
 namespace {
 
-constexpr float nan32 = std::numeric_limits<float>::quiet_NaN();
-constexpr float inf = std::numeric_limits<float>::infinity();
 constexpr float below_one = 0x1.fffffep-1f;
 
 static_assert(to_code<11>(0.5f) == 1024 && to_code<11>(1.0f) == 2047 && to_code<11>(0.0f) == 0);
@@ -46,11 +46,11 @@ TEST_CASE("to_code: both sides of every step") {
 }
 
 TEST_CASE("to_code: out of range, infinities, NaN, denormals") {
-    for (float v : {-0.0f, -1.0f, -inf, std::numeric_limits<float>::denorm_min()}) {
+    for (float v : {-0.0f, -1.0f, -inf32, std::numeric_limits<float>::denorm_min()}) {
         CHECK(to_code<1>(v) == 0);
         CHECK(to_code<24>(v) == 0);
     }
-    for (float v : {1.0f, 1.5f, inf, nan32, -nan32}) {
+    for (float v : {1.0f, 1.5f, inf32, nan32, -nan32}) {
         CHECK(to_code<1>(v) == 1);
         CHECK(to_code<24>(v) == 16777215);
     }

@@ -3,9 +3,10 @@
 
 #include <bit>
 #include <cstdint>
-#include <limits>
 
 #include <umbrage/depth/float_bits.hpp>
+
+#include "../special_values.hpp"
 
 using namespace umbrage;
 using glm::u8vec4;
@@ -34,7 +35,6 @@ TEST_CASE("encode_float_bits: every kind of value comes back to the bit, NaN pay
 }
 
 TEST_CASE("decode_float_bits: samples that no texture gives count as the nearest that one does, NaN as 1") {
-    constexpr float inf = std::numeric_limits<float>::infinity(), nan32 = std::numeric_limits<float>::quiet_NaN();
-    CHECK(decode_float_bits(glm::vec4(-3.0f, -inf, 128.0f / 255.0f, 63.0f / 255.0f)) == 1.0f);
-    CHECK(bits(decode_float_bits(glm::vec4(2.0f, inf, nan32, -nan32))) == 0xFFFFFFFFu);
+    CHECK(decode_float_bits(glm::vec4(-3.0f, -inf32, 128.0f / 255.0f, 63.0f / 255.0f)) == 1.0f);
+    CHECK(bits(decode_float_bits(glm::vec4(2.0f, inf32, nan32, -nan32))) == 0xFFFFFFFFu);
 }

@@ -9,13 +9,12 @@
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
+#include "../special_values.hpp"
+
 using namespace umbrage;
 using doctest::Approx;
 
 namespace {
-
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr float nan32 = std::numeric_limits<float>::quiet_NaN();
 
 static_assert(linear_depth(5.0f, 0.125f) == 0.625f);
 static_assert(linear_depth(-5.0, 0.125) == -0.625 && linear_depth(16.0, 0.125) == 2.0);  // not clamped
@@ -42,11 +41,11 @@ static_assert(orthographic_depth_from_view_z(4.0f, 6.0f, -2.0f) == 0.25f);
 TEST_CASE("project_depth: far where the point is not in front of the light, whichever way depth runs") {
     for (auto direction : {depth_direction::forward, depth_direction::reversed}) {
         const float far_depth = cleared_depth({.direction = direction});
-        for (float w : {0.0f, -0.0f, -1.0f, -inf, nan32, -nan32}) {
+        for (float w : {0.0f, -0.0f, -1.0f, -inf32, nan32, -nan32}) {
             CHECK(project_depth(0.25f, w, far_depth) == far_depth);
             CHECK(project_depth(0.25, double(w), double(far_depth)) == far_depth);
         }
-        CHECK(project_depth(3.0f, inf, far_depth) == 0.0f);
+        CHECK(project_depth(3.0f, inf32, far_depth) == 0.0f);
         CHECK(is_nan(project_depth(nan32, 1.0f, far_depth)));
         CHECK(project_depth(-1.0f, 2.0f, far_depth) == -0.5f);  // not clamped
     }
@@ -75,7 +74,7 @@ TEST_CASE("reverse_depth: its own inverse on the lattice of 24 bits, exact from 
 TEST_CASE("depth_from_ndc: ends, middle and out of range") {
     CHECK(depth_from_ndc(-3.0f) == -1.0f);
     CHECK(depth_from_ndc(0.5) == 0.75);
-    CHECK(depth_from_ndc(inf) == inf);
+    CHECK(depth_from_ndc(inf32) == inf32);
 }
 
 TEST_CASE("view_z_from_depth, depth_from_view_z: inverse to each other, in order, also without a far plane") {
@@ -89,8 +88,8 @@ TEST_CASE("view_z_from_depth, depth_from_view_z: inverse to each other, in order
             previous = d;
         }
     }
-    CHECK(view_z_from_depth(1.0f, 0.5f, inf) == inf);
-    CHECK(depth_from_view_z(inf, 0.5f, inf) == 1.0f);
+    CHECK(view_z_from_depth(1.0f, 0.5f, inf32) == inf32);
+    CHECK(depth_from_view_z(inf32, 0.5f, inf32) == 1.0f);
 }
 
 TEST_CASE("view_z_from_reversed_depth, reversed_depth_from_view_z: what the forward ones say of 1 - depth") {
@@ -104,13 +103,13 @@ TEST_CASE("view_z_from_reversed_depth, reversed_depth_from_view_z: what the forw
             previous = d;
         }
     }
-    CHECK(view_z_from_reversed_depth(0.0f, 0.5f, inf) == inf);
-    CHECK(view_z_from_reversed_depth(0.125f, 0.5f, inf) == 4.0f);
-    CHECK(reversed_depth_from_view_z(4.0f, 0.5f, inf) == 0.125f);
+    CHECK(view_z_from_reversed_depth(0.0f, 0.5f, inf32) == inf32);
+    CHECK(view_z_from_reversed_depth(0.125f, 0.5f, inf32) == 4.0f);
+    CHECK(reversed_depth_from_view_z(4.0f, 0.5f, inf32) == 0.125f);
 }
 
 TEST_CASE("view_z_from_reversed_depth: keeps the digits that 1 - depth drops") {
-    for (float z_far : {100.0f, 1000.0f, 1e6f, inf}) {
+    for (float z_far : {100.0f, 1000.0f, 1e6f, inf32}) {
         CAPTURE(z_far);
         double direct = 0, by_way_of_forward = 0, round_trip = 0;
         for (int i = 0; i < 100000; ++i) {

@@ -7,12 +7,12 @@
 
 #include <umbrage/depth/rg.hpp>
 
+#include "../special_values.hpp"
+
 using namespace umbrage;
 using glm::u8vec2;
 
 namespace {
-
-constexpr float nan32 = std::numeric_limits<float>::quiet_NaN();
 
 // by hand: R = x & 0xFF, G = (x & 0xFF00) >> 3
 static_assert(encode_rg<11>(0.0f) == u8vec2(0, 0));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <limits>
-
 #include <umbrage/depth/rgb24.hpp>
+
+#include "../special_values.hpp"
 
 using namespace umbrage;
 using glm::u8vec3;
@@ -21,9 +21,8 @@ static_assert(decode_rgb24(u8vec3(255), centre<double>) == 1.0 - 0x1p-25);
 }  // namespace
 
 TEST_CASE("encode_rgb24: out of range, NaN, denormals, the last steps before 1") {
-    constexpr float inf = std::numeric_limits<float>::infinity(), nan32 = std::numeric_limits<float>::quiet_NaN();
-    for (float v : {0x1.fffffep-1f, 1.0f, 1.5f, inf, nan32, -nan32}) CHECK(encode_rgb24(v) == u8vec3(255));
-    for (float v : {0x1.fffffep-25f, 0x1p-149f, -0.0f, -1.0f, -inf}) CHECK(encode_rgb24(v) == u8vec3(0));
+    for (float v : {0x1.fffffep-1f, 1.0f, 1.5f, inf32, nan32, -nan32}) CHECK(encode_rgb24(v) == u8vec3(255));
+    for (float v : {0x1.fffffep-25f, 0x1p-149f, -0.0f, -1.0f, -inf32}) CHECK(encode_rgb24(v) == u8vec3(0));
     CHECK(encode_rgb24(0x1.fffffcp-1f) == u8vec3(255, 255, 254));
     CHECK(encode_rgb24(1.0 - 1e-15) == u8vec3(255));
 }

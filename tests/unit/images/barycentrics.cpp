@@ -12,21 +12,21 @@ namespace {
 
 using umbrage::triangle_weights;
 
-struct mesh {
+struct one_triangle {
     std::vector<glm::vec3> positions{{-1, -1, -1}, {-1, 1, -1}, {3, 0, -3}};
     std::vector<glm::uvec3> triangles{{0, 1, 2}};
 
     operator umbrage::mesh_view() const { return {positions, triangles}; }
 };
 
-const glm::mat4 perspective = glm::perspectiveRH_ZO(glm::radians(90.0f), 1.0f, 0.1f, 100.0f);
+const glm::mat4 camera = glm::perspectiveRH_ZO(glm::radians(90.0f), 1.0f, 0.1f, 100.0f);
 
 }  // namespace
 
 TEST_CASE("triangle_weights: by hand, with rows from the bottom and from the top") {
     for (auto origin : {umbrage::texture_origin::bottom, umbrage::texture_origin::top}) {
         const bool top = origin == umbrage::texture_origin::top;
-        const triangle_weights weights({2, 2}, mesh{}, perspective, {.origin = origin}, 0);
+        const triangle_weights weights({2, 2}, one_triangle{}, camera, {.origin = origin}, 0);
         // w of 1, 1 and 3: x / w = (-(1 - c) + 3 c) / (1 + 2 c) is -1/2 for c = 1/10 and 1/2 for c = 1/2
         const glm::vec3 left = weights({0, top ? 1 : 0}), right = weights({1, top ? 0 : 1});
         CHECK(left.z == doctest::Approx(0.1));
@@ -38,11 +38,11 @@ TEST_CASE("triangle_weights: by hand, with rows from the bottom and from the top
 }
 
 TEST_CASE("triangle_weights: what has no area or is not finite counts as its first vertex") {
-    mesh m;
+    one_triangle m;
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         m.positions[1].y = bad;
-        CHECK(triangle_weights({2, 2}, m, perspective, {}, 0)({0, 0}) == glm::vec3(1, 0, 0));
+        CHECK(triangle_weights({2, 2}, m, camera, {}, 0)({0, 0}) == glm::vec3(1, 0, 0));
     }
     m.positions = {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-    CHECK(triangle_weights({2, 2}, m, perspective, {}, 0)({1, 1}) == glm::vec3(1, 0, 0));
+    CHECK(triangle_weights({2, 2}, m, camera, {}, 0)({1, 1}) == glm::vec3(1, 0, 0));
 }

@@ -14,20 +14,13 @@
 
 #include <umbrage/images/blur.hpp>
 
+#include "last_piece_first.hpp"
+
 namespace {
 
 using umbrage::blur_kernel;
 using umbrage::image;
 using umbrage::image_view;
-
-struct last_piece_first {
-    int pieces;
-    template <class Piece>
-    void operator()(int count, Piece&& piece) const {
-        for (int i = pieces - 1; i >= 0; --i)
-            if (count * i / pieces < count * (i + 1) / pieces) piece(count * i / pieces, count * (i + 1) / pieces);
-    }
-};
 
 /// Along x or along y.
 template <class T>

@@ -11,19 +11,12 @@
 
 #include <umbrage/images/summed_area.hpp>
 
+#include "last_piece_first.hpp"
+
 namespace {
 
 using umbrage::image;
 using umbrage::image_view;
-
-struct last_piece_first {
-    int pieces;
-    template <class Piece>
-    void operator()(int count, Piece&& piece) const {
-        for (int i = pieces - 1; i >= 0; --i)
-            if (count * i / pieces < count * (i + 1) / pieces) piece(count * i / pieces, count * (i + 1) / pieces);
-    }
-};
 
 /// Rows with a gap behind each, which nobody may touch.
 template <class T>

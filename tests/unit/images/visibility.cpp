@@ -20,10 +20,10 @@ using namespace umbrage;
 namespace {
 
 /// Receivers in and around a map of this size; every coordinate that a filter treats in a way of its own is among them.
-image<glm::vec3> receivers_for(glm::ivec2 map_size, glm::ivec2 size, std::mt19937& random) {
+image<glm::vec3> receivers_for(glm::ivec2 of_map, glm::ivec2 size, std::mt19937& random) {
     const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     std::uniform_real_distribution<float> anywhere(-0.2f, 1.2f), depth(0, 1);
-    std::uniform_int_distribution<int> one_in(0, 9), texel(-9, map_size.x + 9), eighth(0, 8);
+    std::uniform_int_distribution<int> one_in(0, 9), texel(-9, of_map.x + 9), eighth(0, 8);
     const std::array special{nan,
                              -nan,
                              infinity,
@@ -42,7 +42,7 @@ image<glm::vec3> receivers_for(glm::ivec2 map_size, glm::ivec2 size, std::mt1993
     std::uniform_int_distribution<std::size_t> pick(0, special.size() - 1);
     image<glm::vec3> out(size);
     for (glm::vec3& r : out.texels()) {
-        r = {anywhere(random) * static_cast<float>(map_size.x), anywhere(random) * static_cast<float>(map_size.y),
+        r = {anywhere(random) * static_cast<float>(of_map.x), anywhere(random) * static_cast<float>(of_map.y),
              depth(random)};
         if (one_in(random) == 0) r.x = static_cast<float>(texel(random)) + static_cast<float>(eighth(random)) / 8;
         if (one_in(random) == 0) r.y = static_cast<float>(texel(random));
@@ -64,13 +64,13 @@ image<typename Encoding::texel> packed_map(Encoding encoding, glm::ivec2 size, s
 
 /// Number of pixels whose bits are not the primitive's. The primitive is called by hand, with a fetch of our own.
 template <class Encoding, class Filter, class Primitive>
-int differing(Encoding encoding, glm::ivec2 map_size, glm::ivec2 size, Filter filter, Primitive primitive,
+int differing(Encoding encoding, glm::ivec2 of_map, glm::ivec2 size, Filter filter, Primitive primitive,
               unsigned seed) {
     std::mt19937 random(seed);
-    const auto map = packed_map(encoding, map_size, random);
-    const auto receivers = receivers_for(map_size, size, random);
+    const auto map = packed_map(encoding, of_map, random);
+    const auto receivers = receivers_for(of_map, size, random);
     const auto fetch = [&](glm::ivec2 t) {
-        t = {t.x < 0 ? 0 : std::min(t.x, map_size.x - 1), t.y < 0 ? 0 : std::min(t.y, map_size.y - 1)};
+        t = {t.x < 0 ? 0 : std::min(t.x, of_map.x - 1), t.y < 0 ? 0 : std::min(t.y, of_map.y - 1)};
         return encoding.decode(map[t]);
     };
     image<float> out(size, -7.0f);
@@ -86,11 +86,11 @@ int differing(Encoding encoding, glm::ivec2 map_size, glm::ivec2 size, Filter fi
 }
 
 template <class Encoding>
-int differing_for_all_filters(Encoding encoding, glm::ivec2 map_size, glm::ivec2 size, unsigned seed) {
+int differing_for_all_filters(Encoding encoding, glm::ivec2 of_map, glm::ivec2 size, unsigned seed) {
     int differ = differing(
-        encoding, map_size, size, filters::hard{}, [](auto& f, glm::vec2 c, float z) { return hard(f, c, z); }, seed);
+        encoding, of_map, size, filters::hard{}, [](auto& f, glm::vec2 c, float z) { return hard(f, c, z); }, seed);
     differ += differing(
-        encoding, map_size, size, filters::four_tap{},
+        encoding, of_map, size, filters::four_tap{},
         [](auto& f, glm::vec2 c, float z) {
             const glm::vec2 h(0.5f, 0.5f), g(0.5f, -0.5f);
             return four_tap(f, c - h, c + g, c - g, c + h, z);
@@ -98,21 +98,21 @@ int differing_for_all_filters(Encoding encoding, glm::ivec2 map_size, glm::ivec2
         seed + 1);
     const std::array offsets{glm::vec2(1.25f, 0), glm::vec2(-3, 2), glm::vec2(0, -0.125f), glm::vec2(0)};
     differ += differing(
-        encoding, map_size, size, filters::four_tap{offsets},
+        encoding, of_map, size, filters::four_tap{offsets},
         [&](auto& f, glm::vec2 c, float z) {
             return four_tap(f, c + offsets[0], c + offsets[1], c + offsets[2], c + offsets[3], z);
         },
         seed + 2);
     differ += differing(
-        encoding, map_size, size, filters::pcf_2x2{}, [](auto& f, glm::vec2 c, float z) { return pcf_2x2(f, c, z); },
+        encoding, of_map, size, filters::pcf_2x2{}, [](auto& f, glm::vec2 c, float z) { return pcf_2x2(f, c, z); },
         seed + 3);
     for (float epsilon : {0.0f, 0.125f})
         differ += differing(
-            encoding, map_size, size, filters::pcf_2x2_dx_sdk{epsilon},
+            encoding, of_map, size, filters::pcf_2x2_dx_sdk{epsilon},
             [&](auto& f, glm::vec2 c, float z) { return pcf_2x2_dx_sdk(f, c, z, epsilon); }, seed + 4);
     for (int radius : {-1, 0, 1, 2, 3, 5, 8, 100})
         differ += differing(
-            encoding, map_size, size, filters::box{radius},
+            encoding, of_map, size, filters::box{radius},
             [&](auto& f, glm::vec2 c, float z) { return box(f, c, z, radius); }, seed + 5);
     return differ;
 }
@@ -122,18 +122,18 @@ int differing_for_all_filters(Encoding encoding, glm::ivec2 map_size, glm::ivec2
 TEST_CASE("visibility: the primitive's bits at every pixel, for every filter and encoding") {
     unsigned seed = 1;
     // a map of ordinary size, and maps smaller than the filters' reach
-    for (glm::ivec2 map_size : {glm::ivec2(67, 41), glm::ivec2(1, 1), glm::ivec2(2, 1), glm::ivec2(1, 9),
-                                glm::ivec2(3, 2), glm::ivec2(16, 17)})
+    for (glm::ivec2 of_map : {glm::ivec2(67, 41), glm::ivec2(1, 1), glm::ivec2(2, 1), glm::ivec2(1, 9),
+                              glm::ivec2(3, 2), glm::ivec2(16, 17)})
         for (glm::ivec2 size : {glm::ivec2(133, 21), glm::ivec2(1, 3)}) {
-            CAPTURE(map_size.x);
+            CAPTURE(of_map.x);
             CAPTURE(size.x);
-            CHECK(differing_for_all_filters(rg<9>{}, map_size, size, seed += 10) == 0);
-            CHECK(differing_for_all_filters(rg<11>{}, map_size, size, seed += 10) == 0);
-            CHECK(differing_for_all_filters(rg<11>{.edge = lower_edge<float>}, map_size, size, seed += 10) == 0);
-            CHECK(differing_for_all_filters(rg<16>{}, map_size, size, seed += 10) == 0);
-            CHECK(differing_for_all_filters(rgb24{}, map_size, size, seed += 10) == 0);
-            CHECK(differing_for_all_filters(float_bits{}, map_size, size, seed += 10) == 0);
-            CHECK(differing_for_all_filters(depth32f{}, map_size, size, seed += 10) == 0);
+            CHECK(differing_for_all_filters(rg<9>{}, of_map, size, seed += 10) == 0);
+            CHECK(differing_for_all_filters(rg<11>{}, of_map, size, seed += 10) == 0);
+            CHECK(differing_for_all_filters(rg<11>{.edge = lower_edge<float>}, of_map, size, seed += 10) == 0);
+            CHECK(differing_for_all_filters(rg<16>{}, of_map, size, seed += 10) == 0);
+            CHECK(differing_for_all_filters(rgb24{}, of_map, size, seed += 10) == 0);
+            CHECK(differing_for_all_filters(float_bits{}, of_map, size, seed += 10) == 0);
+            CHECK(differing_for_all_filters(depth32f{}, of_map, size, seed += 10) == 0);
         }
 }
 
@@ -162,25 +162,25 @@ TEST_CASE("visibility: by hand") {
 
 TEST_CASE("visibility: rows with gaps, rows from the bottom up; the gaps stay as they were") {
     std::mt19937 random(3);
-    const glm::ivec2 size(71, 9), map_size(13, 11);
-    const auto map = packed_map(rg<11>{}, map_size, random);
-    const auto receivers = receivers_for(map_size, size, random);
+    const glm::ivec2 size(71, 9), of_map(13, 11);
+    const auto map = packed_map(rg<11>{}, of_map, random);
+    const auto receivers = receivers_for(of_map, size, random);
     image<float> plain(size);
     visibility(map.view(), rg<11>{}, receivers.view(), filters::box{2}, plain.view());
 
     // the same three images inside wider ones, each upside down in memory
-    image<glm::u8vec2> wide_map({map_size.x + 3, map_size.y}, glm::u8vec2(77));
+    image<glm::u8vec2> wide_map({of_map.x + 3, of_map.y}, glm::u8vec2(77));
     image<glm::vec3> wide_receivers({size.x + 5, size.y}, glm::vec3(-3));
     image<float> wide_out({size.x + 1, size.y}, -5.0f);
     const auto flipped = [](auto& whole, glm::ivec2 part) {
         const auto view = whole.view();
         return image_view(view.row(part.y - 1), part, -view.stride);
     };
-    const auto map_view = flipped(wide_map, map_size);
+    const auto map_view = flipped(wide_map, of_map);
     const auto receiver_view = flipped(wide_receivers, size);
     const auto out_view = flipped(wide_out, size);
-    for (int y = 0; y < map_size.y; ++y)
-        for (int x = 0; x < map_size.x; ++x) map_view[{x, y}] = map[{x, y}];
+    for (int y = 0; y < of_map.y; ++y)
+        for (int x = 0; x < of_map.x; ++x) map_view[{x, y}] = map[{x, y}];
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) receiver_view[{x, y}] = receivers[{x, y}];
     visibility(map_view, rg<11>{}, receiver_view, filters::box{2}, out_view);

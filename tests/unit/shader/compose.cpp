@@ -3,6 +3,8 @@
 
 #include <umbrage/shader/compose.hpp>
 
+#include "parts_of_text.hpp"
+
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -18,12 +20,6 @@ using namespace umbrage;
 using namespace umbrage::glsl;
 
 namespace {
-
-std::size_t count(std::string_view text, std::string_view part) {
-    std::size_t n = 0;
-    for (auto at = text.find(part); at != text.npos; at = text.find(part, at + part.size())) ++n;
-    return n;
-}
 
 /// The function of this name, from its signature to its last brace.
 std::string function(const std::string& text, const std::string& name) {

@@ -13,6 +13,8 @@
 #include <umbrage/shader/glsl.hpp>
 #include <umbrage/shader/registry.hpp>
 
+#include "parts_of_text.hpp"
+
 using namespace umbrage::glsl;
 
 namespace {
@@ -24,12 +26,6 @@ constexpr snippet top{.name = "top", .summary = "", .needs = list<&left, &right>
 constexpr snippet wide{
     .name = "wide", .summary = "", .needs = list<&top, &right, &left, &leaf, &leaf, &top>, .source = "\nwide body\n"};
 constexpr snippet modern{.name = "modern", .summary = "", .lowest = version::v300_es, .source = "\nmodern body\n"};
-
-std::size_t count(std::string_view text, std::string_view part) {
-    std::size_t n = 0;
-    for (auto at = text.find(part); at != text.npos; at = text.find(part, at + part.size())) ++n;
-    return n;
-}
 
 std::string without_comments(std::string_view text) {
     std::string out;

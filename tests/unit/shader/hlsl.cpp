@@ -7,17 +7,9 @@
 #include <umbrage/shader/hlsl.hpp>
 #include <umbrage/shader/registry.hpp>
 
+#include "parts_of_text.hpp"
+
 using namespace umbrage;
-
-namespace {
-
-/// The text of one function.
-std::string function(const std::string& text, const std::string& name) {
-    const auto begin = text.find("\n// " + name + ":") + 1;
-    return text.substr(begin, text.find("\n}\n", begin) + 3 - begin);
-}
-
-}  // namespace
 
 TEST_CASE("hlsl: a snippet as one would have written it") {
     CHECK(hlsl::text({glsl::spot_cone}) == R"(// umbrage 0.1.0, MIT License: spot_cone
@@ -38,7 +30,7 @@ float umbrage_spot_cone(float3 direction, float3 to_point, float cos_outer) {
 }
 
 TEST_CASE("hlsl: a filter's map is a texture, and one with a sampler where samplers compare") {
-    CHECK(function(hlsl::text({glsl::hard}), "umbrage_hard") ==
+    CHECK(function_with_comment(hlsl::text({glsl::hard}), "umbrage_hard") ==
           R"(// umbrage_hard: unfiltered shadow test; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased

@@ -7,22 +7,14 @@
 #include <umbrage/shader/msl.hpp>
 #include <umbrage/shader/registry.hpp>
 
+#include "parts_of_text.hpp"
+
 using namespace umbrage;
-
-namespace {
-
-/// The text of one function.
-std::string function(const std::string& text, const std::string& name) {
-    const auto begin = text.find("\n// " + name + ":") + 1;
-    return text.substr(begin, text.find("\n}\n", begin) + 3 - begin);
-}
-
-}  // namespace
 
 TEST_CASE("msl: a snippet as one would have written it") {
     CHECK(msl::text({glsl::false_colour})
               .starts_with("// umbrage 0.1.0, MIT License: false_colour\n" + std::string(msl::prelude)));
-    CHECK(function(msl::text({glsl::false_colour}), "umbrage_false_colour") ==
+    CHECK(function_with_comment(msl::text({glsl::false_colour}), "umbrage_false_colour") ==
           R"(// umbrage_false_colour: blue for 0.0, through green, to red for 1.0
 inline float3 umbrage_false_colour(float v) {
     float x = umbrage_saturate(v) * 4.0;

@@ -11,7 +11,7 @@ namespace {
 using namespace umbrage;
 
 template <int Bits>
-void add(std::vector<entry>& all) {
+void add_levels(std::vector<entry>& all) {
     all.push_back({.primitive = &umbrage::glsl::level_rg<Bits>,
                    .classes = channels(),
                    .whole = all_codes(),
@@ -28,7 +28,7 @@ void add(std::vector<entry>& all) {
 
 void add_depth_rg_level(std::vector<entry>& all) {
     namespace glsl = umbrage::glsl;
-    [&]<int... M>(std::integer_sequence<int, M...>) { (add<9 + M>(all), ...); }
+    [&]<int... M>(std::integer_sequence<int, M...>) { (add_levels<9 + M>(all), ...); }
     (std::make_integer_sequence<int, 8>());
     all.push_back(levels(glsl::level_rg<11>, "umbrage_level_rg11(value.xy)", glsl::receiver_rg<11>,
                          "umbrage_receiver_rg11(x0.z, 0.5)", [](const sample& s) {

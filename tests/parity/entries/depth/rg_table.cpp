@@ -20,7 +20,7 @@ texels table() {
 }
 
 template <int Bits>
-void add(std::vector<entry>& all) {
+void add_table(std::vector<entry>& all) {
     const std::string name = "umbrage_encode_rg" + std::to_string(Bits) + "_table";
     all.push_back({.primitive = &umbrage::glsl::encode_rg_table<Bits>,
                    .classes = spread({{0.0f, 1.0f}}, depth_values(Bits)),
@@ -34,7 +34,7 @@ void add(std::vector<entry>& all) {
 }  // namespace
 
 void add_depth_rg_table(std::vector<entry>& all) {
-    [&]<int... M>(std::integer_sequence<int, M...>) { (add<9 + M>(all), ...); }
+    [&]<int... M>(std::integer_sequence<int, M...>) { (add_table<9 + M>(all), ...); }
     (std::make_integer_sequence<int, 8>());
 }
 

@@ -3,15 +3,13 @@
 // Whole formats, their worst errors and faults: tests/proof/foreign.cpp.
 #include <doctest/doctest.h>
 
-#include <limits>
-
 #include <umbrage/depth/foreign/threejs.hpp>
+
+#include "../../special_values.hpp"
 
 using namespace umbrage;
 
 namespace {
-
-constexpr float inf = std::numeric_limits<float>::infinity(), nan32 = std::numeric_limits<float>::quiet_NaN();
 
 // the literal of the GLSL twins
 static_assert(0.00392156886f == float(1.0 / 255.0));
@@ -36,12 +34,12 @@ TEST_CASE("write_threejs_rgb, write_threejs_rg: shorter, the fraction in the las
 }
 
 TEST_CASE("write_threejs_*: out of range and NaN are the ends") {
-    for (float v : {1.0f, 2.0f, inf, nan32, -nan32}) {
+    for (float v : {1.0f, 2.0f, inf32, nan32, -nan32}) {
         CHECK(write_threejs_rgba(v) == glm::vec4(1));
         CHECK(write_threejs_rgb(v) == glm::vec3(1));
         CHECK(write_threejs_rg(v) == glm::vec2(1));
     }
-    for (float v : {0.0f, -0.0f, -1.0f, -inf}) {
+    for (float v : {0.0f, -0.0f, -1.0f, -inf32}) {
         CHECK(write_threejs_rgba(v) == glm::vec4(0));
         CHECK(write_threejs_rgb(v) == glm::vec3(0));
         CHECK(write_threejs_rg(v) == glm::vec2(0));

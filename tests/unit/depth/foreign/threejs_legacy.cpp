@@ -4,15 +4,15 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <limits>
 
 #include <umbrage/depth/foreign/threejs_legacy.hpp>
+
+#include "../../special_values.hpp"
 
 using namespace umbrage;
 
 namespace {
 
-constexpr float inf = std::numeric_limits<float>::infinity(), nan32 = std::numeric_limits<float>::quiet_NaN();
 constexpr float below_one = 0x1.fffffep-1f;
 
 // the literal of the GLSL twin
@@ -34,11 +34,11 @@ TEST_CASE("write_threejs_legacy: A most significant, 1 written as 256 / 255") {
 }
 
 TEST_CASE("threejs_legacy: out of range and NaN are the ends") {
-    for (float v : {1.0f, 2.0f, inf, nan32, -nan32}) {
+    for (float v : {1.0f, 2.0f, inf32, nan32, -nan32}) {
         CHECK(write_threejs_legacy(v) == write_threejs_legacy(1.0f));
         CHECK(encode_threejs_legacy_repaired(v) == glm::u8vec4(255));
     }
-    for (float v : {0.0f, -0.0f, -1.0f, -inf}) {
+    for (float v : {0.0f, -0.0f, -1.0f, -inf32}) {
         CHECK(write_threejs_legacy(v) == glm::vec4(0));
         CHECK(encode_threejs_legacy_repaired(v) == glm::u8vec4(0));
     }

@@ -9,14 +9,12 @@
 
 #include <umbrage/light/light_space.hpp>
 
+#include "../../special_values.hpp"
 #include "../clip_spaces.hpp"
 
 using namespace umbrage;
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Evenly over the sphere, then closer and closer to both poles, then the axes and diagonals.
 std::vector<glm::dvec3> directions() {
@@ -125,7 +123,7 @@ TEST_CASE_TEMPLATE("look_along: bad input", T, float, double) {
     using vec = glm::vec<3, T>;
     const vec zero(0), down(0, -1, 0), up(0, 1, 0);
     CHECK_THROWS_AS((void)look_along(zero, zero, up, handedness::right), std::invalid_argument);
-    for (double bad : {not_a_number, -not_a_number, infinity, -infinity})
+    for (double bad : {nan64, -nan64, inf64, -inf64})
         for (int i = 0; i < 3; ++i) {
             vec v(1);
             v[i] = T(bad);
@@ -143,8 +141,8 @@ TEST_CASE("look_along: errors name the function and the argument") {
     };
     const glm::vec3 down(0, -1, 0), far_out(greatest);
     CHECK(look(far_out, {1, 1, 1}, down).starts_with("umbrage::look_along: position "));
-    CHECK(look({0, infinity, 0}, down, down).starts_with("umbrage::look_along: position "));
+    CHECK(look({0, inf64, 0}, down, down).starts_with("umbrage::look_along: position "));
     CHECK(look({}, {}, down).starts_with("umbrage::look_along: direction "));
-    CHECK(look({}, {0, infinity, 0}, down).starts_with("umbrage::look_along: direction "));
-    CHECK(look({}, down, {infinity, 0, 0}).starts_with("umbrage::look_along: up "));
+    CHECK(look({}, {0, inf64, 0}, down).starts_with("umbrage::look_along: direction "));
+    CHECK(look({}, down, {inf64, 0, 0}).starts_with("umbrage::look_along: up "));
 }

@@ -9,16 +9,10 @@
 
 #include <umbrage/light/light_space.hpp>
 
+#include "../../special_values.hpp"
 #include "../clip_spaces.hpp"
 
 using namespace umbrage;
-
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
 
 TEST_CASE("perspective: z/w of a hand-made case in every convention") {
     // between 1 and 3, z/w = 1.5 - 1.5 / distance: 0.75 at distance 2
@@ -100,17 +94,17 @@ TEST_CASE_TEMPLATE("perspective, orthographic: bad input", T, float, double) {
     CHECK_THROWS_AS(box(2, 1, 0, 1), std::invalid_argument);
     CHECK_THROWS_AS(box(0, 1, 1, 1), std::invalid_argument);
     CHECK_THROWS_AS(box(0, 1, 2, 1), std::invalid_argument);
-    CHECK_NOTHROW(planes(1, infinity));
-    CHECK_THROWS_AS(planes(infinity, infinity), std::invalid_argument);
-    for (double bad : {not_a_number, -not_a_number, infinity, -infinity}) {
+    CHECK_NOTHROW(planes(1, inf64));
+    CHECK_THROWS_AS(planes(inf64, inf64), std::invalid_argument);
+    for (double bad : {nan64, -nan64, inf64, -inf64}) {
         CHECK_THROWS_AS(planes(bad, 2), std::invalid_argument);
-        if (bad != infinity) CHECK_THROWS_AS(planes(1, bad), std::invalid_argument);
+        if (bad != inf64) CHECK_THROWS_AS(planes(1, bad), std::invalid_argument);
         CHECK_THROWS_AS(box(bad, 1, 0, 1), std::invalid_argument);
         CHECK_THROWS_AS(box(0, bad, 0, 1), std::invalid_argument);
         CHECK_THROWS_AS(box(0, 1, bad, 1), std::invalid_argument);
         CHECK_THROWS_AS(box(0, 1, 0, bad), std::invalid_argument);
     }
-    for (double bad : {not_a_number, infinity, 0.0, -1.0}) {
+    for (double bad : {nan64, inf64, 0.0, -1.0}) {
         CHECK_THROWS_AS((void)perspective(T(bad), T(1), T(1), T(2), clip_space{}), std::invalid_argument);
         CHECK_THROWS_AS((void)perspective(T(1), T(bad), T(1), T(2), clip_space{}), std::invalid_argument);
     }

@@ -6,8 +6,8 @@
 #include <umbrage/shader/registry.hpp>
 #include <umbrage/shader/translate/layout.hpp>
 
-using namespace umbrage::glsl;
-using detail::laid_out;
+using namespace umbrage;
+using glsl::detail::laid_out;
 
 TEST_CASE("laid_out: lines that have room for the next take it") {
     CHECK(laid_out("float f(float a,\n        float b) {\n    float c =\n        a + b;\n    return c;\n}\n") ==
@@ -49,7 +49,7 @@ TEST_CASE("laid_out: of every snippet, only white space changes, and what is lai
         std::erase_if(text, [](char c) { return c == ' ' || c == '\n'; });
         return text;
     };
-    for (const snippet* s : registry) {
+    for (const glsl::snippet* s : glsl::registry) {
         CAPTURE(s->name);
         const std::string once = laid_out(s->source);
         CHECK(bare(once) == bare(std::string(s->source)));

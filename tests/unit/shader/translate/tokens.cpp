@@ -8,15 +8,15 @@
 #include <umbrage/shader/registry.hpp>
 #include <umbrage/shader/translate/tokens.hpp>
 
-using namespace umbrage::glsl;
-using detail::piece;
+using namespace umbrage;
+using glsl::detail::piece;
 using strings = std::vector<std::string>;
 
 namespace {
 
-strings texts(std::string_view glsl) {
+strings texts(std::string_view source) {
     strings all;
-    for (const detail::token& t : detail::tokens(glsl)) all.emplace_back(t.text);
+    for (const glsl::detail::token& t : glsl::detail::tokens(source)) all.emplace_back(t.text);
     return all;
 }
 
@@ -26,12 +26,12 @@ TEST_CASE("tokens: words, numbers and signs") {
     CHECK(texts("a+=b1.x>>2;") == strings{"a", "+=", "b1", ".", "x", ">>", "2", ";", ""});
     CHECK(texts("1.0-.5e-3+0x1E+3u") == strings{"1.0", "-", ".5e-3", "+", "0x1E", "+", "3u", ""});
     CHECK(texts("i++<-j") == strings{"i", "++", "<", "-", "j", ""});
-    CHECK_THROWS_AS((void)detail::tokens("a @ b"), std::invalid_argument);
-    CHECK_THROWS_AS((void)detail::tokens("a \t b"), std::invalid_argument);
+    CHECK_THROWS_AS((void)glsl::detail::tokens("a @ b"), std::invalid_argument);
+    CHECK_THROWS_AS((void)glsl::detail::tokens("a \t b"), std::invalid_argument);
 }
 
 TEST_CASE("tokens: comments and directives go to the end of their line") {
-    const auto all = detail::tokens("#if A\n  x; // it is\n\n");
+    const auto all = glsl::detail::tokens("#if A\n  x; // it is\n\n");
     REQUIRE(all.size() == 5);
     CHECK((all[0].kind == piece::directive && all[0] == "#if A"));
     CHECK((all[1].kind == piece::word && all[1].space == "\n  "));
@@ -40,17 +40,17 @@ TEST_CASE("tokens: comments and directives go to the end of their line") {
 }
 
 TEST_CASE("tokens: of every snippet, nothing is lost") {
-    for (const snippet* s : registry) {
+    for (const glsl::snippet* s : glsl::registry) {
         CAPTURE(s->name);
         std::string again;
-        for (const detail::token& t : detail::tokens(s->source)) (again += t.space) += t.text;
+        for (const glsl::detail::token& t : glsl::detail::tokens(s->source)) (again += t.space) += t.text;
         CHECK(again == s->source);
     }
 }
 
 TEST_CASE("closing: the bracket that belongs to one") {
-    const auto all = detail::tokens("f(a[(b)], c) + (d");
-    CHECK(detail::closing(all, 1) == 10);
-    CHECK(detail::closing(all, 3) == 7);
-    CHECK_THROWS_AS((void)detail::closing(all, 12), std::invalid_argument);
+    const auto all = glsl::detail::tokens("f(a[(b)], c) + (d");
+    CHECK(glsl::detail::closing(all, 1) == 10);
+    CHECK(glsl::detail::closing(all, 3) == 7);
+    CHECK_THROWS_AS((void)glsl::detail::closing(all, 12), std::invalid_argument);
 }
