@@ -18,7 +18,6 @@
 
 #include <umbrage/clip_space.hpp>
 #include <umbrage/image.hpp>
-#include <umbrage/images/mesh.hpp>
 #include <umbrage/light/bounds.hpp>
 
 #include "scene.hpp"
@@ -38,6 +37,7 @@ struct camera_setup {
     glm::vec3 target{0};
     float azimuth = 0, elevation = 25, distance = 7.5f;  ///< degrees, degrees, world units
     float fov = 35, aspect = 1;                          ///< vertical, degrees; width / height
+    float z_near = 0.1f, z_far = 200.0f;                 ///< world units
 };
 
 struct camera {
@@ -49,13 +49,12 @@ struct camera {
 [[nodiscard]] inline camera make_camera(const camera_setup& s) {
     const glm::vec3 back = direction_at(s.azimuth, s.elevation), position = s.target + s.distance * back;
     const glm::vec3 up = direction_at(s.azimuth, s.elevation + 90);  // never parallel to the line of sight
-    const float z_near = 0.1f, z_far = 200.0f, tangent = std::tan(glm::radians(s.fov) / 2);
-    return {position,
-            glm::perspectiveRH_ZO(glm::radians(s.fov), s.aspect, z_near, z_far) * glm::lookAtRH(position, s.target, up),
-            {position, -back, up, tangent * s.aspect, tangent, z_near, z_far}};
+    const float tangent = std::tan(glm::radians(s.fov) / 2);
+    return {
+        position,
+        glm::perspectiveRH_ZO(glm::radians(s.fov), s.aspect, s.z_near, s.z_far) * glm::lookAtRH(position, s.target, up),
+        {position, -back, up, tangent * s.aspect, tangent, s.z_near, s.z_far}};
 }
-
-[[nodiscard]] inline umbrage::mesh_view view_of(const mesh& m) { return {m.positions, m.triangles}; }
 
 inline constexpr std::uint32_t nothing = ~std::uint32_t(0);
 

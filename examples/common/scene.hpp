@@ -11,7 +11,10 @@
 #include <filesystem>
 #include <vector>
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+
+#include <umbrage/images/mesh.hpp>
 
 namespace example {
 
@@ -23,15 +26,34 @@ struct mesh {
     std::vector<glm::uvec3> triangles;
 };
 
-/// A mesh whose first `floor_triangles` are the tiled floor at y = 0, and the box around everything.
-struct scene {
-    mesh geometry;
-    std::size_t floor_triangles = 0;
-    glm::vec3 low{0}, high{0};     ///< of everything
-    glm::vec3 target{0, 0.7f, 0};  ///< what lights and cameras look at
+/// The mesh, moved, turned about and scaled evenly by a matrix, added to another.
+void append(mesh& to, const mesh& of, const glm::mat4& place);
+
+/// One shape in many places.
+struct copies {
+    mesh shape;
+    std::vector<glm::mat4> places;  ///< shape to world: moves, turns and scales evenly
 };
 
+/// A mesh whose first `floor_triangles` are the tiled floor at y = 0, and the box around everything.
+struct scene {
+    mesh geometry;  ///< all of it
+    std::size_t floor_triangles = 0;
+    glm::vec3 low{0}, high{0};            ///< of everything
+    glm::vec3 target{0, 0.7f, 0};         ///< what lights and cameras look at
+    float z_near = 0.1f, z_far = 200.0f;  ///< between which cameras see
+    std::vector<copies> parts{};          ///< the same once more, as what it is made of; none: of one part
+};
+
+/// Sets low and high.
+void find_bounds(scene& s);
+
+[[nodiscard]] inline umbrage::mesh_view view_of(const mesh& m) { return {m.positions, m.triangles}; }
+
 enum class up_axis { y, z };  ///< of a mesh that somebody else made
+
+/// A kilometre of hills with a village, woods and rocks: a sun's cascades have something to do.
+[[nodiscard]] scene outdoor_scene();
 
 /// A tiled floor, and on it a ball on a pillar that throws its shadow on a box, and a torus.
 [[nodiscard]] scene default_scene();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include <umbrage/bias/receiver_plane.hpp>
 #include <umbrage/depth/depth32f.hpp>
@@ -36,19 +37,20 @@ struct on_planes {
 
 }  // namespace
 
-umbrage::image<float> visibility_of(const options& o, const umbrage::image<float>& map, const light& lamp,
+umbrage::image<float> visibility_of(const options& o, umbrage::image_view<const float> map, const light& lamp,
                                     const receivers& receivers, example::progress& progress) {
     umbrage::image<float> visibility(receivers.depth.size());
-    const auto filter_by = [&](const umbrage::image<float>& depths, const auto& filter) {
-        umbrage::visibility(depths.view(), umbrage::depth32f{}, receivers.planes(), filter, visibility.view(),
+    const auto filter_by = [&](umbrage::image_view<const float> depths, const auto& filter) {
+        umbrage::visibility(depths, umbrage::depth32f{}, receivers.planes(), filter, visibility.view(),
                             progress.bands());
     };
     example::with_filter(o.filter, o.radius, [&](const auto& filter) {
         if (receivers.slope.empty()) return filter_by(map, filter);
-        umbrage::image<float> projected(map.size());
-        std::ranges::transform(map.texels(), projected.texels().begin(),
-                               [&](float depth) { return lamp.projected_depth(depth); });
-        filter_by(projected, on_planes{erased(filter), receivers.slope});
+        umbrage::image<float> projected(map.size);
+        for (int y = 0; y < map.size.y; ++y)
+            std::transform(map.row(y), map.row(y) + map.size.x, projected.view().row(y),
+                           [&](float depth) { return lamp.projected_depth(depth); });
+        filter_by(std::as_const(projected).view(), on_planes{erased(filter), receivers.slope});
     });
     return visibility;
 }

@@ -13,7 +13,8 @@
 namespace shadow_render {
 
 /// @param map  decoded
-[[nodiscard]] umbrage::image<float> visibility_of(const options& o, const umbrage::image<float>& map, const light& lamp,
-                                                  const receivers& receivers, example::progress& progress);
+[[nodiscard]] umbrage::image<float> visibility_of(const options& o, umbrage::image_view<const float> map,
+                                                  const light& lamp, const receivers& receivers,
+                                                  example::progress& progress);
 
 }  // namespace shadow_render

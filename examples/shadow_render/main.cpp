@@ -4,7 +4,7 @@
 //
 //     light -> depth pass -> encode -> [map] -> fetch -> decode -> compare -> filter -> visibility -> shade
 //
-// Start reading at render(). The filter is chosen in filter.cpp; the bias is in receivers.cpp, the light on
+// Start reading at render(); with cascades it is render_cascades(), in cascades.cpp. The filter is chosen in filter.cpp; the bias is in receivers.cpp, the light on
 // things in shade.hpp.
 #include <cstdio>
 #include <filesystem>
@@ -22,6 +22,7 @@
 #include <scene.hpp>
 #include <shadow_map.hpp>
 
+#include "cascades.hpp"
 #include "compare.hpp"
 #include "filter.hpp"
 #include "light_report.hpp"
@@ -75,14 +76,16 @@ void render(const options& o, const example::scene& scene) {
 }
 
 void run(const options& o) {
-    const example::scene scene =
-        o.mesh.empty() ? example::default_scene() : example::on_floor(example::load_mesh(o.mesh), o.up);
+    const example::scene scene = o.outdoor        ? example::outdoor_scene()
+                                 : o.mesh.empty() ? example::default_scene()
+                                                  : example::on_floor(example::load_mesh(o.mesh), o.up);
     std::error_code error;
     std::filesystem::create_directories(o.output, error);
     if (!std::filesystem::is_directory(o.output))
         throw std::runtime_error("cannot make the folder " + o.output.string());
     if (o.light_report) return light_report(o, scene);
     if (o.stability_report) return stability_report(o, scene);
+    if (o.light == light_kind::cascades) return render_cascades(o, scene);
     render(o, scene);
     if (!o.quiet && !o.compare)
         std::printf("%zu triangles, %d x %d texels of %s: picture.png, map.png, depth.png and visibility.png in %s\n",

@@ -14,14 +14,16 @@ namespace {
 template <class Kind>
 using choices = std::vector<std::pair<std::string, Kind>>;
 
-const choices<light_kind> lights{{"spot", light_kind::spot}, {"directional", light_kind::directional}};
+const choices<light_kind> lights{
+    {"spot", light_kind::spot}, {"directional", light_kind::directional}, {"cascades", light_kind::cascades}};
+const choices<bool> scenes{{"indoor", false}, {"outdoor", true}};
 const choices<float> edges{
     {"lower", umbrage::lower_edge<float>}, {"centre", umbrage::centre<float>}, {"upper", umbrage::upper_edge<float>}};
 const choices<example::up_axis> axes{{"y", example::up_axis::y}, {"z", example::up_axis::z}};
 
 template <class Kind>
-void add_choice(CLI::App& app, const std::string& name, Kind& value, const choices<Kind>& all,
-                const std::string& text) {
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Kind& value, const choices<Kind>& all,
+                        const std::string& text) {
     std::vector<std::string> names;
     std::string chosen;
     for (const auto& [key, kind] : all) {
@@ -32,7 +34,7 @@ void add_choice(CLI::App& app, const std::string& name, Kind& value, const choic
         for (const auto& [candidate, kind] : all)
             if (candidate == key) value = kind;
     };
-    app.add_option_function<std::string>(name, choose, text)
+    return app.add_option_function<std::string>(name, choose, text)
         ->check(CLI::IsMember(names).description(""))
         ->type_name(CLI::detail::join(names, "|"))
         ->default_str(chosen);
@@ -44,25 +46,29 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     using example::within;
     options o;
     CLI::App app{
-        "Renders a mesh with a shadow map: picture.png, map.png, depth.png and visibility.png; or compares filters "
+        "Renders a scene with shadow maps: picture.png, map.png, depth.png and visibility.png; or compares filters "
         "or set-ups of the light.",
         "shadow_render"};
     app.option_defaults()->always_capture_default();
 
-    example::add_mesh(app, "mesh", o.mesh);
+    CLI::Option* mesh = example::add_mesh(app, "mesh", o.mesh);
+    add_choice(app, "--scene", o.outdoor, scenes, "built-in scene: a few things on a floor, or a kilometre of hills")
+        ->excludes(mesh);
     add_choice(app, "--up", o.up, axes, "axis of the mesh that points up");
     app.add_option("-o,--output", o.output, "folder for the pictures, made when missing");
 
     const auto group = [&](const char* name) { app.option_defaults()->group(name); };
     group("Light");
-    add_choice(app, "--light", o.light, lights, "kind of light");
+    add_choice(app, "--light", o.light, lights, "kind of light; cascades: a directional light with four maps");
     app.add_option("--azimuth", o.azimuth, "where it stands, degrees")->check(within(-360, 360));
     app.add_option("--elevation", o.elevation, "90 is straight above")->check(within(1, 90));
     app.add_option("--distance", o.distance, "of the spot from the scene's middle")->check(within(4, 100));
     app.add_option("--cone", o.cone, "full angle of the spot, degrees")->check(within(1, 150));
 
     group("Shadow map");
-    app.add_option("--map-size", o.map_size, "texels along an edge")->check(within(1, 8192));
+    app.add_option("--map-size", o.map_size, "texels along an edge; cascades have a quarter of it each")
+        ->check(within(1, 8192));
+    app.add_flag("--draw-all", o.draw_all, "draws instances that lie beside a cascade's map as well: the same picture");
     example::add_encoding(app, o.encoding)->type_name("NAME");
     add_choice(app, "--edge", o.edge, edges, "of a code's interval, that decoding answers");
 
@@ -111,9 +117,25 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.footer(names);
 
     if (!example::parse(app, argc, argv)) return std::nullopt;
+    if (o.outdoor) {
+        const auto unless_given = [&](const char* name, auto& value, auto usual) {
+            if (app.count(name) == 0) value = usual;
+        };
+        unless_given("--light", o.light, light_kind::cascades);
+        unless_given("--elevation", o.elevation, 30.0f);
+        unless_given("--map-size", o.map_size, 4096);
+        unless_given("--camera-elevation", o.camera_elevation, 4.0f);
+        unless_given("--camera-distance", o.camera_distance, 64.0f);
+        unless_given("--distance", o.distance, 100.0f);
+        unless_given("--fov", o.fov, 50.0f);
+    }
     const bool sheet_of_pictures = o.compare || o.stability_report;
     if (sheet_of_pictures && app.count("--width") == 0) o.width = 480;
     if (sheet_of_pictures && app.count("--height") == 0) o.height = 320;
+    const bool cascades = o.light == light_kind::cascades;
+    if (cascades && o.compare) throw example::usage_error("--compare is of one map: --light spot or directional");
+    if (cascades && o.map_size < 32) throw example::usage_error("--light cascades needs a --map-size of 32 or above");
+    if (o.draw_all && !cascades) throw example::usage_error("--draw-all is for --light cascades");
     if ((o.light_report || o.stability_report) && o.map_size < 16)
         throw example::usage_error("reports on the light need a --map-size of 16 or above");
     if (1.0 * o.width * o.height * o.samples * o.samples > 64e6 || std::max(o.width, o.height) * o.samples > 16384)

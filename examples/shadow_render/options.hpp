@@ -11,11 +11,12 @@
 
 namespace shadow_render {
 
-enum class light_kind { spot, directional };
+enum class light_kind { spot, directional, cascades };
 
 /// Angles are in degrees. Azimuth 0 is towards the default camera, 90 to its right; elevation 90 is straight above.
 struct options {
-    std::string mesh;  ///< empty: the built-in scene
+    std::string mesh;  ///< empty: a built-in scene
+    bool outdoor = false;
     example::up_axis up = example::up_axis::y;
     std::filesystem::path output = "out";
 
@@ -23,7 +24,8 @@ struct options {
     float azimuth = 60, elevation = 40, distance = 8;
     float cone = 60;  ///< the spot's full angle
 
-    int map_size = 1024;
+    int map_size = 1024;    ///< of cascades: of the atlas of four
+    bool draw_all = false;  ///< instances beside a cascade's map too
     std::string encoding = "rg16";
     float edge = umbrage::upper_edge<float>;  ///< of a code's interval, that decoding answers
 
@@ -46,6 +48,7 @@ struct options {
 
 /// What the scene is called.
 [[nodiscard]] inline std::string title_of(const options& o) {
+    if (o.outdoor) return "Outdoor scene";
     return o.mesh.empty() ? "Built-in scene" : std::filesystem::path(o.mesh).filename().string();
 }
 

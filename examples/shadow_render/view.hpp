@@ -22,7 +22,9 @@ namespace shadow_render {
                                  .elevation = o.camera_elevation,
                                  .distance = o.camera_distance,
                                  .fov = o.fov,
-                                 .aspect = static_cast<float>(o.width) / static_cast<float>(o.height)});
+                                 .aspect = static_cast<float>(o.width) / static_cast<float>(o.height),
+                                 .z_near = scene.z_near,
+                                 .z_far = scene.z_far});
 }
 
 using example::lanes;
