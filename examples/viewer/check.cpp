@@ -103,6 +103,10 @@ TEST_CASE("refusals: one line and an exit code") {
     fails("--headless --system dx_sdk --es2", 2, "needs a float map");
     fails("--headless --es2 --encoding float-bits", 2, "float_bits");
     fails("--headless --system nothing", 2, "nothing");
+    fails("--headless --system outdoor --es2", 2, "OpenGL 3.3");
+    fails("--headless --system outdoor --encoding rg11", 2, "--encoding");
+    fails("--headless --system outdoor --filter four_tap", 2, "four_tap");
+    fails("--headless --tint", 2, "--tint");
     fails("--headless --map-size 0", 2, "0");
     fails("--headless --bias none", 2, "--bias");
     fails("--headless --radius 9", 2, "--radius");
@@ -157,6 +161,17 @@ TEST_CASE("keys: each changes what the text says it does") {
     CHECK(s.scenes == 1);
     s.press('3');
     CHECK(s.scenes == 2);  // the exercise's scene is larger
+    s.press('5');
+    CHECK(s.outdoor());
+    CHECK(s.scenes == 3);
+    s.press('E');
+    CHECK(s.system.encoding == "depth32f");
+    for (std::size_t i = 2; i < example::filter_names().size(); ++i) s.press('F');
+    CHECK(s.system.filter == "pcf_2x2");  // all the way round, but for those that take more than a layer
+    s.press('C');
+    CHECK(s.tint);
+    s.press('3');
+    CHECK(s.scenes == 4);
     s.turn_camera(30, 200);
     CHECK(s.camera.elevation == 90);
     s.press('R');

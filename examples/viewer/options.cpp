@@ -19,6 +19,7 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
 
     std::vector<std::string> systems;
     for (const example::shadow_system& s : example::systems) systems.emplace_back(s.name);
+    systems.emplace_back(outdoor_system.name);
     const std::map<std::string, example::up_axis> axes{{"y", example::up_axis::y}, {"z", example::up_axis::z}};
 
     example::add_choice(app, "--system", o.system, systems, "what to show");
@@ -45,6 +46,7 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.add_option("--height", o.height, "pixels")->check(within(16, 8192));
     app.add_flag("--es2", o.es2, "OpenGL ES 2 and GLSL 100: systems radeon_8500 and self_shadowing");
     app.add_flag("--mask", o.mask, "visibility alone, white is lit");
+    app.add_flag("--tint", o.tint, "outdoor: each cascade in a colour");
     app.add_flag("!--no-text", o.text, "no text in the window");
     app.add_flag("!--no-map", o.map, "no shadow map in the corner");
 
@@ -58,6 +60,14 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.footer(footer + "\n" + std::string(keys));
 
     if (!example::parse(app, argc, argv)) return std::nullopt;
+    const bool outdoor = o.system == outdoor_system.name;
+    if (outdoor && o.es2) throw example::usage_error("--system outdoor needs OpenGL 3.3");
+    for (const char* other : {"--mesh", "--encoding", "--bias"})
+        if (outdoor && app.count(other) > 0)
+            throw example::usage_error(std::string(other) + " is not for --system outdoor");
+    if (outdoor && o.filter && !filters_layers(*o.filter))
+        throw example::usage_error("--filter " + *o.filter + " is not for --system outdoor");
+    if (o.tint && !outdoor) throw example::usage_error("--tint is for --system outdoor");
     if (o.headless && o.frames == 0) o.frames = 1;
     return o;
 }

@@ -108,6 +108,10 @@ void renderer::draw_rectangle(const program& p, glm::vec4 place) const {
 }
 
 void renderer::draw(const session& s, GLuint framebuffer, glm::ivec2 size) {
+    if (s.outdoor()) {
+        if (!outdoor_) outdoor_.emplace(s.scene);
+        return outdoor_->draw(s, framebuffer, size);
+    }
     if (scene_ != s.scenes) {
         upload(s.scene);
         scene_ = s.scenes;

@@ -12,6 +12,7 @@
 #include <umbrage/images/overlay.hpp>
 
 #include "gl.hpp"
+#include "outdoor.hpp"
 #include "session.hpp"
 
 namespace viewer {
@@ -37,6 +38,7 @@ private:
     std::optional<target> map_;
     target small_;  ///< for reading the map back
     std::optional<program> depth_, camera_, overlay_, read_back_;
+    std::optional<outdoor> outdoor_;
 };
 
 }  // namespace viewer

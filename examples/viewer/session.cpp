@@ -15,6 +15,7 @@ namespace viewer {
 namespace {
 
 const example::shadow_system& system_called(std::string_view name) {
+    if (name == outdoor_system.name) return outdoor_system;
     return *std::ranges::find(example::systems, name, &example::shadow_system::name);
 }
 
@@ -35,7 +36,10 @@ bool runs_on_es2(const example::shadow_system& s) { return encoding_called(s.enc
 
 }  // namespace
 
-session::session(const options& o) : es2(o.es2), mask(o.mask), text(o.text), map(o.map), mesh_file_(o.mesh), up_(o.up) {
+bool filters_layers(std::string_view filter) { return filter != "four_tap" && filter != "pcf_2x2_dx_sdk"; }
+
+session::session(const options& o)
+    : es2(o.es2), mask(o.mask), tint(o.tint), text(o.text), map(o.map), mesh_file_(o.mesh), up_(o.up) {
     camera.aspect = static_cast<float>(o.width) / static_cast<float>(o.height);
     select(system_called(o.system));
     if (o.azimuth) system.azimuth = *o.azimuth;
@@ -52,13 +56,26 @@ session::session(const options& o) : es2(o.es2), mask(o.mask), text(o.text), map
 void session::select(const example::shadow_system& s) {
     if (es2 && !runs_on_es2(s))
         throw example::usage_error(std::string(s.name) + " needs a float map, which OpenGL ES 2 has not");
-    const bool other_scene = scenes == 0 || s.scene_scale != system.scene_scale;
+    const bool other_scene =
+        scenes == 0 || s.scene_scale != system.scene_scale || outdoor() != (s.name == outdoor_system.name);
     system = s;
     if (other_scene) {
-        scene = example::make_scene(system, mesh_file_, up_);
+        scene = outdoor() ? example::outdoor_scene() : example::make_scene(system, mesh_file_, up_);
         ++scenes;
     }
-    camera = example::make_camera_setup(system, scene, camera.aspect);
+    camera = usual_camera();
+}
+
+example::camera_setup session::usual_camera() const {
+    if (!outdoor()) return example::make_camera_setup(system, scene, camera.aspect);
+    return {.target = scene.target,
+            .azimuth = 0,
+            .elevation = 4,
+            .distance = 64,
+            .fov = 50,
+            .aspect = camera.aspect,
+            .z_near = scene.z_near,
+            .z_far = scene.z_far};
 }
 
 void session::encode(std::string_view name) {
@@ -90,6 +107,10 @@ void session::bias(std::string_view name) {
     settle_receiver();
 }
 
+void session::next_filter() {
+    do { filter(after(example::filter_names(), system.filter)); } while (outdoor() && !filters_layers(system.filter));
+}
+
 void session::next_encoding() {
     std::string_view next = system.encoding;
     do { next = after(example::encoding_names(), next); } while (es2 && !encoding_called(next).on_es2());
@@ -107,9 +128,17 @@ void session::press(int pressed) {
             if (!es2 || runs_on_es2(s)) select(s);
             break;
         }
-        case 'E': next_encoding(); break;
-        case 'F': filter(after(example::filter_names(), system.filter)); break;
-        case 'B': bias(after(example::bias_names(), system.bias)); break;
+        case '5':
+            if (!es2) select(outdoor_system);
+            break;
+        case 'C': tint = !tint; break;
+        case 'E':
+            if (!outdoor()) next_encoding();
+            break;
+        case 'F': next_filter(); break;
+        case 'B':
+            if (!outdoor()) bias(after(example::bias_names(), system.bias));
+            break;
         case 'J': radius(system.radius.value_or(usual_radius) - 1); break;
         case 'K': radius(system.radius.value_or(usual_radius) + 1); break;
         case '+': system.epsilon *= 1.25f; break;
@@ -140,7 +169,7 @@ void session::turn_light(float azimuth, float elevation) {
 }
 
 void session::zoom(float steps) {
-    const float usual = example::make_camera_setup(system, scene, camera.aspect).distance;
+    const float usual = usual_camera().distance;
     camera.distance = std::clamp(camera.distance * std::pow(0.9f, steps), 0.4f * usual, 4 * usual);
 }
 
@@ -152,8 +181,9 @@ std::string session::describe() const {
     std::ostringstream out;
     out << system.title << "\nencoding " << system.encoding << ", filter " << system.filter;
     if (system.radius) out << " (radius " << *system.radius << " if any)";
-    out << "\nbias " << system.bias << ", epsilon " << system.epsilon << "\nmap " << system.map_size << " x "
-        << system.map_size << "\nlight: azimuth " << system.azimuth << ", elevation " << system.elevation << '\n';
+    out << "\nbias " << system.bias << ", epsilon " << system.epsilon << (outdoor() ? "\n4 maps, " : "\nmap ")
+        << system.map_size << " x " << system.map_size << "\nlight: azimuth " << system.azimuth << ", elevation "
+        << system.elevation << '\n';
     return out.str();
 }
 

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include <umbrage/filter/pcf/pcf_2x2.hpp>
+
 #include <camera.hpp>
 #include <systems.hpp>
 
@@ -30,12 +32,28 @@ inline constexpr std::string_view keys =
     "drag  camera, wheel  distance\n"
     "right drag, arrows  light\n"
     "L  light goes round\n"
-    "1 2 3 4  system\n"
+    "1 2 3 4  system, 5  outdoors, C  its cascades\n"
     "E  encoding, F  filter, B  bias\n"
     "J K  radius, + -  epsilon, M N  map size\n"
     "T  map, V  visibility alone\n"
     "H  this text, R  reset\n"
     "P  screenshot, Esc  quit\n";
+
+/// Cascades over a kilometre, beside the original systems: a directional light, depths as they are, a filter over layers.
+inline constexpr example::shadow_system outdoor_system{
+    .name = "outdoor",
+    .title = "Outdoors: four cascades",
+    .light = example::light_kind::fitted,
+    .elevation = 30,
+    .map_size = 1024,
+    .depth = example::depth_kind::projected,
+    .filter = "pcf_2x2",
+    .epsilon = 0x1p-16f,
+    .reach = example::covered(umbrage::filters::pcf_2x2{}.reach()),
+};
+
+/// Whether a filter, by its name, takes no more than a map and a place in it.
+[[nodiscard]] bool filters_layers(std::string_view filter);
 
 class session {
 public:
@@ -44,7 +62,7 @@ public:
     example::shadow_system system;  ///< with every change made to it
     example::scene scene;
     example::camera_setup camera;
-    bool es2, mask, text, map, turning = false;
+    bool es2, mask, tint, text, map, turning = false;
     int scenes = 0;  ///< counts them: a renderer uploads each once
 
     /// Goes over to a system as it is by itself.
@@ -66,10 +84,13 @@ public:
     void zoom(float steps);
     void resize(glm::ivec2 size);
 
+    [[nodiscard]] bool outdoor() const { return system.name == outdoor_system.name; }
     [[nodiscard]] std::string describe() const;  ///< a few lines for people
 
 private:
     void next_encoding();
+    void next_filter();
+    [[nodiscard]] example::camera_setup usual_camera() const;
     void settle_receiver();
 
     std::filesystem::path mesh_file_;
