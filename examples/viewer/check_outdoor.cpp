@@ -10,7 +10,7 @@
 using namespace viewer_check;
 
 TEST_CASE("outdoor: cascades and instances shadow as rays do, under other filters nearly the same, and have colours") {
-    const std::string small = "--headless --system outdoor --width 240 --height 160 --map-size 512 ";
+    const std::string small = "--headless --system outdoor --width 240 --height 160 --map-size 1024 ";
     viewer::options o;
     o.system = "outdoor", o.width = 240, o.height = 160;
     const viewer::session s(o);

@@ -211,8 +211,8 @@ void outdoor::draw(const session& s, GLuint framebuffer, glm::ivec2 size) {
     if (map_size_ != edge) {
         glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT32F, edge, edge, 4, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
                      nullptr);
-        for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-            glTexParameteri(GL_TEXTURE_2D_ARRAY, filter, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         map_size_ = edge;
     }
     glBindFramebuffer(GL_FRAMEBUFFER, layer_);
