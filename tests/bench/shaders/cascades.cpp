@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// From a world position to visibility: one directional light's map, and four cascades.
+// From a world position to visibility: one directional light's map, and four cascades. What these take more than one
+// map: to load the ends, a comparison and an addition for each, an index into uniforms, which then come by vector loads
+// with waits of their own; a view depth interpolated, but not the depth buffer's; and where one rotation serves all, a
+// product and a sum for each of three coordinates, which must not become one multiply-add.
 #include "jobs.hpp"
 
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
@@ -22,6 +25,7 @@ layout(binding = 7) uniform lights {
 layout(binding = 3) uniform sampler2DArray maps;
 )GLSL";
     const std::string number = "umbrage_cascade_by_depth(x1.x, ends)";
+    const std::string buffered = "umbrage_cascade_by_depth(gl_FragCoord.z, ends)";
     const std::string rotated = "umbrage_shadow_coordinate(rotation, x0.xyz).xyz";
     const auto look_up = [&](std::string name, const std::string& type, const std::string& coordinate,
                              const std::string& where) {
@@ -38,22 +42,29 @@ layout(binding = 3) uniform sampler2DArray maps;
     const auto by_depth = [&](const std::string& scale, const std::string& offset) {
         return "umbrage_cascade_coordinate(" + rotated + ", " + scale + ", " + offset + ")";
     };
-    const std::string indexed = by_depth("scale[int(" + number + ")]", "offset[int(" + number + ")]");
-    return {"2x2 PCF, from world to visibility",
-            {look_up("one map", "vec3", "umbrage_project_coordinate(umbrage_shadow_coordinate(one, x0.xyz))", "(map"),
-             look_up("one map, without the division", "vec3", "umbrage_shadow_coordinate(one, x0.xyz).xyz", "(map"),
-             look_up("cascades by depth, a matrix each", "vec3",
-                     "umbrage_shadow_coordinate(each[int(" + number + ")], x0.xyz).xyz", "_layer(maps, " + number),
-             look_up("cascades by depth", "vec3", indexed, "_layer(maps, " + number),
-             look_up("cascades by depth, in an atlas", "vec3", indexed,
-                     "_tile(map, umbrage_cascade_tile(" + number + ", map_size.x * 0.5)"),
-             look_up("cascades by depth, without an index", "vec3",
-                     by_depth("umbrage_cascade_column(scales, " + number + ")",
-                              "umbrage_cascade_column(offsets, " + number + ")"),
-                     "_layer(maps, " + number),
-             look_up("cascades by projection", "vec4",
-                     "umbrage_cascade_by_projection(" + rotated + ", scales, offsets, map_size, 1.5)",
-                     "_layer(maps, min(at.w, 3.0)")}};
+    const auto indexed = [&](const std::string& of) {
+        return by_depth("scale[int(" + of + ")]", "offset[int(" + of + ")]");
+    };
+    const auto each = [&](const std::string& of) {
+        return "umbrage_shadow_coordinate(each[int(" + of + ")], x0.xyz).xyz";
+    };
+    return {
+        "2x2 PCF, from world to visibility",
+        {look_up("one map", "vec3", "umbrage_project_coordinate(umbrage_shadow_coordinate(one, x0.xyz))", "(map"),
+         look_up("one map, without the division", "vec3", "umbrage_shadow_coordinate(one, x0.xyz).xyz", "(map"),
+         look_up("cascades by depth, a matrix each", "vec3", each(number), "_layer(maps, " + number),
+         look_up("cascades by the depth buffer's, a matrix each", "vec3", each(buffered), "_layer(maps, " + buffered),
+         look_up("cascades by depth", "vec3", indexed(number), "_layer(maps, " + number),
+         look_up("cascades by the depth buffer's", "vec3", indexed(buffered), "_layer(maps, " + buffered),
+         look_up("cascades by depth, in an atlas", "vec3", indexed(number),
+                 "_tile(map, umbrage_cascade_tile(" + number + ", map_size.x * 0.5)"),
+         look_up("cascades by depth, without an index", "vec3",
+                 by_depth("umbrage_cascade_column(scales, " + number + ")",
+                          "umbrage_cascade_column(offsets, " + number + ")"),
+                 "_layer(maps, " + number),
+         look_up("cascades by projection", "vec4",
+                 "umbrage_cascade_by_projection(" + rotated + ", scales, offsets, map_size, 1.5)",
+                 "_layer(maps, min(at.w, 3.0)")}};
 }
 
 }  // namespace bench

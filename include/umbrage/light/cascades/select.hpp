@@ -24,14 +24,15 @@
 namespace umbrage {
 
 /// The cascade that a distance from the camera falls into.
-/// @param depth   along the camera's axis; NaN gives 0
+/// @param depth   along the camera's axis, or whatever else grows with it, as ends do: gl_FragCoord.z costs a shader
+///                nothing; NaN gives 0
 /// @param ends    of the first cascades but not of the last, ascending; infinity for one that is not there
 /// @return        0 .. 3. Ends of more cascades: the sum over them, three at a time
 /// @exactness     A: comparisons
 template <real T>
 [[nodiscard]] constexpr T cascade_by_depth(T depth, glm::vec<3, T> ends) {
     const auto reaches = [depth](T end) { return !is_nan(depth) && depth >= end; };
-    return reaches(ends.y) ? (reaches(ends.z) ? T(3) : T(2)) : (reaches(ends.x) ? T(1) : T(0));
+    return T(int(reaches(ends.x)) + int(reaches(ends.y)) + int(reaches(ends.z)));
 }
 
 /// One of four columns.
@@ -98,9 +99,8 @@ inline constexpr snippet cascade_by_depth{
 // umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
 //   ends  of the first three cascades, ascending
 UMBRAGE_HIGHP float umbrage_cascade_by_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec3 ends) {
-    UMBRAGE_HIGHP float low = depth >= ends.x ? 1.0 : 0.0;
-    UMBRAGE_HIGHP float high = depth >= ends.z ? 3.0 : 2.0;
-    return depth >= ends.y ? high : low;
+    UMBRAGE_HIGHP int reached = int(depth >= ends.x) + int(depth >= ends.y) + int(depth >= ends.z);
+    return float(reached);
 }
 )GLSL",
 };
