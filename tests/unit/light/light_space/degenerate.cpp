@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+//
+// What every set-up function makes of input that is at its limits: the argument named, or lights that hold what they
+// should.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <umbrage/light/cascades/cascades.hpp>
+#include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/directional_light.hpp>
+#include <umbrage/light/point_light.hpp>
+#include <umbrage/light/spot_fit.hpp>
+#include <umbrage/light/spot_light.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+#include "../bodies.hpp"
+#include "../clip_spaces.hpp"
+
+using namespace umbrage;
+
+namespace {
+
+/// All that lights are set up from: a spot inside a scene, and a camera inside it.
+template <class T>
+struct arguments {
+    using vec = glm::vec<3, T>;
+    vec direction{T(0.3), T(-1), T(0.2)}, up{T(0), T(1), T(0)}, position{T(1), T(4), T(2)};
+    T angle = T(0.5), z_near = T(0.5), z_far = T(30);
+    bounding_box<T> scene{vec(-10, -3, -10), vec(10, 8, 10)};
+    vec eye{T(-2), T(1), T(6)}, ahead{T(0.1), T(-0.2), T(-1)};
+    T tangent = T(0.8);
+    clip_space clip{};
+
+    [[nodiscard]] frustum<T> camera() const { return {eye, ahead, up, tangent, T(0.5), z_near, z_far}; }
+};
+
+template <class T>
+std::vector<light_space<T>> spaces(const std::array<cascade<T>, 2>& cascades) {
+    return {cascades[0].light, cascades[1].light};
+}
+
+/// Every set-up function, by its name.
+template <class T>
+const std::map<std::string, std::function<std::vector<light_space<T>>(const arguments<T>&)>> functions{
+    {"make_directional_light",
+     [](const arguments<T>& a) -> std::vector<light_space<T>> {
+         return {make_directional_light<T>({.direction = a.direction,
+                                            .target = a.position,
+                                            .up = a.up,
+                                            .z_near = a.z_near,
+                                            .z_far = a.z_far,
+                                            .clip = a.clip})};
+     }},
+    {"make_spot_light",
+     [](const arguments<T>& a) -> std::vector<light_space<T>> {
+         return {make_spot_light<T>({a.position, a.direction, a.up, a.angle, a.z_near, a.z_far, a.clip})};
+     }},
+    {"make_point_light",
+     [](const arguments<T>& a) {
+         const auto faces =
+             make_point_light<T>({.position = a.position, .z_near = a.z_near, .z_far = a.z_far, .clip = a.clip});
+         return std::vector<light_space<T>>(faces.begin(), faces.end());
+     }},
+    {"fit_directional_light",
+     [](const arguments<T>& a) -> std::vector<light_space<T>> {
+         return {fit_directional_light<T>({.direction = a.direction,
+                                           .up = a.up,
+                                           .receivers = intersection(a.camera(), a.scene),
+                                           .casters = a.scene,
+                                           .clip = a.clip})};
+     }},
+    {"fit_spot_light",
+     [](const arguments<T>& a) -> std::vector<light_space<T>> {
+         return {fit_spot_light<T>({.position = a.position,
+                                    .direction = a.direction,
+                                    .up = a.up,
+                                    .outer_angle_radians = a.angle,
+                                    .z_near = a.z_near,
+                                    .receivers = a.scene,
+                                    .casters = a.scene,
+                                    .clip = a.clip})};
+     }},
+    {"make_stable_cascades",
+     [](const arguments<T>& a) {
+         return spaces(make_stable_cascades<2>(
+             cascade_fit<T>{
+                 .camera = a.camera(), .direction = a.direction, .up = a.up, .scene = a.scene, .clip = a.clip},
+             {a.z_near, (a.z_near + a.z_far) / T(2), a.z_far}));
+     }},
+    {"make_tight_cascades", [](const arguments<T>& a) {
+         return spaces(make_tight_cascades<2>(
+             cascade_fit<T>{
+                 .camera = a.camera(), .direction = a.direction, .up = a.up, .scene = a.scene, .clip = a.clip},
+             {a.z_near, (a.z_near + a.z_far) / T(2), a.z_far}));
+     }}};
+
+const std::vector<std::string> all{"make_directional_light", "make_spot_light", "make_point_light",
+                                   "fit_directional_light",  "fit_spot_light",  "make_stable_cascades",
+                                   "make_tight_cascades"};
+const std::vector<std::string> of_camera{"fit_directional_light", "make_stable_cascades", "make_tight_cascades"};
+const std::vector<std::string> of_spots{"make_spot_light", "fit_spot_light"};
+
+/// In every convention: functions that complain of one of the arguments, each of which is followed by what it must be.
+template <class T, class Change>
+void refused(const std::vector<std::string>& names, const std::vector<std::string>& arguments_named, Change change) {
+    for (const clip_space clip : all_clip_spaces())
+        for (const std::string& name : names) {
+            arguments<T> a{.clip = clip};
+            change(a);
+            const std::string message = complaint([&] { (void)functions<T>.at(name)(a); });
+            CAPTURE(name);
+            CAPTURE(message);
+            bool named = false;
+            for (const std::string& of : arguments_named) named |= message.find(": " + of + " ") != message.npos;
+            CHECK(named);
+        }
+}
+
+/// In every convention: functions that give rotations and finite matrices; then check(lights, arguments).
+template <class T, class Change, class Check>
+void taken(const std::vector<std::string>& names, Change change, Check check) {
+    for (const clip_space clip : all_clip_spaces())
+        for (const std::string& name : names) {
+            arguments<T> a{.clip = clip};
+            change(a);
+            CAPTURE(name);
+            CAPTURE(to_string(clip));
+            std::vector<light_space<T>> lights;
+            CHECK(complaint([&] { lights = functions<T>.at(name)(a); }) == "");
+            for (const light_space<T>& light : lights) {
+                CHECK(umbrage::detail::all_finite(light.projection * light.view));
+                CHECK(std::abs(glm::determinant(glm::dmat3(light.view)) - 1) < 1e-5);
+            }
+            check(name, lights, a);
+        }
+}
+constexpr auto anything = [](const auto&...) {};
+
+/// Inside of a map and its depths, to float's digits.
+template <class T>
+bool holds(const light_space<T>& light, glm::dvec3 p) {
+    const glm::dvec3 at = through(texture_matrix_uv(light), p);
+    return glm::all(glm::greaterThan(at, glm::dvec3(-1e-4))) && glm::all(glm::lessThan(at, glm::dvec3(1 + 1e-4)));
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("set-ups: directions of zero are named, an up along the direction or of zero will do", T, float,
+                   double) {
+    using vec = glm::vec<3, T>;
+    auto directed = all;
+    std::erase(directed, "make_point_light");
+    refused<T>(directed, {"direction"}, [](auto& a) { a.direction = vec(0); });
+    refused<T>(of_camera, {"direction"}, [](auto& a) { a.ahead = vec(0); });
+    for (const vec up : {vec(T(0.3), T(-1), T(0.2)), vec(T(-3), T(10), T(-2)), vec(0)})
+        taken<T>(
+            all, [&](auto& a) { a.up = up; }, anything);
+    for (const vec direction : {vec(0, -1, 0), vec(0, 1, 0)})
+        taken<T>(
+            all, [&](auto& a) { a.direction = a.ahead = direction, a.position = vec(0); }, anything);
+}
+
+TEST_CASE_TEMPLATE("set-ups: bounds that are empty are named, flat ones will do, a point's are one or the other", T,
+                   float, double) {
+    std::vector<std::string> bounded = of_camera;
+    bounded.emplace_back("fit_spot_light");
+    refused<T>(bounded, {"low"}, [](auto& a) { a.scene.low.y = a.scene.high.y + T(1); });
+    taken<T>(
+        bounded, [](auto& a) { a.scene.high.y = a.scene.low.y; }, anything);
+    for (const std::string& name : bounded) {
+        arguments<T> a;
+        a.scene.low = a.scene.high = glm::vec<3, T>(a.position) + a.direction;
+        std::vector<light_space<T>> lights;
+        const std::string message = complaint([&] { lights = functions<T>.at(name)(a); });
+        CHECK(lights.empty() == !message.empty());
+        for (const auto& light : lights) CHECK(umbrage::detail::all_finite(light.projection * light.view));
+    }
+}
+
+TEST_CASE_TEMPLATE("set-ups: planes out of order and opening angles from 180 degrees on are named", T, float, double) {
+    for (const T z_far : {T(60), T(30), T(-1)})
+        refused<T>(all, {"z_far", "z_near and z_far", "splits", "receivers"},
+                   [&](auto& a) { a.z_near = T(60), a.z_far = z_far; });
+    const T infinity = std::numeric_limits<T>::infinity(), pi = std::numbers::pi_v<T>;
+    for (const T angle : {pi / 2, T(2), pi, infinity})
+        refused<T>(of_spots, {"outer_angle_radians"}, [&](auto& a) { a.angle = angle; });
+    for (const T tangent : {std::tan(T(2)), T(0), infinity})
+        refused<T>(of_camera, {"tan_half_x"}, [&](auto& a) { a.tangent = tangent; });
+}
+
+TEST_CASE_TEMPLATE("set-ups: a light inside the scene holds what of it is in its cone", T, float, double) {
+    std::mt19937 random(1);
+    int held = 0;
+    taken<T>(
+        of_spots, [](auto&) {},
+        [&](const std::string&, const auto& lights, const arguments<T>& a) {
+            for (int i = 0; i < 100; ++i) {
+                const glm::dvec3 p =
+                    glm::mix(glm::dvec3(a.scene.low), glm::dvec3(a.scene.high), bodies::random_vector(random, 0, 1));
+                const glm::dvec3 way = p - glm::dvec3(a.position), axis = glm::normalize(glm::dvec3(a.direction));
+                const double z = glm::dot(way, axis);
+                if (z < double(a.z_near) || glm::length(way - z * axis) > z * std::tan(double(a.angle))) continue;
+                CHECK(holds(lights[0], p));
+                ++held;
+            }
+        });
+    CHECK(held > 50);
+    taken<T>(
+        {"make_point_light"}, [](auto&) {}, anything);
+}
+
+TEST_CASE_TEMPLATE(
+    "set-ups: a camera inside a caster that looks along the light, against it and anywhere: what it sees is held, and "
+    "what of the scene is between that and the light",
+    T, float, double) {
+    std::mt19937 random(2);
+    int held = 0;
+    for (const T towards : {T(1), T(-1), T(0)})
+        taken<T>(
+            of_camera,
+            [&](auto& a) {
+                if (towards != T(0)) a.ahead = towards * a.direction;
+            },
+            [&](const std::string& name, const auto& lights, const arguments<T>& a) {
+                const glm::dvec3 light = glm::normalize(glm::dvec3(a.direction)), low(a.scene.low), high(a.scene.high);
+                const glm::dmat4 view =
+                    look_along(glm::dvec3(a.eye), glm::dvec3(a.ahead), glm::dvec3(a.up), handedness::right);
+                for (int i = 0; i < 100; ++i) {
+                    const glm::dvec3 p = glm::mix(low, high, bodies::random_vector(random, 0, 1));
+                    const glm::dvec3 seen(view * glm::dvec4(p, 1));
+                    const double z = -seen.z;
+                    if (z < double(a.z_near) || std::abs(seen.x) > z * double(a.tangent) || std::abs(seen.y) > z * 0.5)
+                        continue;
+                    const bool far = name != "fit_directional_light" && z > double(a.z_near + a.z_far) / 2;
+                    const light_space<T>& own = lights[far ? 1 : 0];
+                    double out = 1e9;  // of the scene, towards the light
+                    for (glm::length_t k = 0; k < 3; ++k)
+                        out = std::min(out, ((light[k] > 0 ? low : high)[k] - p[k]) / -light[k]);
+                    for (const double share : {0.0, 0.5, 1.0}) CHECK(holds(own, p - share * out * light));
+                    ++held;
+                }
+            });
+    CHECK(held > 200);
+}
