@@ -15,7 +15,7 @@ export interface Snippet {
 
 /** What a map's texels lie in. */
 export type Texture =
-    'texture_2d' | 'atlas' | 'array' | 'cube' | 'integer' | 'depth' | 'depth_array' | 'shadow' | 'shadow_array';
+    'texture_2d' | 'atlas' | 'array' | 'cube' | 'cube_faces' | 'integer' | 'depth' | 'depth_array' | 'shadow' | 'shadow_array';
 
 /** A map for shaders: where its texels are, and how they compare. Texts in it are in the shader's own language. */
 export interface Binding {
@@ -119,6 +119,10 @@ export const cube_direction: Snippet;
 export const cube_neighbour: Snippet;
 /** first texel of a face in an atlas */
 export const cube_tile: Snippet;
+/** face that a texel of an atlas belongs to, and where on it */
+export const cube_atlas_texel: Snippet;
+/** direction that reads an atlas' texel from a texture of a cube */
+export const cube_atlas_direction: Snippet;
 /** casters before the near plane, onto it */
 export const pancaked: Snippet;
 /** view-space z over z_far */

@@ -20,7 +20,7 @@ const defaults = {
     texture_size: '', parameters: '', arguments: '', texel: '', needs: [],
 };
 const choices = {
-    texture: ['texture_2d', 'atlas', 'array', 'cube', 'integer', 'depth', 'depth_array', 'shadow', 'shadow_array'],
+    texture: ['texture_2d', 'atlas', 'array', 'cube', 'cube_faces', 'integer', 'depth', 'depth_array', 'shadow', 'shadow_array'],
     direction: ['forward', 'reversed'],
 };
 
@@ -60,7 +60,7 @@ function chosen(s, map) {
             if (map.outside_lit) return hooks['lit_2x2, gathered and bordered'];
             return hooks[has_region(map) ? 'lit_2x2, gathered in a region' : 'lit_2x2, gathered'];
         case 'gather_lit':
-            if (map.texture === 'cube' || map.texture === 'integer')
+            if (['cube', 'cube_faces', 'integer'].includes(map.texture))
                 throw new Error('umbrage: bind: no gather from a cube or from whole numbers');
             if (compares(map)) return hooks['gather_lit, compared'];
             if (map.channels > 2) throw new Error('umbrage: bind: a gather of more than two channels');
@@ -224,7 +224,7 @@ export function supports(item, version) {
     if (!map.needs.every(old_enough)) return false;
     if (map.gather) return has_gathers.includes(version);
     if (has_region(map) && map.texture_size === '' && ['100', '110', '120'].includes(version)) return false;
-    return ['texture_2d', 'depth', 'atlas', 'cube'].includes(map.texture) || es3.includes(version);
+    return ['texture_2d', 'depth', 'atlas', 'cube', 'cube_faces'].includes(map.texture) || es3.includes(version);
 }
 
 /** The beginning of a GLSL shader: #version, preamble, the snippets and all they need. */
@@ -257,6 +257,7 @@ const languages = {
             atlas: { parameters: "UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 origin", arguments: "map, origin", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
             array: { parameters: "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)", lit: "", gather_red: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)", gather_green: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
             cube: { parameters: "UMBRAGE_HIGHP samplerCube map, UMBRAGE_HIGHP float face", arguments: "map, face", texel: "#if __VERSION__ >= 130\n    return textureLod(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0);\n#else\n    return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));\n#endif\n", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: ["cube_direction"] },
+            cube_faces: { parameters: "UMBRAGE_HIGHP samplerCube map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return textureLod(map, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0);\n#else\n    return textureCube(map, umbrage_cube_atlas_direction(at, size.y * 0.5));\n#endif\n", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: ["cube_atlas_direction"] },
             integer: { parameters: "UMBRAGE_HIGHP usampler2D map", arguments: "map", texel: "vec4(texelFetch(map, ivec2(at), 0))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
             depth: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
             depth_array: { parameters: "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)", lit: "", gather_red: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)", gather_green: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
@@ -289,9 +290,8 @@ UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
 // umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
 //   ends  of the first three cascades, ascending
 UMBRAGE_HIGHP float umbrage_cascade_by_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec3 ends) {
-    UMBRAGE_HIGHP float low = depth >= ends.x ? 1.0 : 0.0;
-    UMBRAGE_HIGHP float high = depth >= ends.z ? 3.0 : 2.0;
-    return depth >= ends.y ? high : low;
+    UMBRAGE_HIGHP int reached = int(depth >= ends.x) + int(depth >= ends.y) + int(depth >= ends.z);
+    return float(reached);
 }
 `,
             "cascade_column": `
@@ -480,6 +480,22 @@ UMBRAGE_HIGHP vec3 umbrage_cube_neighbour(UMBRAGE_HIGHP vec3 texel, UMBRAGE_HIGH
 UMBRAGE_HIGHP vec2 umbrage_cube_tile(UMBRAGE_HIGHP float face, UMBRAGE_HIGHP float size) {
     UMBRAGE_HIGHP float row = face < 2.5 ? 0.0 : 1.0;
     return vec2((face - row * 3.0) * size, row * size);
+}
+`,
+            "cube_atlas_texel": `
+// umbrage_cube_atlas_texel: (s, t, face) of a texel of an atlas of 3 x 2 tiles of size texels; whole numbers
+UMBRAGE_HIGHP vec3 umbrage_cube_atlas_texel(UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP float column = texel.x < size ? 0.0 : (texel.x < size * 2.0 ? 1.0 : 2.0);
+    UMBRAGE_HIGHP float row = texel.y < size ? 0.0 : 1.0;
+    return vec3(texel - vec2(column, row) * size, column + row * 3.0);
+}
+`,
+            "cube_atlas_direction": `
+// umbrage_cube_atlas_direction: from a cube's middle to that of a texel of an atlas of 3 x 2 tiles of size texels
+UMBRAGE_HIGHP vec3 umbrage_cube_atlas_direction(UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP vec3 part = umbrage_cube_atlas_texel(texel, size);
+    UMBRAGE_HIGHP vec2 uv = vec2(part.x, part.y) * 2.0 + (1.0 - size);
+    return umbrage_cube_point(part.z, vec3(uv, size));
 }
 `,
             "pancaked": `
@@ -2331,6 +2347,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
             atlas: { parameters: "Texture2D<float4> map, float2 origin", arguments: "map, origin", texel: "map.Load(int3(int2(at), 0))", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
             array: { parameters: "Texture2DArray<float4> map, float layer", arguments: "map, layer", texel: "map.Load(int4(int2(at), int(layer), 0))", lit: "", gather_red: "map.GatherRed(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_green: "map.GatherGreen(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
             cube: { parameters: "TextureCube<float4> map, SamplerState map_sampler, float face", arguments: "map, map_sampler, face", texel: "map.SampleLevel(map_sampler, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0)", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: "", sampler_argument: "", needs: ["cube_direction"] },
+            cube_faces: { parameters: "TextureCube<float4> map, SamplerState map_sampler", arguments: "map, map_sampler", texel: "map.SampleLevel(map_sampler, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0)", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: "", sampler_argument: "", needs: ["cube_atlas_direction"] },
             integer: { parameters: "Texture2D<uint4> map", arguments: "map", texel: "float4(map.Load(int3(int2(at), 0)))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: "", sampler_argument: "", needs: [] },
             depth: { parameters: "Texture2D<float> map", arguments: "map", texel: "(float4)map.Load(int3(int2(at), 0))", lit: "", gather_red: "map.Gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
             depth_array: { parameters: "Texture2DArray<float> map, float layer", arguments: "map, layer", texel: "(float4)map.Load(int4(int2(at), int(layer), 0))", lit: "", gather_red: "map.Gather(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
@@ -2364,9 +2381,8 @@ float3 umbrage_project_coordinate(float4 coordinate) {
 // umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
 //   ends  of the first three cascades, ascending
 float umbrage_cascade_by_depth(float depth, float3 ends) {
-    float low = depth >= ends.x ? 1.0 : 0.0;
-    float high = depth >= ends.z ? 3.0 : 2.0;
-    return depth >= ends.y ? high : low;
+    int reached = int(depth >= ends.x) + int(depth >= ends.y) + int(depth >= ends.z);
+    return float(reached);
 }
 `,
             "cascade_column": `
@@ -2548,6 +2564,22 @@ float3 umbrage_cube_neighbour(float3 texel, float size) {
 float2 umbrage_cube_tile(float face, float size) {
     float row = face < 2.5 ? 0.0 : 1.0;
     return float2((face - row * 3.0) * size, row * size);
+}
+`,
+            "cube_atlas_texel": `
+// umbrage_cube_atlas_texel: (s, t, face) of a texel of an atlas of 3 x 2 tiles of size texels; whole numbers
+float3 umbrage_cube_atlas_texel(float2 texel, float size) {
+    float column = texel.x < size ? 0.0 : (texel.x < size * 2.0 ? 1.0 : 2.0);
+    float row = texel.y < size ? 0.0 : 1.0;
+    return float3(texel - float2(column, row) * size, column + row * 3.0);
+}
+`,
+            "cube_atlas_direction": `
+// umbrage_cube_atlas_direction: from a cube's middle to that of a texel of an atlas of 3 x 2 tiles of size texels
+float3 umbrage_cube_atlas_direction(float2 texel, float size) {
+    float3 part = umbrage_cube_atlas_texel(texel, size);
+    float2 uv = float2(part.x, part.y) * 2.0 + (1.0 - size);
+    return umbrage_cube_point(part.z, float3(uv, size));
 }
 `,
             "pancaked": `
@@ -4257,6 +4289,7 @@ float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float rec
             atlas: { parameters: "metal::texture2d<float> map, float2 origin", arguments: "map, origin", texel: "map.read(uint2(at))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
             array: { parameters: "metal::texture2d_array<float> map, float layer", arguments: "map, layer", texel: "map.read(uint2(at), uint(layer))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
             cube: { parameters: "metal::texturecube<float> map, float face", arguments: "map, face", texel: "map.read(uint2(at), uint(face))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "", needs: [] },
+            cube_faces: { parameters: "metal::texturecube<float> map", arguments: "map", texel: "map.read(uint2(umbrage_cube_atlas_texel(at, size.y * 0.5).x, umbrage_cube_atlas_texel(at, size.y * 0.5).y), uint(umbrage_cube_atlas_texel(at, size.y * 0.5).z))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "", needs: ["cube_atlas_texel"] },
             integer: { parameters: "metal::texture2d<uint> map", arguments: "map", texel: "float4(map.read(uint2(at)))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "", needs: [] },
             depth: { parameters: "metal::depth2d<float> map", arguments: "map", texel: "float4(map.read(uint2(at)))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
             depth_array: { parameters: "metal::depth2d_array<float> map, float layer", arguments: "map, layer", texel: "float4(map.read(uint2(at), uint(layer)))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
@@ -4289,9 +4322,8 @@ inline float3 umbrage_project_coordinate(float4 coordinate) {
 // umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
 //   ends  of the first three cascades, ascending
 inline float umbrage_cascade_by_depth(float depth, float3 ends) {
-    float low = depth >= ends.x ? 1.0 : 0.0;
-    float high = depth >= ends.z ? 3.0 : 2.0;
-    return depth >= ends.y ? high : low;
+    int reached = int(depth >= ends.x) + int(depth >= ends.y) + int(depth >= ends.z);
+    return float(reached);
 }
 `,
             "cascade_column": `
@@ -4474,6 +4506,22 @@ inline float3 umbrage_cube_neighbour(float3 texel, float size) {
 inline float2 umbrage_cube_tile(float face, float size) {
     float row = face < 2.5 ? 0.0 : 1.0;
     return float2((face - row * 3.0) * size, row * size);
+}
+`,
+            "cube_atlas_texel": `
+// umbrage_cube_atlas_texel: (s, t, face) of a texel of an atlas of 3 x 2 tiles of size texels; whole numbers
+inline float3 umbrage_cube_atlas_texel(float2 texel, float size) {
+    float column = texel.x < size ? 0.0 : (texel.x < size * 2.0 ? 1.0 : 2.0);
+    float row = texel.y < size ? 0.0 : 1.0;
+    return float3(texel - float2(column, row) * size, column + row * 3.0);
+}
+`,
+            "cube_atlas_direction": `
+// umbrage_cube_atlas_direction: from a cube's middle to that of a texel of an atlas of 3 x 2 tiles of size texels
+inline float3 umbrage_cube_atlas_direction(float2 texel, float size) {
+    float3 part = umbrage_cube_atlas_texel(texel, size);
+    float2 uv = float2(part.x, part.y) * 2.0 + (1.0 - size);
+    return umbrage_cube_point(part.z, float3(uv, size));
 }
 `,
             "pancaked": `
@@ -6186,6 +6234,7 @@ inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, fl
             atlas: { parameters: "map: texture_2d<f32>, origin: vec2f", arguments: "map, origin", texel: "textureLoad(map, vec2i(at), 0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
             array: { parameters: "map: texture_2d_array<f32>, layer: f32", arguments: "map, layer", texel: "textureLoad(map, vec2i(at), i32(layer), 0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
             cube: { parameters: "map: texture_cube<f32>, map_sampler: sampler, face: f32", arguments: "map, map_sampler, face", texel: "textureSampleLevel(map, map_sampler, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0)", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "", needs: ["cube_direction"] },
+            cube_faces: { parameters: "map: texture_cube<f32>, map_sampler: sampler", arguments: "map, map_sampler", texel: "textureSampleLevel(map, map_sampler, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0)", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "", needs: ["cube_atlas_direction"] },
             integer: { parameters: "map: texture_2d<u32>", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "", needs: [] },
             depth: { parameters: "map: texture_depth_2d", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", lit: "", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
             depth_array: { parameters: "map: texture_depth_2d_array, layer: f32", arguments: "map, layer", texel: "vec4f(textureLoad(map, vec2i(at), i32(layer), 0))", lit: "", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
@@ -6218,9 +6267,8 @@ fn umbrage_project_coordinate(coordinate: vec4f) -> vec3f {
 // umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
 //   ends  of the first three cascades, ascending
 fn umbrage_cascade_by_depth(depth: f32, ends: vec3f) -> f32 {
-    let low: f32 = select(0.0, 1.0, depth >= ends.x);
-    let high: f32 = select(2.0, 3.0, depth >= ends.z);
-    return select(low, high, depth >= ends.y);
+    let reached: i32 = i32(depth >= ends.x) + i32(depth >= ends.y) + i32(depth >= ends.z);
+    return f32(reached);
 }
 `,
             "cascade_column": `
@@ -6402,6 +6450,22 @@ fn umbrage_cube_neighbour(texel: vec3f, size: f32) -> vec3f {
 fn umbrage_cube_tile(face: f32, size: f32) -> vec2f {
     let row: f32 = select(1.0, 0.0, face < 2.5);
     return vec2f((face - row * 3.0) * size, row * size);
+}
+`,
+            "cube_atlas_texel": `
+// umbrage_cube_atlas_texel: (s, t, face) of a texel of an atlas of 3 x 2 tiles of size texels; whole numbers
+fn umbrage_cube_atlas_texel(texel: vec2f, size: f32) -> vec3f {
+    let column: f32 = select(select(2.0, 1.0, texel.x < size * 2.0), 0.0, texel.x < size);
+    let row: f32 = select(1.0, 0.0, texel.y < size);
+    return vec3f(texel - vec2f(column, row) * size, column + row * 3.0);
+}
+`,
+            "cube_atlas_direction": `
+// umbrage_cube_atlas_direction: from a cube's middle to that of a texel of an atlas of 3 x 2 tiles of size texels
+fn umbrage_cube_atlas_direction(texel: vec2f, size: f32) -> vec3f {
+    let part: vec3f = umbrage_cube_atlas_texel(texel, size);
+    let uv: vec2f = vec2f(part.x, part.y) * 2.0 + (1.0 - size);
+    return umbrage_cube_point(part.z, vec3f(uv, size));
 }
 `,
             "pancaked": `
@@ -8129,6 +8193,8 @@ const rows = [
     ["cube_direction", "cube_direction", "direction to a point of a cube's face", "b", 0, 0, "100", "none", false, ["cube_point"]],
     ["cube_neighbour", "cube_neighbour", "texel beyond an edge of a cube's face", "a", 0, 0, "100", "none", false, ["cube_plane", "cube_point"]],
     ["cube_tile", "cube_tile", "first texel of a face in an atlas", "a", 0, 0, "100", "none", false, []],
+    ["cube_atlas_texel", "cube_atlas_texel", "face that a texel of an atlas belongs to, and where on it", "a", 0, 0, "100", "none", false, []],
+    ["cube_atlas_direction", "cube_atlas_direction", "direction that reads an atlas' texel from a texture of a cube", "a", 0, 0, "100", "none", false, ["cube_atlas_texel", "cube_point"]],
     ["pancaked", "pancaked", "casters before the near plane, onto it", "b", 0, 0, "100", "none", false, []],
     ["linear_depth", "linear_depth", "view-space z over z_far", "b", 0, 0, "100", "none", false, []],
     ["project_depth", "project_depth", "z / w, far behind the light", "c", 1, 0, "100", "none", false, []],
@@ -8318,4 +8384,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, pancaked, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, pancaked, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

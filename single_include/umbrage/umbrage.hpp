@@ -4935,6 +4935,12 @@ inline constexpr auto cube_map_snippets = list<&cube_face, &cube_view_z, &cube_p
 //     glm::vec3 at = umbrage::cube_coordinate(world - light) * glm::vec3(size, size, 1);
 //     float visibility = umbrage::pcf_2x2_cube(umbrage::clamped(atlas), float(size), at, depth);
 //
+// A shader binds it to an atlas as it is, or to a texture of a cube:
+//
+//     glsl::source(glsl::version::v330, {glsl::cube_coordinate,
+//                                        bind(glsl::pcf_2x2_cube, "lamp", {.texture = texture::cube_faces})});
+//     // vec2 atlas = vec2(3.0, 2.0) * float(size); umbrage_pcf_2x2_cube_lamp(lamp, atlas, at, depth)
+//
 // Depths must not depend on the face that they lie on: distances from the light, as distance_depth gives them.
 
 namespace umbrage {
@@ -6390,14 +6396,15 @@ template <real T, std::size_t Count>
 namespace umbrage {
 
 /// The cascade that a distance from the camera falls into.
-/// @param depth   along the camera's axis; NaN gives 0
+/// @param depth   along the camera's axis, or whatever else grows with it, as ends do: gl_FragCoord.z costs a shader
+///                nothing; NaN gives 0
 /// @param ends    of the first cascades but not of the last, ascending; infinity for one that is not there
 /// @return        0 .. 3. Ends of more cascades: the sum over them, three at a time
 /// @exactness     A: comparisons
 template <real T>
 [[nodiscard]] constexpr T cascade_by_depth(T depth, glm::vec<3, T> ends) {
     const auto reaches = [depth](T end) { return !is_nan(depth) && depth >= end; };
-    return reaches(ends.y) ? (reaches(ends.z) ? T(3) : T(2)) : (reaches(ends.x) ? T(1) : T(0));
+    return T(int(reaches(ends.x)) + int(reaches(ends.y)) + int(reaches(ends.z)));
 }
 
 /// One of four columns.
@@ -6464,9 +6471,8 @@ inline constexpr snippet cascade_by_depth{
 // umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
 //   ends  of the first three cascades, ascending
 UMBRAGE_HIGHP float umbrage_cascade_by_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec3 ends) {
-    UMBRAGE_HIGHP float low = depth >= ends.x ? 1.0 : 0.0;
-    UMBRAGE_HIGHP float high = depth >= ends.z ? 3.0 : 2.0;
-    return depth >= ends.y ? high : low;
+    UMBRAGE_HIGHP int reached = int(depth >= ends.x) + int(depth >= ends.y) + int(depth >= ends.z);
+    return float(reached);
 }
 )GLSL",
 };
@@ -6625,6 +6631,71 @@ template <real T, std::size_t Size>
 
 }  // namespace umbrage
 
+// ---- umbrage/light/cube_atlas.hpp
+// A texture of a cube in the place of an atlas of its faces: which texel of which face an atlas' texel is, and the
+// direction that reads it. What filters over an atlas are bound to cubes with, see texture::cube_faces of bind.hpp.
+//
+//     glm::vec3 direction = umbrage::cube_atlas_direction(texel, size);  // what a samplerCube takes
+//
+
+namespace umbrage {
+
+/// The face that a texel of an atlas belongs to, and where on it.
+/// @param texel   of 3 x 2 tiles as cube_tile has them, whole numbers;   size  of a tile, in texels, below 2^15
+/// @return        (s, t, face), whole numbers
+/// @exactness     A: whole numbers
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_atlas_texel(glm::vec<2, T> texel, T size) {
+    const T column = texel.x < size ? T(0) : (texel.x < size * T(2) ? T(1) : T(2)), row = T(texel.y < size ? 0 : 1);
+    return {texel.x - column * size, texel.y - row * size, column + row * T(3)};
+}
+
+/// The direction from a cube's middle to the middle of that texel.
+/// @param texel, size   as for cube_atlas_texel
+/// @return              in half texels: its greatest component is size or -size
+/// @exactness           A: whole numbers
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> cube_atlas_direction(glm::vec<2, T> texel, T size) {
+    const glm::vec<3, T> part = cube_atlas_texel(texel, size);
+    return cube_point(part.z, glm::vec<3, T>(part.x * T(2) + T(1) - size, part.y * T(2) + T(1) - size, size));
+}
+
+namespace glsl {
+
+inline constexpr snippet cube_atlas_texel{
+    .name = "cube_atlas_texel",
+    .summary = "face that a texel of an atlas belongs to, and where on it",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_cube_atlas_texel: (s, t, face) of a texel of an atlas of 3 x 2 tiles of size texels; whole numbers
+UMBRAGE_HIGHP vec3 umbrage_cube_atlas_texel(UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP float column = texel.x < size ? 0.0 : (texel.x < size * 2.0 ? 1.0 : 2.0);
+    UMBRAGE_HIGHP float row = texel.y < size ? 0.0 : 1.0;
+    return vec3(texel - vec2(column, row) * size, column + row * 3.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet cube_atlas_direction{
+    .name = "cube_atlas_direction",
+    .summary = "direction that reads an atlas' texel from a texture of a cube",
+    .exactness = tier::a,
+    .needs = list<&cube_atlas_texel, &cube_point>,
+    .source = R"GLSL(
+// umbrage_cube_atlas_direction: from a cube's middle to that of a texel of an atlas of 3 x 2 tiles of size texels
+UMBRAGE_HIGHP vec3 umbrage_cube_atlas_direction(UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP vec3 part = umbrage_cube_atlas_texel(texel, size);
+    UMBRAGE_HIGHP vec2 uv = vec2(part.x, part.y) * 2.0 + (1.0 - size);
+    return umbrage_cube_point(part.z, vec3(uv, size));
+}
+)GLSL",
+};
+
+inline constexpr auto cube_atlas_snippets = list<&cube_atlas_texel, &cube_atlas_direction>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/light/directional_light.hpp
 // A directional light's space as the classic course exercise sets it up.
 //
@@ -6727,8 +6798,9 @@ inline constexpr auto pancake_snippets = list<&pancaked>;
 //     glm::vec3 at = umbrage::cube_coordinate(world - p);
 //     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;  // in the map of faces[int(at.z)]
 //
-// A border of texels, as many as a filter reaches, sees past the face's edges: filters then need no other face. Depths
-// are per face, those of a perspective projection at cube_view_z; distances, distance_depth, a depth pass must write.
+// A border of texels sees past the face's edges: filters then need no other face, and where a shadow passes from one
+// face to the next its edge moves by a texel at most. As many as std::ceil(filter.reach() + 1) will do. Depths are per
+// face, those of a perspective projection at cube_view_z; distances, distance_depth, a depth pass must write.
 
 namespace umbrage {
 
@@ -11779,6 +11851,8 @@ namespace detail {
 ///   atlas                  sampler2D map, vec2 origin: a region, whose first texel the caller gives
 ///   array                  sampler2DArray map, float layer
 ///   cube                   samplerCube map, float face: one face of cube_map.hpp, filtered within itself
+///   cube_faces             samplerCube map: its faces as the tiles of an atlas, for pcf_2x2_cube, to which the size is
+///                          that of the atlas then, (3, 2) times a face's
 ///   integer                usampler2D map: the value is the whole number, exact up to 2^24
 ///   depth, depth_array     depth textures that are read as they are; in GLSL texture_2d and array
 ///   shadow, shadow_array   comparison samplers, sampler2DShadow map: they compare themselves, in the direction that
@@ -11787,7 +11861,7 @@ namespace detail {
 /// of floats gives the plain form's bits. Where its depths are whole numbers, a sampler compares with the receiver as
 /// one from 0 to 1: filters give the same all the same, as they light what is beyond the far plane; lit() alone does
 /// not.
-enum class texture { texture_2d, atlas, array, cube, integer, depth, depth_array, shadow, shadow_array };
+enum class texture { texture_2d, atlas, array, cube, cube_faces, integer, depth, depth_array, shadow, shadow_array };
 
 /// A map for shaders: where its texels are, and how they compare. Texts in it are in the shader's own language.
 struct binding {
@@ -12264,6 +12338,8 @@ template <class Replacement>
 }
 
 [[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
+[[nodiscard]] constexpr bool is_cube(texture kind) { return kind == texture::cube || kind == texture::cube_faces; }
+[[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
 [[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
 
 /// The function that a map has in place of a hook's own text; other snippets as they are.
@@ -12292,7 +12368,7 @@ template <class Replacement>
             if (b.outside_lit) return hooks::gathered_bordered;
             return has_region(b) ? hooks::gathered_region : hooks::gathered;
         case hook::gather_lit:
-            if (b.texture == texture::cube || b.texture == texture::integer)
+            if (!gathers(b.texture))
                 umbrage::detail::fail("umbrage::glsl::bind: no gather from a cube or from whole numbers");
             if (compares(b.texture)) return hooks::gather_compared;
             if (b.channels > 2) umbrage::detail::fail("umbrage::glsl::bind: a gather of more than two channels");
@@ -12513,6 +12589,16 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
 #endif
 )GLSL",
                     .needs = list<&cube_direction>};
+        case texture::cube_faces:
+            return {.parameters = "UMBRAGE_HIGHP samplerCube map",
+                    .arguments = "map",
+                    .texel = R"GLSL(#if __VERSION__ >= 130
+    return textureLod(map, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0);
+#else
+    return textureCube(map, umbrage_cube_atlas_direction(at, size.y * 0.5));
+#endif
+)GLSL",
+                    .needs = list<&cube_atlas_direction>};
         case texture::integer:
             return {.parameters = "UMBRAGE_HIGHP usampler2D map",
                     .arguments = "map",
@@ -12565,7 +12651,7 @@ inline constexpr language glsl_language{.prelude = prelude,
     if (item.map.gather) return gathers;
     const texture kind = item.map.texture;
     if (detail::has_region(item.map) && item.map.texture_size.empty() && v < version::v130) return false;
-    return kind == texture::texture_2d || kind == texture::depth || kind == texture::atlas || kind == texture::cube ||
+    return kind == texture::texture_2d || kind == texture::depth || kind == texture::atlas || detail::is_cube(kind) ||
            v >= version::v300_es;
 }
 
@@ -13019,6 +13105,11 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
                         "map.SampleLevel(map_sampler, umbrage_cube_direction(face, (at + 0.5) / "
                         "UMBRAGE_TEXTURE_SIZE), 0.0)",
                     .needs = glsl::list<&glsl::cube_direction>};
+        case cube_faces:
+            return {.parameters = "TextureCube<float4> map, SamplerState map_sampler",
+                    .arguments = "map, map_sampler",
+                    .texel = "map.SampleLevel(map_sampler, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0)",
+                    .needs = glsl::list<&glsl::cube_atlas_direction>};
         case integer:
             return {.parameters = "Texture2D<uint4> map",
                     .arguments = "map",
@@ -13145,6 +13236,14 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
             return {.parameters = "metal::texturecube<float> map, float face",
                     .arguments = "map, face",
                     .texel = "map.read(uint2(at), uint(face))"};
+        case cube_faces:
+            return {.parameters = "metal::texturecube<float> map",
+                    .arguments = "map",
+                    .texel =
+                        "map.read(uint2(umbrage_cube_atlas_texel(at, size.y * 0.5).x, "
+                        "umbrage_cube_atlas_texel(at, size.y * 0.5).y), "
+                        "uint(umbrage_cube_atlas_texel(at, size.y * 0.5).z))",
+                    .needs = glsl::list<&glsl::cube_atlas_texel>};
         case integer:
             return {
                 .parameters = "metal::texture2d<uint> map", .arguments = "map", .texel = "float4(map.read(uint2(at)))"};
@@ -13265,8 +13364,8 @@ inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr
 inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::all*>(nullptr));
 
 // The rooms.
-inline constexpr auto light =
-    collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets, pancake_snippets);
+inline constexpr auto light = collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets,
+                                      cube_atlas_snippets, pancake_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes =
     collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
@@ -13919,6 +14018,12 @@ namespace detail {
                         "textureSampleLevel(map, map_sampler, umbrage_cube_direction(face, (at + 0.5) / "
                         "UMBRAGE_TEXTURE_SIZE), 0.0)",
                     .needs = glsl::list<&glsl::cube_direction>};
+        case texture::cube_faces:
+            return {
+                .parameters = "map: texture_cube<f32>, map_sampler: sampler",
+                .arguments = "map, map_sampler",
+                .texel = "textureSampleLevel(map, map_sampler, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0)",
+                .needs = glsl::list<&glsl::cube_atlas_direction>};
         case texture::integer:
             return {.parameters = "map: texture_2d<u32>",
                     .arguments = "map",

@@ -40,15 +40,12 @@ struct named_texture {
     std::string_view name;
     glsl::texture kind;
 };
-inline constexpr std::array textures{named_texture{"texture_2d", glsl::texture::texture_2d},
-                                     named_texture{"atlas", glsl::texture::atlas},
-                                     named_texture{"array", glsl::texture::array},
-                                     named_texture{"cube", glsl::texture::cube},
-                                     named_texture{"integer", glsl::texture::integer},
-                                     named_texture{"depth", glsl::texture::depth},
-                                     named_texture{"depth_array", glsl::texture::depth_array},
-                                     named_texture{"shadow", glsl::texture::shadow},
-                                     named_texture{"shadow_array", glsl::texture::shadow_array}};
+inline constexpr std::array textures{
+    named_texture{"texture_2d", glsl::texture::texture_2d}, named_texture{"atlas", glsl::texture::atlas},
+    named_texture{"array", glsl::texture::array},           named_texture{"cube", glsl::texture::cube},
+    named_texture{"cube_faces", glsl::texture::cube_faces}, named_texture{"integer", glsl::texture::integer},
+    named_texture{"depth", glsl::texture::depth},           named_texture{"depth_array", glsl::texture::depth_array},
+    named_texture{"shadow", glsl::texture::shadow},         named_texture{"shadow_array", glsl::texture::shadow_array}};
 
 /// A string of JavaScript and of JSON.
 [[nodiscard]] inline std::string literal(std::string_view text) {

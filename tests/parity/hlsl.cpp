@@ -22,7 +22,7 @@ std::string make_hlsl(const entry& e) {
         const uniform& map = given[map_unit(0)];
         const bool layers = map.type.find("Array") != map.type.npos;
         values += "    float3 size;\n    " + map.name + ".GetDimensions(size.x, size.y" + (layers ? ", size.z" : "") +
-                  ");\n    float2 map_size = size.xy" + less_margin(e, dialect::hlsl) + ";\n";
+                  ");\n    float2 map_size = size.xy" + from_texture(e, dialect::hlsl) + ";\n";
     }
     return text +
            "\nfloat4 main(float4 pixel : SV_Position) : SV_Target0 {\n"

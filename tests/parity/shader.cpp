@@ -36,7 +36,8 @@ std::string type_of(texture kind, dialect::language in) {
 }  // namespace
 
 bool bound_map::has_sampler(dialect::language in) const {
-    return in != dialect::glsl && (as.gather || compares() || (as.texture == texture::cube && in != dialect::msl));
+    return in != dialect::glsl &&
+           (as.gather || compares() || (umbrage::glsl::detail::is_cube(as.texture) && in != dialect::msl));
 }
 
 umbrage::glsl::binding bound_map::binding(dialect::language in) const {
@@ -97,13 +98,15 @@ std::array<uniform, max_bindings> uniforms(const entry& e, dialect::language in)
     return all;
 }
 
-std::string less_margin(const entry& e, dialect::language in) {
-    return e.bound.empty() || !e.bound.front().is_region() ? "" : " - " + pair(bound_map::margin, in);
+std::string from_texture(const entry& e, dialect::language in) {
+    if (e.bound.empty()) return "";
+    if (e.bound.front().as.texture == texture::cube_faces) return " * " + pair({3, 2}, in);
+    return e.bound.front().is_region() ? " - " + pair(bound_map::margin, in) : "";
 }
 
 std::string map_size(const entry& e) {
     const std::string map = e.bound.empty() ? "map" : e.bound.front().name;
-    return "vec2(textureSize(" + map + ", 0))" + less_margin(e, dialect::glsl);
+    return "vec2(textureSize(" + map + ", 0))" + from_texture(e, dialect::glsl);
 }
 
 std::string macros(const entry& e) {

@@ -56,8 +56,8 @@ inline constexpr std::size_t table_unit = max_inputs + 1, max_textures = max_inp
 [[nodiscard]] constexpr std::size_t sampler_binding(std::size_t unit) { return max_textures + unit - max_inputs; }
 inline constexpr std::size_t max_bindings = sampler_binding(max_textures);
 
-/// What stands behind the size of a map's texture: less what a region has around it.
-[[nodiscard]] std::string less_margin(const entry& e, dialect::language in);
+/// What makes the size of a map of the size of its texture: less what a region has around it, or six faces' tiles.
+[[nodiscard]] std::string from_texture(const entry& e, dialect::language in);
 /// GLSL for the size in texels of an entry's map.
 [[nodiscard]] std::string map_size(const entry& e);
 

@@ -6,6 +6,8 @@
 
 #include <glm/common.hpp>
 
+#include <umbrage/light/cube_map.hpp>
+
 #include "shader.hpp"
 
 namespace parity {
@@ -25,7 +27,7 @@ filled_texture bound_texture(const bound_map& b, int number, const texels& map) 
     const bool compared = kind == texture::shadow || kind == texture::shadow_array;
     if (kind == texture::array || kind == texture::depth_array || kind == texture::shadow_array)
         t.image.shape = texture_image::array, t.image.layers = 2;
-    if (kind == texture::cube) t.image.shape = texture_image::cube, t.image.layers = 6;
+    if (umbrage::glsl::detail::is_cube(kind)) t.image.shape = texture_image::cube, t.image.layers = 6;
     if (kind == texture::integer) t.image.format = texture_image::whole_numbers;
     if (compared || kind == texture::depth || kind == texture::depth_array)
         t.image.format = b.short_depths ? texture_image::short_depths : texture_image::depths;
@@ -35,6 +37,14 @@ filled_texture bound_texture(const bound_map& b, int number, const texels& map) 
     t.image.linear = b.linear;
     const ivec2 first = b.is_region() ? bound_map::origin : ivec2(0);
     t.image.size = map.size() + (b.is_region() ? bound_map::margin : ivec2(0));
+    if (kind == texture::cube_faces) {
+        t.image.size = ivec2(map.size().y / 2);
+        for (int face = 0; face < 6; ++face)
+            for (int y = 0; y < t.image.size.y; ++y)
+                for (int x = 0; x < t.image.size.x; ++x)
+                    t.texels.push_back(map[umbrage::cube_tile(face, t.image.size.x) + ivec2(x, y)]);
+        return t;
+    }
     const int layer = t.image.layers == 1 ? 0 : t.image.layers / 2;
     for (int l = 0; l < t.image.layers; ++l)
         for (int y = 0; y < t.image.size.y; ++y)

@@ -19,7 +19,7 @@ std::string make_wgsl(const entry& e) {
     }
     if (!e.maps.empty())
         values += "    let map_size = vec2f(textureDimensions(" + given[map_unit(0)].name + "))" +
-                  less_margin(e, dialect::wgsl) + ";\n";
+                  from_texture(e, dialect::wgsl) + ";\n";
     return text +
            "\n@fragment fn main(@builtin(position) pixel: vec4f) -> @location(0) vec4f {\n"
            "    let at = vec2i(pixel.xy);\n" +

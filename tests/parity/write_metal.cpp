@@ -47,7 +47,7 @@ std::string function(const entry& e) {
     if (!e.maps.empty()) {
         const std::string& map = given[map_unit(0)].name;
         body += "    const float2 map_size = float2(" + map + ".get_width(), " + map + ".get_height())" +
-                less_margin(e, dialect::msl) + ";\n";
+                from_texture(e, dialect::msl) + ";\n";
     }
     return without_guards(with_mistake(umbrage::msl::text(call.items()))) +
            "float4 call(const float4* x, const memory* units) {\n" + body + "    return " + call.result() + ";\n}\n";

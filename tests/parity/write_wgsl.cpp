@@ -27,14 +27,13 @@ bool reads_depths(const glsl::snippet& filter) {
 
 int main(int argc, char** argv) try {
     if (argc != 2) throw std::invalid_argument("one argument");
-    constexpr texture kinds[]{texture::texture_2d,  texture::atlas,   texture::array,
-                              texture::cube,        texture::integer, texture::depth,
-                              texture::depth_array, texture::shadow,  texture::shadow_array};
+    using enum texture;
+    constexpr texture kinds[]{texture_2d, atlas, array,       cube,   cube_faces,
+                              integer,    depth, depth_array, shadow, shadow_array};
     std::vector<bound> all;
     for (const texture kind : kinds)
         for (const bool gather : {false, true}) {
-            const bool gathers = kind != texture::cube && kind != texture::integer;
-            if (gather && !gathers) continue;
+            if (gather && !glsl::detail::gathers(kind)) continue;
             for (const bool packed : {false, true}) {
                 const bool has_channels =
                     kind == texture::texture_2d || kind == texture::atlas || kind == texture::array;

@@ -6,8 +6,9 @@
 //     glm::vec3 at = umbrage::cube_coordinate(world - p);
 //     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;  // in the map of faces[int(at.z)]
 //
-// A border of texels, as many as a filter reaches, sees past the face's edges: filters then need no other face. Depths
-// are per face, those of a perspective projection at cube_view_z; distances, distance_depth, a depth pass must write.
+// A border of texels sees past the face's edges: filters then need no other face, and where a shadow passes from one
+// face to the next its edge moves by a texel at most. As many as std::ceil(filter.reach() + 1) will do. Depths are per
+// face, those of a perspective projection at cube_view_z; distances, distance_depth, a depth pass must write.
 #pragma once
 
 #include <array>

@@ -36,6 +36,8 @@ namespace detail {
 ///   atlas                  sampler2D map, vec2 origin: a region, whose first texel the caller gives
 ///   array                  sampler2DArray map, float layer
 ///   cube                   samplerCube map, float face: one face of cube_map.hpp, filtered within itself
+///   cube_faces             samplerCube map: its faces as the tiles of an atlas, for pcf_2x2_cube, to which the size is
+///                          that of the atlas then, (3, 2) times a face's
 ///   integer                usampler2D map: the value is the whole number, exact up to 2^24
 ///   depth, depth_array     depth textures that are read as they are; in GLSL texture_2d and array
 ///   shadow, shadow_array   comparison samplers, sampler2DShadow map: they compare themselves, in the direction that
@@ -44,7 +46,7 @@ namespace detail {
 /// of floats gives the plain form's bits. Where its depths are whole numbers, a sampler compares with the receiver as
 /// one from 0 to 1: filters give the same all the same, as they light what is beyond the far plane; lit() alone does
 /// not.
-enum class texture { texture_2d, atlas, array, cube, integer, depth, depth_array, shadow, shadow_array };
+enum class texture { texture_2d, atlas, array, cube, cube_faces, integer, depth, depth_array, shadow, shadow_array };
 
 /// A map for shaders: where its texels are, and how they compare. Texts in it are in the shader's own language.
 struct binding {

@@ -61,6 +61,8 @@ template <class Replacement>
 }
 
 [[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
+[[nodiscard]] constexpr bool is_cube(texture kind) { return kind == texture::cube || kind == texture::cube_faces; }
+[[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
 [[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
 
 /// The function that a map has in place of a hook's own text; other snippets as they are.
@@ -89,7 +91,7 @@ template <class Replacement>
             if (b.outside_lit) return hooks::gathered_bordered;
             return has_region(b) ? hooks::gathered_region : hooks::gathered;
         case hook::gather_lit:
-            if (b.texture == texture::cube || b.texture == texture::integer)
+            if (!gathers(b.texture))
                 umbrage::detail::fail("umbrage::glsl::bind: no gather from a cube or from whole numbers");
             if (compares(b.texture)) return hooks::gather_compared;
             if (b.channels > 2) umbrage::detail::fail("umbrage::glsl::bind: a gather of more than two channels");

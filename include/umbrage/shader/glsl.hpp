@@ -13,7 +13,7 @@
 #include <vector>
 
 #include <umbrage/config.hpp>
-#include <umbrage/light/cube_map.hpp>
+#include <umbrage/light/cube_atlas.hpp>
 #include <umbrage/shader/compose.hpp>
 
 namespace umbrage::glsl {
@@ -78,6 +78,16 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
 #endif
 )GLSL",
                     .needs = list<&cube_direction>};
+        case texture::cube_faces:
+            return {.parameters = "UMBRAGE_HIGHP samplerCube map",
+                    .arguments = "map",
+                    .texel = R"GLSL(#if __VERSION__ >= 130
+    return textureLod(map, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0);
+#else
+    return textureCube(map, umbrage_cube_atlas_direction(at, size.y * 0.5));
+#endif
+)GLSL",
+                    .needs = list<&cube_atlas_direction>};
         case texture::integer:
             return {.parameters = "UMBRAGE_HIGHP usampler2D map",
                     .arguments = "map",
@@ -130,7 +140,7 @@ inline constexpr language glsl_language{.prelude = prelude,
     if (item.map.gather) return gathers;
     const texture kind = item.map.texture;
     if (detail::has_region(item.map) && item.map.texture_size.empty() && v < version::v130) return false;
-    return kind == texture::texture_2d || kind == texture::depth || kind == texture::atlas || kind == texture::cube ||
+    return kind == texture::texture_2d || kind == texture::depth || kind == texture::atlas || detail::is_cube(kind) ||
            v >= version::v300_es;
 }
 

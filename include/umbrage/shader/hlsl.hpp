@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-#include <umbrage/light/cube_map.hpp>
+#include <umbrage/light/cube_atlas.hpp>
 #include <umbrage/shader/compose.hpp>
 #include <umbrage/shader/translate/word_by_word.hpp>
 
@@ -71,6 +71,11 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
                         "map.SampleLevel(map_sampler, umbrage_cube_direction(face, (at + 0.5) / "
                         "UMBRAGE_TEXTURE_SIZE), 0.0)",
                     .needs = glsl::list<&glsl::cube_direction>};
+        case cube_faces:
+            return {.parameters = "TextureCube<float4> map, SamplerState map_sampler",
+                    .arguments = "map, map_sampler",
+                    .texel = "map.SampleLevel(map_sampler, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0)",
+                    .needs = glsl::list<&glsl::cube_atlas_direction>};
         case integer:
             return {.parameters = "Texture2D<uint4> map",
                     .arguments = "map",

@@ -79,6 +79,14 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
             return {.parameters = "metal::texturecube<float> map, float face",
                     .arguments = "map, face",
                     .texel = "map.read(uint2(at), uint(face))"};
+        case cube_faces:
+            return {.parameters = "metal::texturecube<float> map",
+                    .arguments = "map",
+                    .texel =
+                        "map.read(uint2(umbrage_cube_atlas_texel(at, size.y * 0.5).x, "
+                        "umbrage_cube_atlas_texel(at, size.y * 0.5).y), "
+                        "uint(umbrage_cube_atlas_texel(at, size.y * 0.5).z))",
+                    .needs = glsl::list<&glsl::cube_atlas_texel>};
         case integer:
             return {
                 .parameters = "metal::texture2d<uint> map", .arguments = "map", .texel = "float4(map.read(uint2(at)))"};

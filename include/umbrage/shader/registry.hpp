@@ -32,6 +32,7 @@
 #include <umbrage/image.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/cube_atlas.hpp>
 #include <umbrage/light/cube_map.hpp>
 #include <umbrage/light/pancake.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -98,8 +99,8 @@ inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr
 inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::all*>(nullptr));
 
 // The rooms.
-inline constexpr auto light =
-    collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets, pancake_snippets);
+inline constexpr auto light = collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets,
+                                      cube_atlas_snippets, pancake_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes =
     collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);

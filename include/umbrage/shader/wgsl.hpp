@@ -13,7 +13,7 @@
 #include <span>
 #include <string>
 
-#include <umbrage/light/cube_map.hpp>
+#include <umbrage/light/cube_atlas.hpp>
 #include <umbrage/shader/compose.hpp>
 #include <umbrage/shader/translate/layout.hpp>
 #include <umbrage/shader/translate/wgsl_function.hpp>
@@ -61,6 +61,12 @@ namespace detail {
                         "textureSampleLevel(map, map_sampler, umbrage_cube_direction(face, (at + 0.5) / "
                         "UMBRAGE_TEXTURE_SIZE), 0.0)",
                     .needs = glsl::list<&glsl::cube_direction>};
+        case texture::cube_faces:
+            return {
+                .parameters = "map: texture_cube<f32>, map_sampler: sampler",
+                .arguments = "map, map_sampler",
+                .texel = "textureSampleLevel(map, map_sampler, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0)",
+                .needs = glsl::list<&glsl::cube_atlas_direction>};
         case texture::integer:
             return {.parameters = "map: texture_2d<u32>",
                     .arguments = "map",

@@ -20,8 +20,7 @@
 // umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
 //   ends  of the first three cascades, ascending
 UMBRAGE_HIGHP float umbrage_cascade_by_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec3 ends) {
-    UMBRAGE_HIGHP float low = depth >= ends.x ? 1.0 : 0.0;
-    UMBRAGE_HIGHP float high = depth >= ends.z ? 3.0 : 2.0;
-    return depth >= ends.y ? high : low;
+    UMBRAGE_HIGHP int reached = int(depth >= ends.x) + int(depth >= ends.y) + int(depth >= ends.z);
+    return float(reached);
 }
 #endif

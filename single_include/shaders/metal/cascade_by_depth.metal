@@ -9,8 +9,7 @@
 // umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
 //   ends  of the first three cascades, ascending
 inline float umbrage_cascade_by_depth(float depth, float3 ends) {
-    float low = depth >= ends.x ? 1.0 : 0.0;
-    float high = depth >= ends.z ? 3.0 : 2.0;
-    return depth >= ends.y ? high : low;
+    int reached = int(depth >= ends.x) + int(depth >= ends.y) + int(depth >= ends.z);
+    return float(reached);
 }
 #endif

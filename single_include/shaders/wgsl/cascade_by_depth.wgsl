@@ -3,7 +3,6 @@
 // umbrage_cascade_by_depth: the cascade that a distance along the camera's axis falls into, 0.0 to 3.0
 //   ends  of the first three cascades, ascending
 fn umbrage_cascade_by_depth(depth: f32, ends: vec3f) -> f32 {
-    let low: f32 = select(0.0, 1.0, depth >= ends.x);
-    let high: f32 = select(2.0, 3.0, depth >= ends.z);
-    return select(low, high, depth >= ends.y);
+    let reached: i32 = i32(depth >= ends.x) + i32(depth >= ends.y) + i32(depth >= ends.z);
+    return f32(reached);
 }

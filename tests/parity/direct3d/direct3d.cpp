@@ -28,10 +28,11 @@ std::vector<std::string> shaders() {
     for (const entry& e : entries())
         if (e.runs_in(dialect::hlsl)) all.push_back(make_hlsl(e));
     using enum umbrage::glsl::texture;
-    for (const auto kind : {texture_2d, atlas, array, cube, integer, depth, depth_array, shadow, shadow_array})
+    for (const auto kind :
+         {texture_2d, atlas, array, cube, cube_faces, integer, depth, depth_array, shadow, shadow_array})
         for (const bool gather : {false, true})
             for (const bool outside_lit : {false, true}) {
-                if (gather && (kind == cube || kind == integer)) continue;
+                if (gather && !umbrage::glsl::detail::gathers(kind)) continue;
                 const umbrage::glsl::binding map{.texture = kind,
                                                  .outside_lit = outside_lit,
                                                  .gather = gather,

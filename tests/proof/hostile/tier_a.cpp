@@ -20,6 +20,7 @@
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/cube_atlas.hpp>
 #include <umbrage/light/cube_map.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_cube.hpp>
@@ -156,6 +157,9 @@ void suite::all() const {
         return glm::vec4(float(u), float(v), float(s.below(6)), float(size));
     };
     run("cube_neighbour", inputs, cube_texel, [](glm::vec4 v) { return cube_neighbour(glm::vec3(v), v.w); });
+    run("cube_atlas_texel", inputs, cube_texel, [](glm::vec4 v) { return cube_atlas_texel(glm::vec2(v) + 1.0f, v.w); });
+    run("cube_atlas_direction", inputs, cube_texel,
+        [](glm::vec4 v) { return cube_atlas_direction(glm::vec2(v) + 1.0f, v.w); });
     run("cube_lit", inputs, cube_texel, [&](glm::vec4 v) { return cube_lit(fetch, v.w, glm::vec3(v), 0.5f); });
     run(
         "cube_tile", inputs,

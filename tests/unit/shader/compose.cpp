@@ -109,6 +109,7 @@ TEST_CASE("what a map cannot have is refused") {
     };
     refused(glsl::pcf_2x2_dx_sdk, {.texture = texture::shadow});  // it needs depths
     refused(glsl::pcf_2x2, {.texture = texture::cube, .gather = true});
+    refused(glsl::pcf_2x2, {.texture = texture::cube_faces, .gather = true});
     refused(glsl::pcf_2x2, {.texture = texture::integer, .gather = true});
     refused(glsl::pcf_2x2, stored_as(rgb24{}, {.gather = true}));
     CHECK_NOTHROW((void)glsl::text({bind(glsl::pcf_2x2, "a", {.texture = texture::shadow, .gather = true})}));
@@ -138,11 +139,12 @@ TEST_CASE("own words for a texture: parameters, arguments and the value") {
 }
 
 TEST_CASE("every filter and every kind of texture make a text without a word left to fill in") {
-    for (const texture kind : {texture::texture_2d, texture::atlas, texture::array, texture::cube, texture::integer,
-                               texture::depth, texture::depth_array, texture::shadow, texture::shadow_array})
+    for (const texture kind :
+         {texture::texture_2d, texture::atlas, texture::array, texture::cube, texture::cube_faces, texture::integer,
+          texture::depth, texture::depth_array, texture::shadow, texture::shadow_array})
         for (const bool lit : {false, true})
             for (const bool gather : {false, true}) {
-                if (gather && (kind == texture::cube || kind == texture::integer)) continue;
+                if (gather && !glsl::detail::gathers(kind)) continue;
                 const binding map{.texture = kind, .outside_lit = lit, .gather = gather};
                 for (const snippet& s :
                      {glsl::hard, glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_hardware, glsl::window_hardware<3>}) {

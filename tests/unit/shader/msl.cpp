@@ -56,9 +56,10 @@ TEST_CASE("msl: every snippet") {
 
 TEST_CASE("msl: every kind of map, and nothing of it left open") {
     using enum glsl::texture;
-    for (const auto kind : {texture_2d, atlas, array, cube, integer, depth, depth_array, shadow, shadow_array})
+    for (const auto kind :
+         {texture_2d, atlas, array, cube, cube_faces, integer, depth, depth_array, shadow, shadow_array})
         for (const bool gather : {false, true}) {
-            if (gather && (kind == cube || kind == integer)) continue;
+            if (gather && !glsl::detail::gathers(kind)) continue;
             CAPTURE(static_cast<int>(kind));
             const glsl::binding map{.texture = kind, .gather = gather, .texture_size = "float2(64.0, 64.0)"};
             const std::string text = msl::text({glsl::bind(glsl::pcf_2x2, "a", map)});

@@ -6,6 +6,12 @@
 //     glm::vec3 at = umbrage::cube_coordinate(world - light) * glm::vec3(size, size, 1);
 //     float visibility = umbrage::pcf_2x2_cube(umbrage::clamped(atlas), float(size), at, depth);
 //
+// A shader binds it to an atlas as it is, or to a texture of a cube:
+//
+//     glsl::source(glsl::version::v330, {glsl::cube_coordinate,
+//                                        bind(glsl::pcf_2x2_cube, "lamp", {.texture = texture::cube_faces})});
+//     // vec2 atlas = vec2(3.0, 2.0) * float(size); umbrage_pcf_2x2_cube_lamp(lamp, atlas, at, depth)
+//
 // Depths must not depend on the face that they lie on: distances from the light, as distance_depth gives them.
 #pragma once
 

@@ -22,8 +22,6 @@ using namespace umbrage;
 using glsl::binding;
 using glsl::texture;
 
-bool is_gathered(texture kind) { return kind != texture::cube && kind != texture::integer; }
-
 /// receivers(), and a whole texel in x1.xy: inside, around the border, far off.
 std::vector<input_class> receivers_and_texels() {
     auto classes = receivers();
@@ -116,7 +114,7 @@ void add_kinds(std::vector<entry>& all) {
     for (const auto& [name, kind] : kinds) {
         for (const auto direction : {depth_direction::forward, depth_direction::reversed})
             for (const bool gather : {false, true}) {
-                if (gather && !is_gathered(kind.texture)) continue;
+                if (gather && !glsl::detail::gathers(kind.texture)) continue;
                 binding as = kind;
                 as.direction = direction;
                 as.gather = gather;

@@ -58,6 +58,18 @@ void add_filter_pcf_pcf_2x2_cube(std::vector<entry>& all) {
          .twin = [](const sample& s) { return vec4(pcf_2x2_cube(s.depth(), side(s), vec3(s.x[0]), s.x[0].w)); },
          .call = "vec4(umbrage_pcf_2x2_cube(map, map_size, vec3(x0.x, x0.y, x0.z), x0.w))",
          .maps = plain_maps({{24, 16}, {48, 32}, {3, 2}})});
+    for (const auto direction : {depth_direction::forward, depth_direction::reversed})
+        all.push_back({.primitive = &glsl::pcf_2x2_cube,
+                       .variant = direction == depth_direction::forward ? "of a cube" : "of a cube, reversed",
+                       .classes = before_faces(),
+                       .twin =
+                           [direction](const sample& s) {
+                               return vec4(
+                                   pcf_2x2_cube(s.depth(), side(s), vec3(s.x[0]), s.x[0].w, comparison{direction}));
+                           },
+                       .call = "vec4(umbrage_pcf_2x2_cube(map, map_size, vec3(x0.x, x0.y, x0.z), x0.w))",
+                       .maps = plain_maps({{24, 16}, {48, 32}, {3, 2}}),
+                       .bound = {{"map", {.texture = glsl::texture::cube_faces, .direction = direction}}}});
 }
 
 }  // namespace parity

@@ -1,0 +1,9 @@
+// umbrage 0.1.0, MIT License: cube_atlas_direction
+// Paste along: cube_atlas_texel.wgsl, cube_point.wgsl
+
+// umbrage_cube_atlas_direction: from a cube's middle to that of a texel of an atlas of 3 x 2 tiles of size texels
+fn umbrage_cube_atlas_direction(texel: vec2f, size: f32) -> vec3f {
+    let part: vec3f = umbrage_cube_atlas_texel(texel, size);
+    let uv: vec2f = vec2f(part.x, part.y) * 2.0 + (1.0 - size);
+    return umbrage_cube_point(part.z, vec3f(uv, size));
+}
