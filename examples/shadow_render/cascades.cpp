@@ -38,9 +38,9 @@
 namespace shadow_render {
 namespace {
 
-constexpr std::size_t count = 4;
+constexpr std::size_t cascade_count = 4;
 constexpr float fade = 0.1f;  ///< share of a cascade over which the next one takes over
-using cascades = std::array<umbrage::cascade<float>, count>;
+using cascades = std::array<umbrage::cascade<float>, cascade_count>;
 
 /// Of what the camera sees, by the distances between which it sees anything.
 cascades make_cascades(const options& o, const view& v, float reach) {
@@ -59,7 +59,8 @@ cascades make_cascades(const options& o, const view& v, float reach) {
         .margin = 2 * reach,  // what a bias moves a receiver by, and the filter around it
         .overlap = fade,
         .clip = example::picture_clip};
-    return umbrage::make_stable_cascades<count>(fit, umbrage::practical_splits<count>(range.x, range.y, 0.9f));
+    return umbrage::make_stable_cascades<cascade_count>(
+        fit, umbrage::practical_splits<cascade_count>(range.x, range.y, 0.9f));
 }
 
 struct drawn {
@@ -117,7 +118,7 @@ place place_of(const umbrage::cascade_uniforms<float>& u, float distance) {
 /// The picture in the cascades' colours, white beyond.
 umbrage::image<glm::u8vec3> tinted(umbrage::image<glm::u8vec3> picture, const umbrage::cascade_uniforms<float>& u,
                                    const umbrage::image<float>& distances, const view& v, int samples) {
-    constexpr std::array<glm::vec3, count + 1> tints{
+    constexpr std::array<glm::vec3, cascade_count + 1> tints{
         {{1, 0.45f, 0.4f}, {0.5f, 1, 0.4f}, {0.45f, 0.6f, 1}, {1, 0.9f, 0.35f}, {1, 1, 1}}};
     for (glm::ivec2 p{0}; p.y < picture.size().y; ++p.y)
         for (p.x = 0; p.x < picture.size().x; ++p.x) {
@@ -132,7 +133,7 @@ umbrage::image<glm::u8vec3> tinted(umbrage::image<glm::u8vec3> picture, const um
 }  // namespace
 
 void render_cascades(const options& o, const example::scene& scene) {
-    example::progress progress(8 + count, o.quiet);
+    example::progress progress(8 + cascade_count, o.quiet);
     view view{.scene = scene, .lamp = make_light(o, scene), .camera = make_camera(o, scene), .seen{}};
     progress.stage("camera pass", [&] {
         view.seen = example::camera_pass(scene.geometry, view.camera, glm::ivec2(o.width, o.height) * o.samples);
@@ -149,15 +150,15 @@ void render_cascades(const options& o, const example::scene& scene) {
         return image.view().region(umbrage::cascade_tile(static_cast<int>(i), tile.map_size),
                                    glm::ivec2(tile.map_size));
     };
-    std::array<drawn, count> drawn;
+    std::array<drawn, cascade_count> drawn;
     progress.stage("depth pass", [&] {
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < cascade_count; ++i)
             drawn[i] = draw_depths(tile_of(i, atlas), scene, all[i].light, o.draw_all);
     });
     const auto map = progress.stage("encode", [&] { return example::store(o.encoding, o.edge, atlas, cleared); });
 
     std::vector<umbrage::image<float>> by_cascade;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < cascade_count; ++i)
         progress.stage("cascade " + std::to_string(i + 1), [&] {
             view.lamp.space = all[i].light;
             view.lamp.units = umbrage::make_light_units(view.lamp.space, glm::ivec2(tile.map_size));
@@ -190,7 +191,7 @@ void render_cascades(const options& o, const example::scene& scene) {
         "\n%zu triangles in %zu instances; pictures in %s\ncascade       from         to   texel  instances  "
         "triangles        ms\n",
         scene.geometry.triangles.size(), instances, o.output.string().c_str());
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < cascade_count; ++i)
         std::printf("%7zu %10.2f %10.2f %7.3f %10zu %10zu %9.2f\n", i + 1, double(all[i].begin), double(all[i].end),
                     1 / double(all[i].scale.x), drawn[i].instances, drawn[i].triangles, drawn[i].ms);
 }

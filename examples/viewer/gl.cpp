@@ -61,6 +61,12 @@ void prepare_context() {
     glBindVertexArray(array);
 }
 
+void attribute_at(GLuint place, GLint size, std::size_t stride, std::size_t offset) {
+    glEnableVertexAttribArray(place);
+    glVertexAttribPointer(place, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));
+}
+
 program::program(stages text) : id_(linked(text)), text_(std::move(text)) {}
 
 target::target(glm::ivec2 size_, bool floats_) : size(size_), floats(floats_) {

@@ -7,6 +7,7 @@
 //
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -86,6 +87,9 @@ void prepare_context();
 
 /// Attributes have their places by name.
 enum attribute : GLuint { position, normal, face_normal, colour, corner };
+
+/// Floats of the bound buffer, `offset` bytes into each of its elements.
+void attribute_at(GLuint place, GLint size, std::size_t stride, std::size_t offset);
 
 class program {
 public:

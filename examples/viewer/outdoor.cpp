@@ -24,10 +24,10 @@
 namespace viewer {
 namespace {
 
-constexpr float fade = 0.1f;          ///< share of a cascade over which the next one takes over
-constexpr GLuint place = corner + 1;  ///< attribute of an instance's matrix, and the three after it
+constexpr float fade = 0.1f;                  ///< share of a cascade over which the next one takes over
+constexpr GLuint place_columns = corner + 1;  ///< attribute of an instance's matrix, and the three after it
 
-struct vertex {
+struct shape_vertex {
     glm::vec3 position, normal, colour;
 };
 
@@ -118,12 +118,6 @@ void main() {
     return out;
 }
 
-void attribute_at(GLuint at, GLint size, std::size_t stride, std::size_t offset) {
-    glEnableVertexAttribArray(at);
-    glVertexAttribPointer(at, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                          reinterpret_cast<const void*>(offset));
-}
-
 umbrage::cascade_fit<float> fit_of(const session& s, const example::camera& c) {
     const auto& f = c.frustum;
     return {.camera{c.position, f.direction, f.up, float(f.tan_half_x), float(f.tan_half_y), 1, 2},
@@ -139,7 +133,7 @@ umbrage::cascade_fit<float> fit_of(const session& s, const example::camera& c) {
 }  // namespace
 
 outdoor::outdoor(const example::scene& scene) : depth_(depth_text()) {
-    std::vector<vertex> vertices;
+    std::vector<shape_vertex> vertices;
     std::vector<glm::uvec3> triangles;
     for (const example::copies& part : scene.parts) {
         const example::mesh& m = part.shape;
@@ -150,7 +144,7 @@ outdoor::outdoor(const example::scene& scene) : depth_(depth_text()) {
         triangles.insert(triangles.end(), m.triangles.begin(), m.triangles.end());
     }
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(vertex)), vertices.data(),
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(shape_vertex)), vertices.data(),
                  GL_STATIC_DRAW);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::uvec3)),
@@ -170,9 +164,9 @@ void outdoor::draw_instances(const example::scene& scene, const glm::mat4& world
 
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-    attribute_at(position, 3, sizeof(vertex), offsetof(vertex, position));
-    attribute_at(normal, 3, sizeof(vertex), offsetof(vertex, normal));
-    attribute_at(colour, 3, sizeof(vertex), offsetof(vertex, colour));
+    attribute_at(position, 3, sizeof(shape_vertex), offsetof(shape_vertex, position));
+    attribute_at(normal, 3, sizeof(shape_vertex), offsetof(shape_vertex, normal));
+    attribute_at(colour, 3, sizeof(shape_vertex), offsetof(shape_vertex, colour));
     for (const GLuint unused : {face_normal, corner}) glDisableVertexAttribArray(unused);
     glBindBuffer(GL_ARRAY_BUFFER, places_);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(places.size() * sizeof(glm::mat4)), places.data(),
@@ -182,15 +176,15 @@ void outdoor::draw_instances(const example::scene& scene, const glm::mat4& world
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
         if (first[i] == first[i + 1]) continue;
         for (GLuint column = 0; column < 4; ++column) {
-            attribute_at(place + column, 4, sizeof(glm::mat4),
+            attribute_at(place_columns + column, 4, sizeof(glm::mat4),
                          first[i] * sizeof(glm::mat4) + column * sizeof(glm::vec4));
-            glVertexAttribDivisor(place + column, 1);
+            glVertexAttribDivisor(place_columns + column, 1);
         }
         glDrawElementsInstancedBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(shapes_[i].indices), GL_UNSIGNED_INT,
                                           reinterpret_cast<const void*>(shapes_[i].first_index * sizeof(unsigned)),
                                           static_cast<GLsizei>(first[i + 1] - first[i]), shapes_[i].first_vertex);
     }
-    for (GLuint column = 0; column < 4; ++column) glDisableVertexAttribArray(place + column);
+    for (GLuint column = 0; column < 4; ++column) glDisableVertexAttribArray(place_columns + column);
 }
 
 void outdoor::draw(const session& s, GLuint framebuffer, glm::ivec2 size) {

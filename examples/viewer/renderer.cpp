@@ -24,12 +24,6 @@ struct vertex {
     glm::vec4 colour;       ///< alpha: 1 on the floor
 };
 
-void attribute_at(GLuint place, GLint size, std::size_t stride, std::size_t offset) {
-    glEnableVertexAttribArray(place);
-    glVertexAttribPointer(place, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
-                          reinterpret_cast<const void*>(offset));
-}
-
 /// Compiles when the text is another than last time.
 const program& updated(std::optional<program>& p, stages text) {
     if (!p || p->text() != text) p.emplace(std::move(text));
