@@ -121,6 +121,18 @@ const bench::registration rows([] {
                 .ours = on_packed(s->coherent, disc),
                 .theirs = glm_disc,
                 .agree = [s] { return s->close(2e-3); }});
+    umbrage::filters::pcss soft;
+    soft.softness = {.per_code = 1.0f / 64, .least = 16, .widest = 96};  // boxes are some 10000 codes high
+    const auto glm_pcss = [=] {
+        peers::glm_code::pcss_16(s->glm_map, s->glm_receivers, bench::screen.x, 64.0f, 1.0f, 6.0f, points, s->theirs);
+    };
+    bench::add({.work = "PCSS, 16 blockers and 16 taps, float map, coherent 1920 x 1080",
+                .peer = "GLM code",
+                .at_least = 5,
+                .items = bench::pixels,
+                .ours = on_floats(s->coherent, soft),
+                .theirs = glm_pcss,
+                .agree = [s] { return s->close(5e-3); }});
     bench::add({.work = "PCF 2x2, 11-bit map, random 1920 x 1080",
                 .peer = "ours, float map",
                 .at_least = 1.5,

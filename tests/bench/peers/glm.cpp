@@ -105,22 +105,52 @@ void window_7x7(const float_map& map, const std::vector<glm::vec3>& receivers, s
     window<7>(map, receivers, visibility, {1, 5, 12, 16, 12, 5, 1});
 }
 
+namespace {
+
+std::array<glm::vec2, 16> turns() {
+    std::array<glm::vec2, 16> all;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const float angle = glm::radians(22.5f * static_cast<float>(k % 4) + 90.0f * static_cast<float>(k / 4));
+        all[k] = glm::vec2(glm::cos(angle), glm::sin(angle));
+    }
+    return all;
+}
+
+glm::vec2 turned(glm::vec2 turn, glm::vec2 p) { return {turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y}; }
+
+}  // namespace
+
 void disc_16(const float_map& map, const std::vector<glm::vec3>& receivers, int width, float radius,
              const std::array<glm::vec2, 16>& points, std::vector<float>& visibility) {
-    std::array<glm::vec2, 16> turns;
-    for (std::size_t k = 0; k < turns.size(); ++k) {
-        const float angle = glm::radians(22.5f * static_cast<float>(k % 4) + 90.0f * static_cast<float>(k / 4));
-        turns[k] = radius * glm::vec2(glm::cos(angle), glm::sin(angle));
-    }
+    const auto all = turns();
     for (std::size_t i = 0; i < receivers.size(); ++i) {
         const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
-        const glm::vec2 turn = turns[static_cast<std::size_t>((4 * x + y) % 16)];
+        const glm::vec2 turn = radius * all[static_cast<std::size_t>((4 * x + y) % 16)];
         float sum = 0.0f;
-        for (const glm::vec2 p : points) {
-            const glm::vec2 offset(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
-            sum += lit(map, glm::ivec2(glm::floor(glm::vec2(receivers[i]) + offset)), receivers[i].z);
-        }
+        for (const glm::vec2 p : points)
+            sum += lit(map, glm::ivec2(glm::floor(glm::vec2(receivers[i]) + turned(turn, p))), receivers[i].z);
         visibility[i] = sum / 16.0f;
+    }
+}
+
+void pcss_16(const float_map& map, const std::vector<glm::vec3>& receivers, int width, float texels_a_depth,
+             float least, float widest, const std::array<glm::vec2, 16>& points, std::vector<float>& visibility) {
+    const auto all = turns();
+    for (std::size_t i = 0; i < receivers.size(); ++i) {
+        const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
+        const glm::vec2 turn = all[static_cast<std::size_t>((4 * x + y) % 16)], at(receivers[i]);
+        const float z = receivers[i].z, searched = glm::clamp(z * texels_a_depth, least, widest);
+        float sum = 0.0f, count = 0.0f;
+        for (const glm::vec2 p : points) {
+            const float stored = fetch(map, glm::ivec2(glm::floor(at + searched * turned(turn, p))));
+            if (stored < z) sum += stored, count += 1.0f;
+        }
+        visibility[i] = 1.0f;
+        if (count == 0.0f) continue;
+        const float radius = glm::clamp((z - sum / count) * texels_a_depth, least, widest);
+        float share = 0.0f;
+        for (const glm::vec2 p : points) share += lit(map, glm::ivec2(glm::floor(at + radius * turned(turn, p))), z);
+        visibility[i] = share / 16.0f;
     }
 }
 

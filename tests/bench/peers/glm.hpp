@@ -36,6 +36,11 @@ void window_7x7(const float_map& map, const std::vector<glm::vec3>& receivers, s
 void disc_16(const float_map& map, const std::vector<glm::vec3>& receivers, int width, float radius,
              const std::array<glm::vec2, 16>& points, std::vector<float>& visibility);
 
+/// Percentage-closer soft shadows over such a disc: mean depth of what is nearer, a penumbra in proportion to the distance.
+/// @param texels_a_depth   radius of the penumbra, from blockers a depth of 1 before the receiver;   least, widest  texels
+void pcss_16(const float_map& map, const std::vector<glm::vec3>& receivers, int width, float texels_a_depth,
+             float least, float widest, const std::array<glm::vec2, 16>& points, std::vector<float>& visibility);
+
 /// Light matrices of four cascades of a camera, as tutorials have them: the corners of a part of the frustum, the
 /// sphere around their mean, its middle moved to whole texels of the light's own view; in floats.
 std::array<glm::mat4, 4> cascades(const glm::mat4& camera_view, float tan_half_x, float tan_half_y,
