@@ -151,6 +151,10 @@ export const orthographic_depth_from_view_z: Snippet;
 export const cleared_depth: Snippet;
 /** clamp to [0, 1], NaN to far */
 export const saturate: Snippet;
+/** a quotient of whole numbers, from one at most one off */
+export const mend_quotient: Snippet;
+/** whole numbers divided and rounded down, whatever the division's error */
+export const floor_divide: Snippet;
 /** channel 0..255 to the value an 8-bit target stores as it */
 export const to_unorm: Snippet;
 /** value read from an 8-bit texture to channel 0..255 */
@@ -361,6 +365,40 @@ export const window_hardware5: Snippet;
 export const window_hardware7: Snippet;
 /** visibility where bounds of a filter's texels suffice */
 export const bounds_lit: Snippet;
+/** a depth as 16 bits of distance from the near plane */
+export const distance_code: Snippet;
+/** radius of a penumbra from the distance between blocker and receiver */
+export const penumbra: Snippet;
+/** whether a texel lies before a receiver, and how far from the light */
+export const blocker: Snippet;
+/** texels under a disc's points that lie before a receiver */
+export const blockers8: Snippet;
+/** texels under a disc's points that lie before a receiver */
+export const blockers16: Snippet;
+/** texels under a disc's points that lie before a receiver */
+export const blockers32: Snippet;
+/** percentage-closer soft shadows, 8 points twice */
+export const pcss8: Snippet;
+/** percentage-closer soft shadows, 16 points twice */
+export const pcss16: Snippet;
+/** percentage-closer soft shadows, 32 points twice */
+export const pcss32: Snippet;
+/** a disc's share in shadow, steepened */
+export const hardened8: Snippet;
+/** a disc's share in shadow, steepened */
+export const hardened16: Snippet;
+/** a disc's share in shadow, steepened */
+export const hardened32: Snippet;
+/** contact hardening by 8 points */
+export const dpcf8: Snippet;
+/** contact hardening by 16 points */
+export const dpcf16: Snippet;
+/** contact hardening by 32 points */
+export const dpcf32: Snippet;
+/** mean and squared distances from it over a box, from a summed-area table */
+export const box_moments: Snippet;
+/** variance shadow over a box of any size, from a summed-area table */
+export const summed_variance: Snippet;
 /** texels across a light as world units */
 export const texels_to_world: Snippet;
 /** clamp of a bias to [0, 1], NaN to 1 */

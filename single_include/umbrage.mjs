@@ -600,6 +600,19 @@ UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
 }
 `,
+            "mend_quotient": `
+// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+UMBRAGE_HIGHP float umbrage_mend_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+    UMBRAGE_HIGHP float low = q * b > a ? q - 1.0 : q;
+    return (low + 1.0) * b <= a ? low + 1.0 : low;
+}
+`,
+            "floor_divide": `
+// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+    return umbrage_mend_quotient(floor(a / b), a, b);
+}
+`,
             "to_unorm": `
 // umbrage_to_unorm: what to write so that an 8-bit target stores channel k, whether it rounds or truncates
 // k * 257 / 65536 + 64 / 65536; not written so, since 65536.0 is infinite in mediump
@@ -1947,6 +1960,319 @@ UMBRAGE_HIGHP float umbrage_bounds_lit(UMBRAGE_MAP bounds, UMBRAGE_HIGHP vec2 si
     return compared ? known : 1.0;
 }
 `,
+            "distance_code": `
+// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float code = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+}
+`,
+            "penumbra": `
+// umbrage_penumbra: radius in 1/16 texel, a whole number
+//   apart     umbrage_distance_code of the receiver less that of the blocker
+//   softness  (1/16 texel a code, least, widest), of make_softness
+UMBRAGE_HIGHP float umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP vec3 softness) {
+    return min(max(floor(apart * softness.x), softness.y), softness.z);
+}
+`,
+            "blocker": `
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float stored = umbrage_fetch_depth(map, size, texel);
+    UMBRAGE_HIGHP float code = umbrage_distance_code(stored);
+    return umbrage_compare(receiver, stored) > 0.5 ? vec2(0.0, 0.0) : vec2(1.0, code);
+}
+`,
+            "blockers8": `
+// umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
+                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                      UMBRAGE_HIGHP vec2 turn) {
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-9.0, -8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-12.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, 6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, -7.0), turn, radius), receiver);
+    return n;
+}
+`,
+            "blockers16": `
+// umbrage_blockers16: how many of a disc's 16 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
+                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                      UMBRAGE_HIGHP vec2 turn) {
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-5.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-6.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(8.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, -11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-12.0, 4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-1.0, 13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, 11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-9.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, -4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-7.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(14.0, -2.0), turn, radius), receiver);
+    return n;
+}
+`,
+            "blockers32": `
+// umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
+                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                      UMBRAGE_HIGHP vec2 turn) {
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-2.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-5.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-8.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(8.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, 7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -9.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(6.0, -7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-8.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-3.0, -10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-6.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-9.0, -8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, 11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(13.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, 4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(10.0, -10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(14.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-11.0, 9.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, 14.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, -6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(12.0, 8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 14.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-7.0, -13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, -15.0), turn, radius), receiver);
+    return n;
+}
+`,
+            "pcss8": `
+// umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_pcss8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float lit = umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return compared && found.x > 0.5 ? lit : 1.0;
+}
+`,
+            "pcss16": `
+// umbrage_pcss16: percentage-closer soft shadows, 16 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_pcss16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float lit = umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return compared && found.x > 0.5 ? lit : 1.0;
+}
+`,
+            "pcss32": `
+// umbrage_pcss32: percentage-closer soft shadows, 32 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_pcss32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float lit = umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return compared && found.x > 0.5 ? lit : 1.0;
+}
+`,
+            "hardened8": `
+// umbrage_hardened8: the share of 8 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+UMBRAGE_HIGHP float umbrage_hardened8(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
+    UMBRAGE_HIGHP float u = blocked * 2.0 - 8.0;
+    UMBRAGE_HIGHP float d = 8.0 - abs(u);
+    UMBRAGE_HIGHP float steep = 512.0 - d * d * d;
+    UMBRAGE_HIGHP float hard = u < 0.0 ? 512.0 - steep : 512.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
+}
+`,
+            "hardened16": `
+// umbrage_hardened16: the share of 16 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+UMBRAGE_HIGHP float umbrage_hardened16(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
+    UMBRAGE_HIGHP float u = blocked * 2.0 - 16.0;
+    UMBRAGE_HIGHP float d = 16.0 - abs(u);
+    UMBRAGE_HIGHP float steep = 4096.0 - d * d * d;
+    UMBRAGE_HIGHP float hard = u < 0.0 ? 4096.0 - steep : 4096.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
+}
+`,
+            "hardened32": `
+// umbrage_hardened32: the share of 32 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+UMBRAGE_HIGHP float umbrage_hardened32(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
+    UMBRAGE_HIGHP float u = blocked * 2.0 - 32.0;
+    UMBRAGE_HIGHP float d = 32.0 - abs(u);
+    UMBRAGE_HIGHP float steep = 32768.0 - d * d * d;
+    UMBRAGE_HIGHP float hard = u < 0.0 ? 32768.0 - steep : 32768.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
+}
+`,
+            "dpcf8": `
+// umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_dpcf8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
+    UMBRAGE_HIGHP float dark = umbrage_hardened8(found.x, ratio);
+    return compared ? 1.0 - dark : 1.0;
+}
+`,
+            "dpcf16": `
+// umbrage_dpcf16: contact hardening by 16 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_dpcf16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
+    UMBRAGE_HIGHP float dark = umbrage_hardened16(found.x, ratio);
+    return compared ? 1.0 - dark : 1.0;
+}
+`,
+            "dpcf32": `
+// umbrage_dpcf32: contact hardening by 32 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_dpcf32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
+    UMBRAGE_HIGHP float dark = umbrage_hardened32(found.x, ratio);
+    return compared ? 1.0 - dark : 1.0;
+}
+`,
+            "box_moments": `
+// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
+//   that of their squared distances from mean 4096 high + low;  whole numbers
+//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 first,
+                                       UMBRAGE_HIGHP vec2 end) {
+    UMBRAGE_HIGHP vec4 a = umbrage_texel(map, size, end);
+    UMBRAGE_HIGHP vec4 b = umbrage_texel(map, size, vec2(first.x, end.y));
+    UMBRAGE_HIGHP vec4 c = umbrage_texel(map, size, vec2(end.x, first.y));
+    UMBRAGE_HIGHP vec4 d = umbrage_texel(map, size, first);
+    UMBRAGE_HIGHP vec4 part = (a - b) - (c - d);
+    UMBRAGE_HIGHP vec2 low = vec2(part.x, part.z);
+    UMBRAGE_HIGHP vec2 carry = floor(low * (1.0 / 65536.0));
+    UMBRAGE_HIGHP vec2 above = vec2(part.y, part.w) + carry;
+    low = low - carry * 65536.0;
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));  // or a compiler distributes
+    UMBRAGE_HIGHP float sum = above.x * 65536.0 + low.x;
+    UMBRAGE_HIGHP vec2 sides = end - first;
+    UMBRAGE_HIGHP float n = sides.x * sides.y;
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(sum, n);
+    UMBRAGE_HIGHP float rest = sum - mean * n;
+    UMBRAGE_HIGHP vec2 digits = vec2(sum + rest, low.y);
+    UMBRAGE_HIGHP vec2 high = floor(digits * (1.0 / 4096.0));
+    digits = digits - high * 4096.0;
+    UMBRAGE_HIGHP float below = digits.y - mean * digits.x;
+    UMBRAGE_HIGHP float borrow = floor(below * (1.0 / 4096.0));
+    UMBRAGE_HIGHP float wide = above.y * 16.0 + high.y - mean * high.x + borrow;
+    wide = wide - floor(wide * (1.0 / 1048576.0)) * 1048576.0;
+    return vec4(mean, rest, wide, below - borrow * 4096.0);
+}
+`,
+            "summed_variance": `
+// umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
+//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
+UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                            UMBRAGE_HIGHP float codes) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 last = size - 1.0;
+    UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
+    UMBRAGE_HIGHP vec4 m = umbrage_box_moments(map, size, first, end);
+    UMBRAGE_HIGHP vec2 sides = end - first;
+    UMBRAGE_HIGHP float n = sides.x * sides.y;
+    UMBRAGE_HIGHP float share = m.y / n;
+    UMBRAGE_HIGHP float variance = (m.z * 4096.0 + (m.w - m.y)) / n + share * (1.0 - share);
+    UMBRAGE_HIGHP float scaled = receiver * codes;
+    UMBRAGE_HIGHP float t = umbrage_cleared_depth() > 0.5 ? scaled : codes - scaled;
+    UMBRAGE_HIGHP float d = (t - 1.0 - m.x) - share;
+    UMBRAGE_HIGHP float behind = d > 0.0 ? variance / (variance + d * d) : 0.0;
+    return compared ? (d <= 0.0 ? 1.0 : behind) : 1.0;
+}
+`,
             "texels_to_world": `
 // umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
 //   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
@@ -2666,6 +2992,19 @@ float umbrage_orthographic_depth_from_view_z(float z_view, float z_near, float z
 float umbrage_saturate(float v) {
     // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+`,
+            "mend_quotient": `
+// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+float umbrage_mend_quotient(float q, float a, float b) {
+    float low = q * b > a ? q - 1.0 : q;
+    return (low + 1.0) * b <= a ? low + 1.0 : low;
+}
+`,
+            "floor_divide": `
+// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+float umbrage_floor_divide(float a, float b) {
+    return umbrage_mend_quotient(floor(a / b), a, b);
 }
 `,
             "to_unorm": `
@@ -3917,6 +4256,297 @@ float umbrage_bounds_lit(UMBRAGE_MAP bounds, float2 size, float2 coord, float re
     return compared ? known : 1.0;
 }
 `,
+            "distance_code": `
+// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+float umbrage_distance_code(float depth) {
+    float code = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+}
+`,
+            "penumbra": `
+// umbrage_penumbra: radius in 1/16 texel, a whole number
+//   apart     umbrage_distance_code of the receiver less that of the blocker
+//   softness  (1/16 texel a code, least, widest), of make_softness
+float umbrage_penumbra(float apart, float3 softness) {
+    return min(max(floor(apart * softness.x), softness.y), softness.z);
+}
+`,
+            "blocker": `
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+float2 umbrage_blocker(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float stored = umbrage_fetch_depth(map, size, texel);
+    float code = umbrage_distance_code(stored);
+    return umbrage_compare(receiver, stored) > 0.5 ? float2(0.0, 0.0) : float2(1.0, code);
+}
+`,
+            "blockers8": `
+// umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+float2 umbrage_blockers8(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius, float2 turn) {
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -7.0), turn, radius), receiver);
+    return n;
+}
+`,
+            "blockers16": `
+// umbrage_blockers16: how many of a disc's 16 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+float2 umbrage_blockers16(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius, float2 turn) {
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-1.0, 13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), turn, radius), receiver);
+    return n;
+}
+`,
+            "blockers32": `
+// umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+float2 umbrage_blockers32(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius, float2 turn) {
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-2.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -9.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(6.0, -7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-3.0, -10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(13.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, 4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(10.0, -10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-11.0, 9.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 14.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(12.0, 8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 14.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -15.0), turn, radius), receiver);
+    return n;
+}
+`,
+            "pcss8": `
+// umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+float umbrage_pcss8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
+    float z = umbrage_distance_code(receiver);
+    float widest = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    float radius = umbrage_penumbra(z - mean, softness);
+    float lit = umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return compared && found.x > 0.5 ? lit : 1.0;
+}
+`,
+            "pcss16": `
+// umbrage_pcss16: percentage-closer soft shadows, 16 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+float umbrage_pcss16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
+    float z = umbrage_distance_code(receiver);
+    float widest = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    float radius = umbrage_penumbra(z - mean, softness);
+    float lit = umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return compared && found.x > 0.5 ? lit : 1.0;
+}
+`,
+            "pcss32": `
+// umbrage_pcss32: percentage-closer soft shadows, 32 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+float umbrage_pcss32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
+    float z = umbrage_distance_code(receiver);
+    float widest = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    float radius = umbrage_penumbra(z - mean, softness);
+    float lit = umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return compared && found.x > 0.5 ? lit : 1.0;
+}
+`,
+            "hardened8": `
+// umbrage_hardened8: the share of 8 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+float umbrage_hardened8(float blocked, float ratio) {
+    float u = blocked * 2.0 - 8.0;
+    float d = 8.0 - abs(u);
+    float steep = 512.0 - d * d * d;
+    float hard = u < 0.0 ? 512.0 - steep : 512.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
+}
+`,
+            "hardened16": `
+// umbrage_hardened16: the share of 16 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+float umbrage_hardened16(float blocked, float ratio) {
+    float u = blocked * 2.0 - 16.0;
+    float d = 16.0 - abs(u);
+    float steep = 4096.0 - d * d * d;
+    float hard = u < 0.0 ? 4096.0 - steep : 4096.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
+}
+`,
+            "hardened32": `
+// umbrage_hardened32: the share of 32 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+float umbrage_hardened32(float blocked, float ratio) {
+    float u = blocked * 2.0 - 32.0;
+    float d = 32.0 - abs(u);
+    float steep = 32768.0 - d * d * d;
+    float hard = u < 0.0 ? 32768.0 - steep : 32768.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
+}
+`,
+            "dpcf8": `
+// umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+float umbrage_dpcf8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
+    float z = umbrage_distance_code(receiver);
+    float widest = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    float radius = umbrage_penumbra(z - mean, softness);
+    float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
+    float dark = umbrage_hardened8(found.x, ratio);
+    return compared ? 1.0 - dark : 1.0;
+}
+`,
+            "dpcf16": `
+// umbrage_dpcf16: contact hardening by 16 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+float umbrage_dpcf16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
+    float z = umbrage_distance_code(receiver);
+    float widest = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    float radius = umbrage_penumbra(z - mean, softness);
+    float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
+    float dark = umbrage_hardened16(found.x, ratio);
+    return compared ? 1.0 - dark : 1.0;
+}
+`,
+            "dpcf32": `
+// umbrage_dpcf32: contact hardening by 32 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+float umbrage_dpcf32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
+    float z = umbrage_distance_code(receiver);
+    float widest = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    float radius = umbrage_penumbra(z - mean, softness);
+    float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
+    float dark = umbrage_hardened32(found.x, ratio);
+    return compared ? 1.0 - dark : 1.0;
+}
+`,
+            "box_moments": `
+// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
+//   that of their squared distances from mean 4096 high + low;  whole numbers
+//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+float4 umbrage_box_moments(UMBRAGE_MAP map, float2 size, float2 first, float2 end) {
+    float4 a = umbrage_texel(map, size, end);
+    float4 b = umbrage_texel(map, size, float2(first.x, end.y));
+    float4 c = umbrage_texel(map, size, float2(end.x, first.y));
+    float4 d = umbrage_texel(map, size, first);
+    float4 part = (a - b) - (c - d);
+    float2 low = float2(part.x, part.z);
+    float2 carry = floor(low * (1.0 / 65536.0));
+    float2 above = float2(part.y, part.w) + carry;
+    low = low - carry * 65536.0;
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, float2(0.0, 0.0));  // or a compiler distributes
+    float sum = above.x * 65536.0 + low.x;
+    float2 sides = end - first;
+    float n = sides.x * sides.y;
+    float mean = umbrage_floor_divide(sum, n);
+    float rest = sum - mean * n;
+    float2 digits = float2(sum + rest, low.y);
+    float2 high = floor(digits * (1.0 / 4096.0));
+    digits = digits - high * 4096.0;
+    float below = digits.y - mean * digits.x;
+    float borrow = floor(below * (1.0 / 4096.0));
+    float wide = above.y * 16.0 + high.y - mean * high.x + borrow;
+    wide = wide - floor(wide * (1.0 / 1048576.0)) * 1048576.0;
+    return float4(mean, rest, wide, below - borrow * 4096.0);
+}
+`,
+            "summed_variance": `
+// umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
+//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
+float umbrage_summed_variance(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float codes) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 last = size - 1.0;
+    float2 texel = compared ? clamp(floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
+    float2 first = max(texel - radius, float2(0.0, 0.0));
+    float2 end = min(texel + radius + 1.0, last);
+    float4 m = umbrage_box_moments(map, size, first, end);
+    float2 sides = end - first;
+    float n = sides.x * sides.y;
+    float share = m.y / n;
+    float variance = (m.z * 4096.0 + (m.w - m.y)) / n + share * (1.0 - share);
+    float scaled = receiver * codes;
+    float t = umbrage_cleared_depth() > 0.5 ? scaled : codes - scaled;
+    float d = (t - 1.0 - m.x) - share;
+    float behind = d > 0.0 ? variance / (variance + d * d) : 0.0;
+    return compared ? (d <= 0.0 ? 1.0 : behind) : 1.0;
+}
+`,
             "texels_to_world": `
 // umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
 //   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
@@ -4608,6 +5238,19 @@ inline float umbrage_orthographic_depth_from_view_z(float z_view, float z_near, 
 inline float umbrage_saturate(float v) {
     // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
     return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+`,
+            "mend_quotient": `
+// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+inline float umbrage_mend_quotient(float q, float a, float b) {
+    float low = q * b > a ? q - 1.0 : q;
+    return (low + 1.0) * b <= a ? low + 1.0 : low;
+}
+`,
+            "floor_divide": `
+// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+inline float umbrage_floor_divide(float a, float b) {
+    return umbrage_mend_quotient(metal::floor(a / b), a, b);
 }
 `,
             "to_unorm": `
@@ -5861,6 +6504,301 @@ inline float umbrage_bounds_lit(UMBRAGE_MAP bounds, float2 size, float2 coord, f
     return compared ? known : 1.0;
 }
 `,
+            "distance_code": `
+// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+inline float umbrage_distance_code(float depth) {
+    float code = metal::min(metal::floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+}
+`,
+            "penumbra": `
+// umbrage_penumbra: radius in 1/16 texel, a whole number
+//   apart     umbrage_distance_code of the receiver less that of the blocker
+//   softness  (1/16 texel a code, least, widest), of make_softness
+inline float umbrage_penumbra(float apart, float3 softness) {
+    return metal::min(metal::max(metal::floor(apart * softness.x), softness.y), softness.z);
+}
+`,
+            "blocker": `
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+inline float2 umbrage_blocker(UMBRAGE_MAP map, float2 size, float2 texel, float receiver) {
+    float stored = umbrage_fetch_depth(map, size, texel);
+    float code = umbrage_distance_code(stored);
+    return umbrage_compare(receiver, stored) > 0.5 ? float2(0.0, 0.0) : float2(1.0, code);
+}
+`,
+            "blockers8": `
+// umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+inline float2 umbrage_blockers8(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius,
+                                float2 turn) {
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -7.0), turn, radius), receiver);
+    return n;
+}
+`,
+            "blockers16": `
+// umbrage_blockers16: how many of a disc's 16 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+inline float2 umbrage_blockers16(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius,
+                                 float2 turn) {
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-1.0, 13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), turn, radius), receiver);
+    return n;
+}
+`,
+            "blockers32": `
+// umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+inline float2 umbrage_blockers32(UMBRAGE_MAP map, float2 size, float2 position, float receiver, float radius,
+                                 float2 turn) {
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-2.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -9.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(6.0, -7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-8.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-3.0, -10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(13.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, 4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(10.0, -10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-11.0, 9.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, 14.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(12.0, 8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 14.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -15.0), turn, radius), receiver);
+    return n;
+}
+`,
+            "pcss8": `
+// umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_pcss8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
+    float z = umbrage_distance_code(receiver);
+    float widest = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
+    float radius = umbrage_penumbra(z - mean, softness);
+    float lit = umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return compared && found.x > 0.5 ? lit : 1.0;
+}
+`,
+            "pcss16": `
+// umbrage_pcss16: percentage-closer soft shadows, 16 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_pcss16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
+    float z = umbrage_distance_code(receiver);
+    float widest = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
+    float radius = umbrage_penumbra(z - mean, softness);
+    float lit = umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return compared && found.x > 0.5 ? lit : 1.0;
+}
+`,
+            "pcss32": `
+// umbrage_pcss32: percentage-closer soft shadows, 32 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_pcss32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
+    float z = umbrage_distance_code(receiver);
+    float widest = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
+    float radius = umbrage_penumbra(z - mean, softness);
+    float lit = umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return compared && found.x > 0.5 ? lit : 1.0;
+}
+`,
+            "hardened8": `
+// umbrage_hardened8: the share of 8 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+inline float umbrage_hardened8(float blocked, float ratio) {
+    float u = blocked * 2.0 - 8.0;
+    float d = 8.0 - metal::abs(u);
+    float steep = 512.0 - d * d * d;
+    float hard = u < 0.0 ? 512.0 - steep : 512.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
+}
+`,
+            "hardened16": `
+// umbrage_hardened16: the share of 16 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+inline float umbrage_hardened16(float blocked, float ratio) {
+    float u = blocked * 2.0 - 16.0;
+    float d = 16.0 - metal::abs(u);
+    float steep = 4096.0 - d * d * d;
+    float hard = u < 0.0 ? 4096.0 - steep : 4096.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
+}
+`,
+            "hardened32": `
+// umbrage_hardened32: the share of 32 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+inline float umbrage_hardened32(float blocked, float ratio) {
+    float u = blocked * 2.0 - 32.0;
+    float d = 32.0 - metal::abs(u);
+    float steep = 32768.0 - d * d * d;
+    float hard = u < 0.0 ? 32768.0 - steep : 32768.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
+}
+`,
+            "dpcf8": `
+// umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_dpcf8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
+    float z = umbrage_distance_code(receiver);
+    float widest = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
+    float radius = umbrage_penumbra(z - mean, softness);
+    float ratio = umbrage_floor_divide(radius * 256.0, metal::max(widest, 1.0));
+    float dark = umbrage_hardened8(found.x, ratio);
+    return compared ? 1.0 - dark : 1.0;
+}
+`,
+            "dpcf16": `
+// umbrage_dpcf16: contact hardening by 16 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_dpcf16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
+    float z = umbrage_distance_code(receiver);
+    float widest = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
+    float radius = umbrage_penumbra(z - mean, softness);
+    float ratio = umbrage_floor_divide(radius * 256.0, metal::max(widest, 1.0));
+    float dark = umbrage_hardened16(found.x, ratio);
+    return compared ? 1.0 - dark : 1.0;
+}
+`,
+            "dpcf32": `
+// umbrage_dpcf32: contact hardening by 32 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_dpcf32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
+    float z = umbrage_distance_code(receiver);
+    float widest = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
+    float radius = umbrage_penumbra(z - mean, softness);
+    float ratio = umbrage_floor_divide(radius * 256.0, metal::max(widest, 1.0));
+    float dark = umbrage_hardened32(found.x, ratio);
+    return compared ? 1.0 - dark : 1.0;
+}
+`,
+            "box_moments": `
+// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
+//   that of their squared distances from mean 4096 high + low;  whole numbers
+//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+inline float4 umbrage_box_moments(UMBRAGE_MAP map, float2 size, float2 first, float2 end) {
+    float4 a = umbrage_texel(map, size, end);
+    float4 b = umbrage_texel(map, size, float2(first.x, end.y));
+    float4 c = umbrage_texel(map, size, float2(end.x, first.y));
+    float4 d = umbrage_texel(map, size, first);
+    float4 part = (a - b) - (c - d);
+    float2 low = float2(part.x, part.z);
+    float2 carry = metal::floor(low * (1.0 / 65536.0));
+    float2 above = float2(part.y, part.w) + carry;
+    low = low - carry * 65536.0;
+    above = metal::max(above - metal::floor(above * (1.0 / 65536.0)) * 65536.0, float2(0.0, 0.0));  // or a compiler distributes
+    float sum = above.x * 65536.0 + low.x;
+    float2 sides = end - first;
+    float n = sides.x * sides.y;
+    float mean = umbrage_floor_divide(sum, n);
+    float rest = sum - mean * n;
+    float2 digits = float2(sum + rest, low.y);
+    float2 high = metal::floor(digits * (1.0 / 4096.0));
+    digits = digits - high * 4096.0;
+    float below = digits.y - mean * digits.x;
+    float borrow = metal::floor(below * (1.0 / 4096.0));
+    float wide = above.y * 16.0 + high.y - mean * high.x + borrow;
+    wide = wide - metal::floor(wide * (1.0 / 1048576.0)) * 1048576.0;
+    return float4(mean, rest, wide, below - borrow * 4096.0);
+}
+`,
+            "summed_variance": `
+// umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
+//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
+inline float umbrage_summed_variance(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
+                                     float codes) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 last = size - 1.0;
+    float2 texel = compared ? metal::clamp(metal::floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
+    float2 first = metal::max(texel - radius, float2(0.0, 0.0));
+    float2 end = metal::min(texel + radius + 1.0, last);
+    float4 m = umbrage_box_moments(map, size, first, end);
+    float2 sides = end - first;
+    float n = sides.x * sides.y;
+    float share = m.y / n;
+    float variance = (m.z * 4096.0 + (m.w - m.y)) / n + share * (1.0 - share);
+    float scaled = receiver * codes;
+    float t = umbrage_cleared_depth() > 0.5 ? scaled : codes - scaled;
+    float d = (t - 1.0 - m.x) - share;
+    float behind = d > 0.0 ? variance / (variance + d * d) : 0.0;
+    return compared ? (d <= 0.0 ? 1.0 : behind) : 1.0;
+}
+`,
             "texels_to_world": `
 // umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
 //   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
@@ -6552,6 +7490,19 @@ fn umbrage_orthographic_depth_from_view_z(z_view: f32, z_near: f32, z_far: f32) 
 fn umbrage_saturate(v: f32) -> f32 {
     // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
     return select(select(select(umbrage_cleared_depth(), 0.0, v <= 0.0), 1.0, v >= 1.0), v, v > 0.0 && v < 1.0);
+}
+`,
+            "mend_quotient": `
+// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+fn umbrage_mend_quotient(q: f32, a: f32, b: f32) -> f32 {
+    let low: f32 = select(q, q - 1.0, q * b > a);
+    return select(low, low + 1.0, (low + 1.0) * b <= a);
+}
+`,
+            "floor_divide": `
+// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+fn umbrage_floor_divide(a: f32, b: f32) -> f32 {
+    return umbrage_mend_quotient(floor(a / b), a, b);
 }
 `,
             "to_unorm": `
@@ -7803,6 +8754,297 @@ fn umbrage_bounds_lit(UMBRAGE_MAP bounds, size: vec2f, coord: vec2f, receiver: f
     return select(1.0, known, compared);
 }
 `,
+            "distance_code": `
+// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+fn umbrage_distance_code(depth: f32) -> f32 {
+    let code: f32 = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    return select(65535.0 - code, code, umbrage_cleared_depth() > 0.5);
+}
+`,
+            "penumbra": `
+// umbrage_penumbra: radius in 1/16 texel, a whole number
+//   apart     umbrage_distance_code of the receiver less that of the blocker
+//   softness  (1/16 texel a code, least, widest), of make_softness
+fn umbrage_penumbra(apart: f32, softness: vec3f) -> f32 {
+    return min(max(floor(apart * softness.x), softness.y), softness.z);
+}
+`,
+            "blocker": `
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+fn umbrage_blocker(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) -> vec2f {
+    let stored: f32 = umbrage_fetch_depth(map, size, texel);
+    let code: f32 = umbrage_distance_code(stored);
+    return select(vec2f(1.0, code), vec2f(0.0, 0.0), umbrage_compare(receiver, stored) > 0.5);
+}
+`,
+            "blockers8": `
+// umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+fn umbrage_blockers8(UMBRAGE_MAP map, size: vec2f, position: vec2f, receiver: f32, radius: f32, turn: vec2f) -> vec2f {
+    var n: vec2f = vec2f(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-9.0, -8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-12.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, 6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, -7.0), turn, radius), receiver);
+    return n;
+}
+`,
+            "blockers16": `
+// umbrage_blockers16: how many of a disc's 16 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+fn umbrage_blockers16(UMBRAGE_MAP map, size: vec2f, position: vec2f, receiver: f32, radius: f32, turn: vec2f) -> vec2f {
+    var n: vec2f = vec2f(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-5.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-6.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(8.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, -11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-12.0, 4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-1.0, 13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, 11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-9.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-7.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(14.0, -2.0), turn, radius), receiver);
+    return n;
+}
+`,
+            "blockers32": `
+// umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+fn umbrage_blockers32(UMBRAGE_MAP map, size: vec2f, position: vec2f, receiver: f32, radius: f32, turn: vec2f) -> vec2f {
+    var n: vec2f = vec2f(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-2.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-5.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-8.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(8.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, 7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(1.0, -9.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(6.0, -7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-8.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-3.0, -10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-6.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-9.0, -8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(11.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(5.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(7.0, 11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(13.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, 4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(10.0, -10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(14.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-11.0, 9.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(3.0, 14.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-13.0, -6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(12.0, 8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-4.0, 14.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(-7.0, -13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2f(0.0, -15.0), turn, radius), receiver);
+    return n;
+}
+`,
+            "pcss8": `
+// umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+fn umbrage_pcss8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, turn: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
+    let z: f32 = umbrage_distance_code(receiver);
+    let widest: f32 = umbrage_penumbra(z, softness);
+    let found: vec2f = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    let radius: f32 = umbrage_penumbra(z - mean, softness);
+    let lit: f32 = umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return select(1.0, lit, compared && found.x > 0.5);
+}
+`,
+            "pcss16": `
+// umbrage_pcss16: percentage-closer soft shadows, 16 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+fn umbrage_pcss16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, turn: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
+    let z: f32 = umbrage_distance_code(receiver);
+    let widest: f32 = umbrage_penumbra(z, softness);
+    let found: vec2f = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    let radius: f32 = umbrage_penumbra(z - mean, softness);
+    let lit: f32 = umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return select(1.0, lit, compared && found.x > 0.5);
+}
+`,
+            "pcss32": `
+// umbrage_pcss32: percentage-closer soft shadows, 32 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+fn umbrage_pcss32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, turn: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
+    let z: f32 = umbrage_distance_code(receiver);
+    let widest: f32 = umbrage_penumbra(z, softness);
+    let found: vec2f = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    let radius: f32 = umbrage_penumbra(z - mean, softness);
+    let lit: f32 = umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return select(1.0, lit, compared && found.x > 0.5);
+}
+`,
+            "hardened8": `
+// umbrage_hardened8: the share of 8 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+fn umbrage_hardened8(blocked: f32, ratio: f32) -> f32 {
+    let u: f32 = blocked * 2.0 - 8.0;
+    let d: f32 = 8.0 - abs(u);
+    let steep: f32 = 512.0 - d * d * d;
+    let hard: f32 = select(512.0 + steep, 512.0 - steep, u < 0.0);
+    return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
+}
+`,
+            "hardened16": `
+// umbrage_hardened16: the share of 16 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+fn umbrage_hardened16(blocked: f32, ratio: f32) -> f32 {
+    let u: f32 = blocked * 2.0 - 16.0;
+    let d: f32 = 16.0 - abs(u);
+    let steep: f32 = 4096.0 - d * d * d;
+    let hard: f32 = select(4096.0 + steep, 4096.0 - steep, u < 0.0);
+    return (hard * (256.0 - ratio) + blocked * ratio * 512.0) * (1.0 / 2097152.0);
+}
+`,
+            "hardened32": `
+// umbrage_hardened32: the share of 32 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+fn umbrage_hardened32(blocked: f32, ratio: f32) -> f32 {
+    let u: f32 = blocked * 2.0 - 32.0;
+    let d: f32 = 32.0 - abs(u);
+    let steep: f32 = 32768.0 - d * d * d;
+    let hard: f32 = select(32768.0 + steep, 32768.0 - steep, u < 0.0);
+    return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
+}
+`,
+            "dpcf8": `
+// umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+fn umbrage_dpcf8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, turn: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
+    let z: f32 = umbrage_distance_code(receiver);
+    let widest: f32 = umbrage_penumbra(z, softness);
+    let found: vec2f = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    let radius: f32 = umbrage_penumbra(z - mean, softness);
+    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
+    let dark: f32 = umbrage_hardened8(found.x, ratio);
+    return select(1.0, 1.0 - dark, compared);
+}
+`,
+            "dpcf16": `
+// umbrage_dpcf16: contact hardening by 16 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+fn umbrage_dpcf16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, turn: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
+    let z: f32 = umbrage_distance_code(receiver);
+    let widest: f32 = umbrage_penumbra(z, softness);
+    let found: vec2f = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    let radius: f32 = umbrage_penumbra(z - mean, softness);
+    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
+    let dark: f32 = umbrage_hardened16(found.x, ratio);
+    return select(1.0, 1.0 - dark, compared);
+}
+`,
+            "dpcf32": `
+// umbrage_dpcf32: contact hardening by 32 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+fn umbrage_dpcf32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, softness: vec3f, turn: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let at: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0), compared);
+    let z: f32 = umbrage_distance_code(receiver);
+    let widest: f32 = umbrage_penumbra(z, softness);
+    let found: vec2f = umbrage_blockers32(map, size, at, receiver, widest, turn);
+    let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    let radius: f32 = umbrage_penumbra(z - mean, softness);
+    let ratio: f32 = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
+    let dark: f32 = umbrage_hardened32(found.x, ratio);
+    return select(1.0, 1.0 - dark, compared);
+}
+`,
+            "box_moments": `
+// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
+//   that of their squared distances from mean 4096 high + low;  whole numbers
+//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+fn umbrage_box_moments(UMBRAGE_MAP map, size: vec2f, first: vec2f, end: vec2f) -> vec4f {
+    let a: vec4f = umbrage_texel(map, size, end);
+    let b: vec4f = umbrage_texel(map, size, vec2f(first.x, end.y));
+    let c: vec4f = umbrage_texel(map, size, vec2f(end.x, first.y));
+    let d: vec4f = umbrage_texel(map, size, first);
+    let part: vec4f = (a - b) - (c - d);
+    var low: vec2f = vec2f(part.x, part.z);
+    let carry: vec2f = floor(low * (1.0 / 65536.0));
+    var above: vec2f = vec2f(part.y, part.w) + carry;
+    low = low - carry * 65536.0;
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2f(0.0, 0.0));  // or a compiler distributes
+    let sum: f32 = above.x * 65536.0 + low.x;
+    let sides: vec2f = end - first;
+    let n: f32 = sides.x * sides.y;
+    let mean: f32 = umbrage_floor_divide(sum, n);
+    let rest: f32 = sum - mean * n;
+    var digits: vec2f = vec2f(sum + rest, low.y);
+    let high: vec2f = floor(digits * (1.0 / 4096.0));
+    digits = digits - high * 4096.0;
+    let below: f32 = digits.y - mean * digits.x;
+    let borrow: f32 = floor(below * (1.0 / 4096.0));
+    var wide: f32 = above.y * 16.0 + high.y - mean * high.x + borrow;
+    wide = wide - floor(wide * (1.0 / 1048576.0)) * 1048576.0;
+    return vec4f(mean, rest, wide, below - borrow * 4096.0);
+}
+`,
+            "summed_variance": `
+// umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
+//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
+fn umbrage_summed_variance(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, codes: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let last: vec2f = size - 1.0;
+    let texel: vec2f = select(vec2f(0.0, 0.0), clamp(floor(coord), vec2f(0.0, 0.0), last - 1.0), compared);
+    let first: vec2f = max(texel - radius, vec2f(0.0, 0.0));
+    let end: vec2f = min(texel + radius + 1.0, last);
+    let m: vec4f = umbrage_box_moments(map, size, first, end);
+    let sides: vec2f = end - first;
+    let n: f32 = sides.x * sides.y;
+    let share: f32 = m.y / n;
+    let variance: f32 = (m.z * 4096.0 + (m.w - m.y)) / n + share * (1.0 - share);
+    let scaled: f32 = receiver * codes;
+    let t: f32 = select(codes - scaled, scaled, umbrage_cleared_depth() > 0.5);
+    let d: f32 = (t - 1.0 - m.x) - share;
+    let behind: f32 = select(0.0, variance / (variance + d * d), d > 0.0);
+    return select(1.0, select(behind, 1.0, d <= 0.0), compared);
+}
+`,
             "texels_to_world": `
 // umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
 //   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
@@ -8209,6 +9451,8 @@ const rows = [
     ["orthographic_depth_from_view_z", "orthographic_depth_from_view_z", "view-space z to orthographic depth", "c", 1, 0, "100", "none", false, []],
     ["cleared_depth", "cleared_depth", "depth of the far plane", "a", 0, 0, "100", "cleared_depth", false, []],
     ["saturate", "saturate", "clamp to [0, 1], NaN to far", "a", 0, 0, "100", "none", false, ["cleared_depth"]],
+    ["mend_quotient", "mend_quotient", "a quotient of whole numbers, from one at most one off", "a", 0, 0, "100", "none", false, []],
+    ["floor_divide", "floor_divide", "whole numbers divided and rounded down, whatever the division's error", "a", 0, 0, "100", "none", false, ["mend_quotient"]],
     ["to_unorm", "to_unorm", "channel 0..255 to the value an 8-bit target stores as it", "a", 0, 0, "100", "none", false, []],
     ["from_unorm", "from_unorm", "value read from an 8-bit texture to channel 0..255", "a", 0, 0, "100", "none", false, []],
     ["encode_rg9", "encode_rg9", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
@@ -8314,6 +9558,23 @@ const rows = [
     ["window_hardware5", "window_hardware5", "window of 5 x 5 by 9 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
     ["window_hardware7", "window_hardware7", "window of 7 x 7 by 16 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
     ["bounds_lit", "bounds_lit", "visibility where bounds of a filter's texels suffice", "a", 0, 0, "100", "none", false, ["is_compared", "compare", "fetch_clamped"]],
+    ["distance_code", "distance_code", "a depth as 16 bits of distance from the near plane", "a", 0, 0, "100", "none", false, ["saturate", "cleared_depth"]],
+    ["penumbra", "penumbra", "radius of a penumbra from the distance between blocker and receiver", "a", 0, 0, "100", "none", false, []],
+    ["blocker", "blocker", "whether a texel lies before a receiver, and how far from the light", "a", 0, 0, "100", "none", false, ["fetch_depth", "compare", "distance_code"]],
+    ["blockers8", "blockers8", "texels under a disc's points that lie before a receiver", "a", 0, 0, "100", "none", false, ["disc_tap", "blocker"]],
+    ["blockers16", "blockers16", "texels under a disc's points that lie before a receiver", "a", 0, 0, "100", "none", false, ["disc_tap", "blocker"]],
+    ["blockers32", "blockers32", "texels under a disc's points that lie before a receiver", "a", 0, 0, "100", "none", false, ["disc_tap", "blocker"]],
+    ["pcss8", "pcss8", "percentage-closer soft shadows, 8 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers8", "floor_divide", "disc8"]],
+    ["pcss16", "pcss16", "percentage-closer soft shadows, 16 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers16", "floor_divide", "disc16"]],
+    ["pcss32", "pcss32", "percentage-closer soft shadows, 32 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers32", "floor_divide", "disc32"]],
+    ["hardened8", "hardened8", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
+    ["hardened16", "hardened16", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
+    ["hardened32", "hardened32", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
+    ["dpcf8", "dpcf8", "contact hardening by 8 points", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers8", "floor_divide", "hardened8"]],
+    ["dpcf16", "dpcf16", "contact hardening by 16 points", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers16", "floor_divide", "hardened16"]],
+    ["dpcf32", "dpcf32", "contact hardening by 32 points", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers32", "floor_divide", "hardened32"]],
+    ["box_moments", "box_moments", "mean and squared distances from it over a box, from a summed-area table", "a", 0, 0, "100", "none", false, ["texel", "floor_divide"]],
+    ["summed_variance", "summed_variance", "variance shadow over a box of any size, from a summed-area table", "c", 0, 1 / 65536, "100", "none", false, ["is_compared", "cleared_depth", "box_moments"]],
     ["texels_to_world", "texels_to_world", "texels across a light as world units", "b", 0, 0, "100", "none", false, []],
     ["clamp_bias", "clamp_bias", "clamp of a bias to [0, 1], NaN to 1", "a", 0, 0, "100", "none", false, []],
     ["world_to_depth", "world_to_depth", "world units along a light as depth", "c", 1, 0, "100", "none", false, ["clamp_bias"]],
@@ -8384,4 +9645,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, pancaked, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, pancaked, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

@@ -29,6 +29,9 @@
 #include <umbrage/depth/rg_level.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/depth/rgb24.hpp>
+#include <umbrage/filter/blocker/dpcf.hpp>
+#include <umbrage/filter/blocker/pcss.hpp>
+#include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/bounds_lit.hpp>
 #include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/pcf/box.hpp>
@@ -41,7 +44,9 @@
 #include <umbrage/filter/pcf/window.hpp>
 #include <umbrage/filter/pcf/window_hardware.hpp>
 #include <umbrage/filter/pcf/windows.hpp>
+#include <umbrage/filter/table/summed_variance.hpp>
 #include <umbrage/filter/texel_space.hpp>
+#include <umbrage/floor_divide.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/cascades/blend.hpp>

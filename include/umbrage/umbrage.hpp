@@ -20,6 +20,7 @@
 #include <umbrage/images/rasterize.hpp>
 #include <umbrage/images/stability.hpp>
 #include <umbrage/images/summed_area.hpp>
+#include <umbrage/images/variance_table.hpp>
 #include <umbrage/images/visibility.hpp>
 
 #include <umbrage/shader/glsl.hpp>

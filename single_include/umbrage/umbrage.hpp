@@ -3750,228 +3750,6 @@ inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_sp
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/filter/bounds_lit.hpp
-// Whether a filter has to be asked at all: where all texels that it may touch are lit, or none is, one look-up into
-// their bounds says so, and what it says are the filter's bits. In shaders, with bounds of make_filter_bounds as a map:
-//
-//     float lit = umbrage_bounds_lit_sun_bounds(bounds, bounds_size, coord, receiver, place);
-//     if (lit < 0.0) lit = umbrage_binomial7_sun(map, size, coord, receiver);
-//
-// Pays off for filters of many texels, and where shadows have more inside than border.
-
-namespace umbrage {
-
-/// What every filter of a reach gives where bounds suffice.
-/// @param bounds     ivec2 -> vec2, least and greatest depth of the texels that it may touch; the least is a NaN where
-///                   one of them is
-/// @param coord      receiver in texels of the map, as the filter takes it
-/// @param receiver   depth, as the filter takes it
-/// @param place      which bounds are a receiver's, see make_filter_bounds
-/// @return           1 where all are lit, 0 where none is, else -1: ask the filter
-/// @formula          [receiver <= least] where that is [receiver <= greatest], else -1; both of the bounds
-///                   at floor((floor(256 coord) + place.x) place.y)
-/// @exactness        A
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T bounds_lit(Fetch&& bounds, glm::vec<2, T> coord, T receiver, glm::vec<2, T> place,
-                           Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
-    const glm::vec<2, T> b(bounds(glm::ivec2(glm::floor((glm::floor(coord * T(256)) + place.x) * place.y))));
-    const T all = compare(receiver, b.x, is_lit), some = compare(receiver, b.y, is_lit);
-    return all == some && !is_nan(b.x) && !is_nan(b.y) && b.x <= b.y ? all : T(-1);
-}
-
-namespace glsl {
-
-inline constexpr snippet bounds_lit{
-    .name = "bounds_lit",
-    .summary = "visibility where bounds of a filter's texels suffice",
-    .exactness = tier::a,
-    .needs = list<&is_compared, &compare, &fetch_clamped>,
-    .source = R"GLSL(
-// umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
-//   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
-//   coord, receiver  as the filter takes them
-UMBRAGE_HIGHP float umbrage_bounds_lit(UMBRAGE_MAP bounds, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 place) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
-    UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
-    UMBRAGE_HIGHP float all = umbrage_compare(receiver, b.x);
-    UMBRAGE_HIGHP float some = umbrage_compare(receiver, b.y);
-    UMBRAGE_HIGHP float known = b.x <= b.y && all == some ? all : -1.0;  // not of a NaN
-    return compared ? known : 1.0;
-}
-)GLSL",
-};
-
-inline constexpr auto bounds_lit_snippets = list<&bounds_lit>;
-
-}  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/filter/pcf/box.hpp
-// Percentage-closer filtering with a (2r+1) x (2r+1) box of equal weights.
-//
-//     float visibility = umbrage::box(umbrage::clamped(map), coord, depth - bias, 2);  // 5 x 5
-//
-
-namespace umbrage {
-
-inline constexpr int max_box_radius = 8;
-
-/// Number of lit texels in the box around the receiver's own.
-///
-/// @param fetch      ivec2 texel -> stored depth; called (2r+1)^2 times, texels may lie r outside the map
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: all lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param radius     r, clamped to 0..8
-/// @return           0 .. (2r+1)^2
-/// @formula          sum over |i|, |j| <= r of [receiver <= fetch(floor(coord) + (i, j))]
-/// @exactness        A: counts
-/// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T box_count(Fetch&& fetch, glm::vec<2, T> coord, T receiver, int radius, Compare is_lit = {}) {
-    const int r = radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius);
-    if (!is_compared(coord, receiver, is_lit)) return T((2 * r + 1) * (2 * r + 1));
-    const glm::ivec2 texel(glm::floor(coord));
-    int count = 0;
-    for (int j = -r; j <= r; ++j)
-        for (int i = -r; i <= r; ++i) count += is_lit(receiver, T(fetch(texel + glm::ivec2(i, j)))) ? 1 : 0;
-    return T(count);
-}
-
-namespace detail {
-template <real T>  // quotients of the compiler's: a run-time division would follow the rounding mode and -ffast-math
-inline constexpr std::array<T, max_box_radius + 1> box_scales{T(1),          T(1) / T(9),   T(1) / T(25),
-                                                              T(1) / T(49),  T(1) / T(81),  T(1) / T(121),
-                                                              T(1) / T(169), T(1) / T(225), T(1) / T(289)};
-}  // namespace detail
-
-/// 1 / (2r+1)^2, rounded to nearest.
-/// @param radius     r, clamped to 0..8
-/// @exactness        A: a table
-template <real T>
-[[nodiscard]] constexpr T box_scale(int radius) {
-    const int r = radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius);
-    return detail::box_scales<T>[static_cast<std::size_t>(r)];
-}
-
-/// Share of the box that is lit; arguments as for box_count.
-/// @return           visibility: 0 in shadow, 1 lit, exactly
-/// @formula          box_count / (2r+1)^2
-/// @exactness        B: the count is exact, its product with box_scale rounds once
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T box(Fetch&& fetch, glm::vec<2, T> coord, T receiver, int radius, Compare is_lit = {}) {
-    const T visibility = box_count(fetch, coord, receiver, radius, is_lit) * box_scale<T>(radius);
-    return visibility < T(0.999) ? visibility : T(1);  // 121 times the rounded 1/121 is not 1
-}
-
-namespace glsl {
-
-inline constexpr snippet box_count{
-    .name = "box_count",
-    .summary = "lit texels in a box of radius 0..8",
-    .exactness = tier::a,
-    .needs = list<&is_compared, &lit>,
-    .source = R"GLSL(
-// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
-UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                      UMBRAGE_HIGHP float receiver, int radius) {
-    int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
-    int width = 2 * r + 1;
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 first = compared ? floor(coord) - float(r) : vec2(0.0, 0.0);
-    UMBRAGE_HIGHP float count = 0.0;
-    for (int j = 0; j < 17; j++) {
-        if (j >= width) break;
-        for (int i = 0; i < 17; i++) {
-            if (i >= width) break;
-            count += umbrage_lit(map, size, first + vec2(float(i), float(j)), receiver);
-        }
-    }
-    return compared ? count : float(width * width);
-}
-)GLSL",
-};
-
-inline constexpr snippet box_scale{
-    .name = "box_scale",
-    .summary = "1 / (2r+1)^2",
-    .exactness = tier::a,
-    .source = R"GLSL(
-// umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
-UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
-    UMBRAGE_HIGHP float scale = 0.00346020772;  // not returned as a literal: that would have the host's precision
-    if (radius < 8) scale = 0.00444444455;
-    if (radius < 7) scale = 0.00591715984;
-    if (radius < 6) scale = 0.00826446246;
-    if (radius < 5) scale = 0.0123456791;
-    if (radius < 4) scale = 0.0204081628;
-    if (radius < 3) scale = 0.0399999991;
-    if (radius < 2) scale = 0.111111112;
-    if (radius < 1) scale = 1.0;
-    return scale;
-}
-)GLSL",
-};
-
-inline constexpr snippet box{
-    .name = "box",
-    .summary = "lit share of a box of radius 0..8",
-    .exactness = tier::b,
-    .needs = list<&box_count, &box_scale>,
-    .source = R"GLSL(
-// umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
-UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                UMBRAGE_HIGHP float receiver, int radius) {
-    UMBRAGE_HIGHP float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
-    return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
-}
-)GLSL",
-};
-
-}  // namespace glsl
-
-namespace filters {
-
-/// The filter as a value.
-struct box {
-    static constexpr std::string_view name = "box";
-    static constexpr const glsl::snippet* snippet = &glsl::box;
-
-    int radius = 1;  ///< clamped to 0..8
-    comparison is_lit{};
-
-    [[nodiscard]] constexpr float reach() const {
-        return static_cast<float>(radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius)) + 0.5f;
-    }
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::box(fetch, coord, receiver, radius, is_lit);
-    }
-};
-
-/// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
-/// Pays off for large radii, and where shadows have more inside than border.
-struct hierarchical_box {
-    static constexpr std::string_view name = "hierarchical_box";
-    static constexpr const glsl::snippet* snippet = &glsl::box;
-
-    int radius = 1;  ///< clamped to 0..8
-    comparison is_lit{};
-
-    [[nodiscard]] constexpr float reach() const { return box{radius}.reach(); }
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::box(fetch, coord, receiver, radius, is_lit);
-    }
-};
-
-}  // namespace filters
-}  // namespace umbrage
-
 // ---- umbrage/filter/pcf/disc.hpp
 // Percentage-closer filtering over a disc: 8, 16 or 32 points, turned from pixel to pixel so that no pattern shows.
 //
@@ -4222,6 +4000,751 @@ template <int Points>
 inline constexpr rotated_disc disc{Points, 2.0f, {}, glsl::disc<Points>.name, &glsl::disc<Points>};
 
 inline constexpr std::array<rotated_disc, 3> rotated_disc::values{disc<8>, disc<16>, disc<32>};
+
+}  // namespace filters
+}  // namespace umbrage
+
+// ---- umbrage/floor_divide.hpp
+// Whole numbers over whole numbers, rounded down: exact in floats, however far off the machine's division is.
+//
+//     float mean = umbrage::floor_divide(sum, count);
+//
+// GLSL allows a quotient to be 2.5 ulp off, older dialects anything. Its floor is then one off where the true quotient
+// is whole or nearly so; a product tells, and products of whole numbers are exact.
+
+namespace umbrage {
+
+/// The quotient that a guess is at most one away from.
+/// @param q     whole, floor(a / b) - 1 .. floor(a / b) + 1
+/// @param a     whole, 0 <= a < 2^24;   b  whole, 1 <= b <= 2^24
+/// @return      floor(a / b)
+/// @formula     q - [q b > a], then one more where that leaves b or more of a
+/// @exactness   A: a product of 2^24 or more is beyond a, however it rounds
+template <real T>
+[[nodiscard]] constexpr T mend_quotient(T q, T a, T b) {
+    const T low = q * b > a ? q - T(1) : q;
+    return (low + T(1)) * b <= a ? low + T(1) : low;
+}
+
+/// @param a     whole, 0 <= a < 2^24;   b  whole, 1 <= b <= 2^24;   their quotient at most 2^18
+/// @return      floor(a / b)
+/// @exactness   A: with a quotient up to 8 ulp off, less than 1 in so small a one, mend_quotient has all it needs
+template <real T>
+[[nodiscard]] T floor_divide(T a, T b) {
+    return mend_quotient(std::floor(a / b), a, b);
+}
+
+namespace glsl {
+
+inline constexpr snippet mend_quotient{
+    .name = "mend_quotient",
+    .summary = "a quotient of whole numbers, from one at most one off",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+UMBRAGE_HIGHP float umbrage_mend_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+    UMBRAGE_HIGHP float low = q * b > a ? q - 1.0 : q;
+    return (low + 1.0) * b <= a ? low + 1.0 : low;
+}
+)GLSL",
+};
+
+inline constexpr snippet floor_divide{
+    .name = "floor_divide",
+    .summary = "whole numbers divided and rounded down, whatever the division's error",
+    .exactness = tier::a,
+    .needs = list<&mend_quotient>,
+    .source = R"GLSL(
+// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+    return umbrage_mend_quotient(floor(a / b), a, b);
+}
+)GLSL",
+};
+
+inline constexpr auto floor_divide_snippets = list<&mend_quotient, &floor_divide>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/blocker/penumbra.hpp
+// How wide a penumbra is, from what lies between a receiver and the light: of suns and of spots, by one formula.
+//
+//     umbrage::light_softness soft = umbrage::make_softness(umbrage::make_light_units(light, map.size()), lamp_radius);
+//     glm::vec2 found = umbrage::blockers<16>(fetch, position, receiver, radius, turn);
+//     float mean = umbrage::floor_divide(found.y, found.x);  // of codes, 0 at the light
+//     float radius = umbrage::penumbra(umbrage::distance_code(receiver) - mean, glm::vec3(soft));
+//
+// A spot's z/w is linear in 1 / distance, and so is the width of its penumbrae in texels, which grow with the distance:
+// radius (1 / d_blocker - 1 / d_receiver) texels a unit at distance 1. Both sides of a division cancel, and no depth is
+// made linear. The mean of several blockers' z/w is that of their 1 / distance, whose distance is the harmonic mean:
+// penumbrae are never smaller than the mean distance would make them.
+
+namespace umbrage {
+
+/// What a light's size makes of distances: whole numbers, or nearly so, that keep all below exact.
+struct light_softness {
+    float per_code = 0.0625f;  ///< penumbra's radius in 1/16 texel, a code between blocker and receiver; 8 bits
+    float least = 16.0f;       ///< radius of the filter where blockers touch receivers, 1/16 texel, whole
+    float widest = 96.0f;      ///< of filter and search, 1/16 texel, whole, at most 4095
+
+    [[nodiscard]] explicit operator glm::vec3() const { return {per_code, least, widest}; }
+};
+
+/// @param units          make_light_units of the light and the map
+/// @param light_size     radius of a spot's lamp in world units; of a directional light the tangent of half the angle
+///                       that it is seen under, of the sun 0.00465
+/// @param least_texels   the filter's radius where a blocker touches the receiver: 1 hides the map's steps, 0 is hard
+/// @param widest_texels  wider penumbrae are cut to that, and blockers farther off are not found; with 16 points beyond
+///                       16 texels or so noise shows
+/// @return               per_code rounded to 8 bits, by 1/256 of it at most; 0 for lights of no size: all is `least`
+/// @throws std::invalid_argument  units or size that are not finite or below 0, radii that are not
+///                                0 <= least <= widest <= 255.9375
+/// @formula              per_code = 16 light_size / (65536 units.x units.y)
+template <real T>
+[[nodiscard]] light_softness make_softness(glm::vec<2, T> units, T light_size, T least_texels = T(1),
+                                           T widest_texels = T(16)) {
+    constexpr auto function = "make_softness";
+    detail::require(is_finite(light_size) && light_size >= T(0), function, "light_size", "must be finite, not below 0");
+    detail::require(detail::all_finite(units) && units.x > T(0) && units.y > T(0), function, "units",
+                    "must be finite and above 0");
+    detail::require(least_texels >= T(0) && least_texels <= widest_texels && widest_texels <= T(max_disc_radius),
+                    function, "least_texels and widest_texels", "must be in order, from 0 to 255.9375");
+    const auto exact = double(light_size) / (4096.0 * double(units.x) * double(units.y));
+    int exponent = 0;
+    const double digits = std::round(std::frexp(exact < 4096.0 ? exact : 4096.0, &exponent) * 256.0);
+    const bool counts = exponent > -24;  // else no penumbra has a 256th of a texel
+    return {counts ? static_cast<float>(std::ldexp(digits, exponent - 8)) : 0.0f,
+            static_cast<float>(disc_radius(least_texels)), static_cast<float>(disc_radius(widest_texels))};
+}
+
+/// A depth as its distance from the near plane.
+/// @param depth   clamped to [0, 1]; NaN counts as far
+/// @return        whole, 0 .. 65535, 0 at the near plane in either direction of depth
+/// @formula       x = min(floor(65536 depth), 65535); 65535 - x where depth is reversed
+/// @exactness     A
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr T distance_code(T depth, Compare is_lit = {}) {
+    const bool forward = is_lit(T(0), T(1));
+    const T v = saturate(depth, forward ? T(1) : T(0)) * T(65536);
+    const T code = v < T(65535) ? T(static_cast<int>(v)) : T(65535);
+    return forward ? code : T(65535) - code;
+}
+
+/// Radius of a penumbra.
+/// @param apart      codes from the blocker to the receiver; whole, below 2^16, below 0 as 0
+/// @param softness   of make_softness: (per_code, least, widest)
+/// @return           in 1/16 texel, whole, from least to widest
+/// @formula          min(max(floor(apart per_code), least), widest)
+/// @exactness        A: a product of 24 bits
+template <real T>
+[[nodiscard]] T penumbra(T apart, glm::vec<3, T> softness) {
+    const T radius = std::floor(apart * softness.x);
+    return glm::min(glm::max(radius, softness.y), softness.z);
+}
+
+/// A texel's part in the search for blockers.
+/// @return       (1, its distance_code) where it is before the receiver, else (0, 0)
+/// @exactness    A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] glm::vec<2, T> blocker(Fetch&& fetch, glm::ivec2 texel, T receiver, Compare is_lit = {}) {
+    const auto stored = T(fetch(texel));
+    return is_lit(receiver, stored) ? glm::vec<2, T>(T(0), T(0)) : glm::vec<2, T>(T(1), distance_code(stored, is_lit));
+}
+
+/// The texels under a disc's points that lie before a receiver.
+/// @tparam Points    8, 16 or 32
+/// @param fetch      ivec2 texel -> stored depth; called Points times, texels may lie a radius outside the map
+/// @param position   floor(256 coord) of the receiver
+/// @param receiver   depth, biased as for the filter; NaN has all texels before it
+/// @param radius     in 1/16 texel, whole, 0 .. 4095
+/// @param turn       as disc_turn gives it
+/// @return           (how many, the sum of their distance_codes): whole, a NaN among texels counts as a blocker at the
+///                   far plane
+/// @exactness        A: a sum below 2^21
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] glm::vec<2, T> blockers(Fetch&& fetch, glm::vec<2, T> position, T receiver, T radius, glm::vec<2, T> turn,
+                                      Compare is_lit = {}) {
+    glm::vec<2, T> found(T(0), T(0));
+    for (const glm::ivec2 point : disc_points<Points>)
+        found += blocker(fetch, glm::ivec2(disc_tap(position, glm::vec<2, T>(point), turn, radius)), receiver, is_lit);
+    return found;
+}
+
+namespace glsl {
+
+inline constexpr snippet distance_code{
+    .name = "distance_code",
+    .summary = "a depth as 16 bits of distance from the near plane",
+    .exactness = tier::a,
+    .needs = list<&saturate, &cleared_depth>,
+    .source = R"GLSL(
+// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float code = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+}
+)GLSL",
+};
+
+inline constexpr snippet penumbra{
+    .name = "penumbra",
+    .summary = "radius of a penumbra from the distance between blocker and receiver",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_penumbra: radius in 1/16 texel, a whole number
+//   apart     umbrage_distance_code of the receiver less that of the blocker
+//   softness  (1/16 texel a code, least, widest), of make_softness
+UMBRAGE_HIGHP float umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP vec3 softness) {
+    return min(max(floor(apart * softness.x), softness.y), softness.z);
+}
+)GLSL",
+};
+
+inline constexpr snippet blocker{
+    .name = "blocker",
+    .summary = "whether a texel lies before a receiver, and how far from the light",
+    .exactness = tier::a,
+    .needs = list<&fetch_depth, &compare, &distance_code>,
+    .source = R"GLSL(
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float stored = umbrage_fetch_depth(map, size, texel);
+    UMBRAGE_HIGHP float code = umbrage_distance_code(stored);
+    return umbrage_compare(receiver, stored) > 0.5 ? vec2(0.0, 0.0) : vec2(1.0, code);
+}
+)GLSL",
+};
+
+namespace detail {
+
+/// The search's text, its points a line each.
+template <int Points>
+constexpr filled_text<(Points + 12) * 120> blockers_text() {
+    filled_text<(Points + 12)* 120> text = fill<(Points + 12) * 120>(R"GLSL(
+// umbrage_blockers$n: how many of a disc's $n points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
+                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                      UMBRAGE_HIGHP vec2 turn) {
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+)GLSL",
+                                                                     {{'n', Points}});
+    for (const disc_point p : disc_points<Points>)
+        text.append(
+            "    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2($x.0, $y.0), turn, radius), "
+            "receiver);\n",
+            {{'x', p.x}, {'y', p.y}});
+    text.append("    return n;\n}\n");
+    return text;
+}
+
+}  // namespace detail
+
+template <int Points>
+inline constexpr auto blockers_text = detail::blockers_text<Points>();
+template <int Points>
+inline constexpr snippet blockers{.name = Points == 8 ? "blockers8" : (Points == 16 ? "blockers16" : "blockers32"),
+                                  .summary = "texels under a disc's points that lie before a receiver",
+                                  .exactness = tier::a,
+                                  .needs = list<&disc_tap, &blocker>,
+                                  .source = blockers_text<Points>.view()};
+
+inline constexpr auto penumbra_snippets =
+    list<&distance_code, &penumbra, &blocker, &blockers<8>, &blockers<16>, &blockers<32>>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/blocker/dpcf.hpp
+// Contact hardening without a second look: one disc counts the blockers, and its share is steepened to the penumbra's
+// width. Half the texels of pcss, and softer than it where a penumbra is much narrower than the light.
+//
+//     float visibility = umbrage::dpcf<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
+//                                          umbrage::disc_turn(pixel));
+//
+
+namespace umbrage {
+
+/// The share of a disc in shadow, steepened.
+/// @tparam Points    8, 16 or 32
+/// @param blocked    whole, 0 .. Points
+/// @param ratio      of the penumbra to the disc, in 1/256, whole, 0 .. 256: 256 leaves the share as it is
+/// @return           0 lit .. 1; 0, 1/2 and 1 stay what they are, and more blocked is never less dark
+/// @formula          x = blocked / Points, s the sign of 2 x - 1: 1/2 + s/2 (1 - (1 - |2 x - 1|)^3), which ratio mixes
+///                   with x
+/// @exactness        A: whole numbers up to 2^24, over 512 Points^3
+/// @cite             Google Filament: surface_shadowing.fs
+template <int Points, real T>
+[[nodiscard]] constexpr T hardened(T blocked, T ratio) {
+    constexpr T n = T(Points), cube = n * n * n;
+    const T u = blocked * T(2) - n, d = n - (u < T(0) ? -u : u), steep = cube - d * d * d;
+    const T hard = u < T(0) ? cube - steep : cube + steep;
+    return (hard * (T(256) - ratio) + blocked * ratio * (T(2) * n * n)) * (T(1) / (T(512) * cube));
+}
+
+/// @tparam Points    8, 16 or 32
+/// @param fetch      ivec2 texel -> stored depth; called Points times, texels may lie the widest radius outside the map
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param softness   of make_softness: (per_code, least, widest)
+/// @param turn       as disc_turn gives it
+/// @return           visibility, 1 where nothing blocks, 0 where all does
+/// @formula          z = distance_code(receiver); m blockers with the sum s within w = penumbra(z);
+///                   1 - hardened(m, floor(256 penumbra(z - floor(s / m)) / w))
+/// @exactness        A
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T dpcf(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness, glm::vec<2, T> turn,
+                     Compare is_lit = {}) {
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const T z = distance_code(receiver, is_lit), widest = penumbra(z, softness);
+    const glm::vec<2, T> found = blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, widest, turn, is_lit);
+    const T mean = floor_divide(found.y, glm::max(found.x, T(1)));
+    const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), glm::max(widest, T(1)));
+    return T(1) - hardened<Points>(found.x, ratio);
+}
+
+namespace glsl {
+namespace detail {
+
+template <int Points>
+constexpr filled_text<1200> hardened_text() {
+    constexpr int n = Points;
+    return fill<1200>(R"GLSL(
+// umbrage_hardened$n: the share of $n points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+UMBRAGE_HIGHP float umbrage_hardened$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
+    UMBRAGE_HIGHP float u = blocked * 2.0 - $n.0;
+    UMBRAGE_HIGHP float d = $n.0 - abs(u);
+    UMBRAGE_HIGHP float steep = $c.0 - d * d * d;
+    UMBRAGE_HIGHP float hard = u < 0.0 ? $c.0 - steep : $c.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * $s.0) * (1.0 / $w.0);
+}
+)GLSL",
+                      {{'n', n}, {'c', n * n * n}, {'s', 2 * n * n}, {'w', 512 * n * n * n}});
+}
+
+template <int Points>
+constexpr filled_text<2000> dpcf_text() {
+    return fill<2000>(R"GLSL(
+// umbrage_dpcf$n: contact hardening by $n points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
+    UMBRAGE_HIGHP float dark = umbrage_hardened$n(found.x, ratio);
+    return compared ? 1.0 - dark : 1.0;
+}
+)GLSL",
+                      {{'n', Points}});
+}
+
+}  // namespace detail
+
+template <int Points>
+inline constexpr auto hardened_text = detail::hardened_text<Points>();
+template <int Points>
+inline constexpr snippet hardened{.name = Points == 8 ? "hardened8" : (Points == 16 ? "hardened16" : "hardened32"),
+                                  .summary = "a disc's share in shadow, steepened",
+                                  .exactness = tier::a,
+                                  .source = hardened_text<Points>.view()};
+
+template <int Points>
+inline constexpr auto dpcf_text = detail::dpcf_text<Points>();
+template <int Points>
+inline constexpr snippet dpcf{
+    .name = Points == 8 ? "dpcf8" : (Points == 16 ? "dpcf16" : "dpcf32"),
+    .summary = Points == 8    ? "contact hardening by 8 points"
+               : Points == 16 ? "contact hardening by 16 points"
+                              : "contact hardening by 32 points",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &hardened<Points>>,
+    .source = dpcf_text<Points>.view()};
+
+inline constexpr auto dpcf_snippets = list<&hardened<8>, &hardened<16>, &hardened<32>, &dpcf<8>, &dpcf<16>, &dpcf<32>>;
+
+}  // namespace glsl
+
+namespace filters {
+
+/// The filter as a value; functions over images turn it from pixel to pixel.
+struct dpcf {
+    int points = 16;  ///< 8, 16 or 32
+    light_softness softness{};
+    comparison is_lit{};
+    std::string_view name = "dpcf16";
+    const glsl::snippet* snippet = &glsl::dpcf<16>;
+
+    static const std::array<dpcf, 3> values;
+
+    /// The disc of the widest radius.
+    [[nodiscard]] constexpr rotated_disc widest() const { return {points, softness.widest * 0.0625f, is_lit}; }
+    /// From a receiver to the farthest point, in texels.
+    [[nodiscard]] constexpr float farthest_point() const { return widest().farthest_point(); }
+    [[nodiscard]] constexpr float reach() const { return widest().reach(); }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
+        const glm::vec2 turn = disc_turn(glm::vec2(pixel));
+        const glm::vec3 soft(softness);
+        if (points == 8) return umbrage::dpcf<8>(fetch, coord, receiver, soft, turn, is_lit);
+        if (points == 16) return umbrage::dpcf<16>(fetch, coord, receiver, soft, turn, is_lit);
+        return umbrage::dpcf<32>(fetch, coord, receiver, soft, turn, is_lit);
+    }
+};
+
+inline constexpr std::array<dpcf, 3> dpcf::values{{{8, {}, {}, "dpcf8", &glsl::dpcf<8>},
+                                                   {16, {}, {}, "dpcf16", &glsl::dpcf<16>},
+                                                   {32, {}, {}, "dpcf32", &glsl::dpcf<32>}}};
+
+}  // namespace filters
+}  // namespace umbrage
+
+// ---- umbrage/filter/blocker/pcss.hpp
+// Percentage-closer soft shadows: hard where a caster touches what it shadows, softer the farther it is.
+//
+//     umbrage::light_softness soft = umbrage::make_softness(umbrage::make_light_units(light, map.size()), lamp_radius);
+//     float visibility = umbrage::pcss<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
+//                                          umbrage::disc_turn(pixel));
+//
+// A disc as wide as the light, seen from the receiver, is searched for blockers; their mean distance gives the
+// penumbra, and the penumbra's radius the disc that is filtered over. Search and filter share points, turn and bias:
+// one that is acne-free for the widest radius is so for all.
+
+namespace umbrage {
+
+/// @tparam Points    8, 16 or 32, of the search and of the filter
+/// @param fetch      ivec2 texel -> stored depth; called twice Points times, texels may lie the widest radius outside
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param softness   of make_softness: (per_code, least, widest)
+/// @param turn       as disc_turn gives it
+/// @return           visibility, a multiple of 1 / Points; 1 where the search finds no blocker, as for a receiver at
+///                   the near plane; where all it finds blocks, the filter decides all the same
+/// @formula          z = distance_code(receiver); m blockers with the sum s within penumbra(z);
+///                   disc(penumbra(z - floor(s / m)) / 16)
+/// @error            against real numbers the radius is off by (-1 - c, 2 c) sixteenths of a texel, c = per_code, for
+///                   depths that are rounded down to 16 bits, and by 1/256 of itself for per_code
+/// @exactness        A
+/// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T pcss(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness, glm::vec<2, T> turn,
+                     Compare is_lit = {}) {
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const T z = distance_code(receiver, is_lit);
+    const glm::vec<2, T> found =
+        blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, penumbra(z, softness), turn, is_lit);
+    if (!(found.x > T(0))) return T(1);
+    const T radius = penumbra(z - floor_divide(found.y, found.x), softness);
+    return disc<Points>(fetch, coord, receiver, radius * T(0.0625), turn, is_lit);
+}
+
+namespace glsl {
+namespace detail {
+
+template <int Points>
+constexpr filled_text<2000> pcss_text() {
+    return fill<2000>(R"GLSL(
+// umbrage_pcss$n: percentage-closer soft shadows, $n points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float lit = umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return compared && found.x > 0.5 ? lit : 1.0;
+}
+)GLSL",
+                      {{'n', Points}});
+}
+
+}  // namespace detail
+
+template <int Points>
+inline constexpr auto pcss_text = detail::pcss_text<Points>();
+template <int Points>
+inline constexpr snippet pcss{
+    .name = Points == 8 ? "pcss8" : (Points == 16 ? "pcss16" : "pcss32"),
+    .summary = Points == 8    ? "percentage-closer soft shadows, 8 points twice"
+               : Points == 16 ? "percentage-closer soft shadows, 16 points twice"
+                              : "percentage-closer soft shadows, 32 points twice",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
+    .source = pcss_text<Points>.view()};
+
+inline constexpr auto pcss_snippets = list<&pcss<8>, &pcss<16>, &pcss<32>>;
+
+}  // namespace glsl
+
+namespace filters {
+
+/// The filter as a value; functions over images turn it from pixel to pixel.
+struct pcss {
+    int points = 16;  ///< 8, 16 or 32
+    light_softness softness{};
+    comparison is_lit{};
+    std::string_view name = "pcss16";
+    const glsl::snippet* snippet = &glsl::pcss<16>;
+
+    static const std::array<pcss, 3> values;
+
+    /// The disc of the widest radius.
+    [[nodiscard]] constexpr rotated_disc widest() const { return {points, softness.widest * 0.0625f, is_lit}; }
+    /// From a receiver to the farthest point, in texels.
+    [[nodiscard]] constexpr float farthest_point() const { return widest().farthest_point(); }
+    [[nodiscard]] constexpr float reach() const { return widest().reach(); }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
+        const glm::vec2 turn = disc_turn(glm::vec2(pixel));
+        const glm::vec3 soft(softness);
+        if (points == 8) return umbrage::pcss<8>(fetch, coord, receiver, soft, turn, is_lit);
+        if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, turn, is_lit);
+        return umbrage::pcss<32>(fetch, coord, receiver, soft, turn, is_lit);
+    }
+};
+
+inline constexpr std::array<pcss, 3> pcss::values{{{8, {}, {}, "pcss8", &glsl::pcss<8>},
+                                                   {16, {}, {}, "pcss16", &glsl::pcss<16>},
+                                                   {32, {}, {}, "pcss32", &glsl::pcss<32>}}};
+
+}  // namespace filters
+}  // namespace umbrage
+
+// ---- umbrage/filter/bounds_lit.hpp
+// Whether a filter has to be asked at all: where all texels that it may touch are lit, or none is, one look-up into
+// their bounds says so, and what it says are the filter's bits. In shaders, with bounds of make_filter_bounds as a map:
+//
+//     float lit = umbrage_bounds_lit_sun_bounds(bounds, bounds_size, coord, receiver, place);
+//     if (lit < 0.0) lit = umbrage_binomial7_sun(map, size, coord, receiver);
+//
+// Pays off for filters of many texels, and where shadows have more inside than border.
+
+namespace umbrage {
+
+/// What every filter of a reach gives where bounds suffice.
+/// @param bounds     ivec2 -> vec2, least and greatest depth of the texels that it may touch; the least is a NaN where
+///                   one of them is
+/// @param coord      receiver in texels of the map, as the filter takes it
+/// @param receiver   depth, as the filter takes it
+/// @param place      which bounds are a receiver's, see make_filter_bounds
+/// @return           1 where all are lit, 0 where none is, else -1: ask the filter
+/// @formula          [receiver <= least] where that is [receiver <= greatest], else -1; both of the bounds
+///                   at floor((floor(256 coord) + place.x) place.y)
+/// @exactness        A
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T bounds_lit(Fetch&& bounds, glm::vec<2, T> coord, T receiver, glm::vec<2, T> place,
+                           Compare is_lit = {}) {
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const glm::vec<2, T> b(bounds(glm::ivec2(glm::floor((glm::floor(coord * T(256)) + place.x) * place.y))));
+    const T all = compare(receiver, b.x, is_lit), some = compare(receiver, b.y, is_lit);
+    return all == some && !is_nan(b.x) && !is_nan(b.y) && b.x <= b.y ? all : T(-1);
+}
+
+namespace glsl {
+
+inline constexpr snippet bounds_lit{
+    .name = "bounds_lit",
+    .summary = "visibility where bounds of a filter's texels suffice",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &compare, &fetch_clamped>,
+    .source = R"GLSL(
+// umbrage_bounds_lit: 1.0 where all texels of a filter are lit, 0.0 where none is, else -1.0: ask the filter
+//   bounds, size  a map of the texels' least and greatest depths, and its size in texels;   place  what goes with it
+//   coord, receiver  as the filter takes them
+UMBRAGE_HIGHP float umbrage_bounds_lit(UMBRAGE_MAP bounds, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 place) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(bounds, size, floor((x + place.x) * place.y));
+    UMBRAGE_HIGHP float all = umbrage_compare(receiver, b.x);
+    UMBRAGE_HIGHP float some = umbrage_compare(receiver, b.y);
+    UMBRAGE_HIGHP float known = b.x <= b.y && all == some ? all : -1.0;  // not of a NaN
+    return compared ? known : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr auto bounds_lit_snippets = list<&bounds_lit>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/pcf/box.hpp
+// Percentage-closer filtering with a (2r+1) x (2r+1) box of equal weights.
+//
+//     float visibility = umbrage::box(umbrage::clamped(map), coord, depth - bias, 2);  // 5 x 5
+//
+
+namespace umbrage {
+
+inline constexpr int max_box_radius = 8;
+
+/// Number of lit texels in the box around the receiver's own.
+///
+/// @param fetch      ivec2 texel -> stored depth; called (2r+1)^2 times, texels may lie r outside the map
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: all lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param radius     r, clamped to 0..8
+/// @return           0 .. (2r+1)^2
+/// @formula          sum over |i|, |j| <= r of [receiver <= fetch(floor(coord) + (i, j))]
+/// @exactness        A: counts
+/// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T box_count(Fetch&& fetch, glm::vec<2, T> coord, T receiver, int radius, Compare is_lit = {}) {
+    const int r = radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius);
+    if (!is_compared(coord, receiver, is_lit)) return T((2 * r + 1) * (2 * r + 1));
+    const glm::ivec2 texel(glm::floor(coord));
+    int count = 0;
+    for (int j = -r; j <= r; ++j)
+        for (int i = -r; i <= r; ++i) count += is_lit(receiver, T(fetch(texel + glm::ivec2(i, j)))) ? 1 : 0;
+    return T(count);
+}
+
+namespace detail {
+template <real T>  // quotients of the compiler's: a run-time division would follow the rounding mode and -ffast-math
+inline constexpr std::array<T, max_box_radius + 1> box_scales{T(1),          T(1) / T(9),   T(1) / T(25),
+                                                              T(1) / T(49),  T(1) / T(81),  T(1) / T(121),
+                                                              T(1) / T(169), T(1) / T(225), T(1) / T(289)};
+}  // namespace detail
+
+/// 1 / (2r+1)^2, rounded to nearest.
+/// @param radius     r, clamped to 0..8
+/// @exactness        A: a table
+template <real T>
+[[nodiscard]] constexpr T box_scale(int radius) {
+    const int r = radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius);
+    return detail::box_scales<T>[static_cast<std::size_t>(r)];
+}
+
+/// Share of the box that is lit; arguments as for box_count.
+/// @return           visibility: 0 in shadow, 1 lit, exactly
+/// @formula          box_count / (2r+1)^2
+/// @exactness        B: the count is exact, its product with box_scale rounds once
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T box(Fetch&& fetch, glm::vec<2, T> coord, T receiver, int radius, Compare is_lit = {}) {
+    const T visibility = box_count(fetch, coord, receiver, radius, is_lit) * box_scale<T>(radius);
+    return visibility < T(0.999) ? visibility : T(1);  // 121 times the rounded 1/121 is not 1
+}
+
+namespace glsl {
+
+inline constexpr snippet box_count{
+    .name = "box_count",
+    .summary = "lit texels in a box of radius 0..8",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &lit>,
+    .source = R"GLSL(
+// umbrage_box_count: lit texels in the (2r+1) x (2r+1) box around the receiver's own, a whole number
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  r, clamped to 0..8, best a constant
+UMBRAGE_HIGHP float umbrage_box_count(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                      UMBRAGE_HIGHP float receiver, int radius) {
+    int r = radius < 0 ? 0 : (radius < 8 ? radius : 8);
+    int width = 2 * r + 1;
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 first = compared ? floor(coord) - float(r) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float count = 0.0;
+    for (int j = 0; j < 17; j++) {
+        if (j >= width) break;
+        for (int i = 0; i < 17; i++) {
+            if (i >= width) break;
+            count += umbrage_lit(map, size, first + vec2(float(i), float(j)), receiver);
+        }
+    }
+    return compared ? count : float(width * width);
+}
+)GLSL",
+};
+
+inline constexpr snippet box_scale{
+    .name = "box_scale",
+    .summary = "1 / (2r+1)^2",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_box_scale: 1 / (2r+1)^2, rounded to nearest
+UMBRAGE_HIGHP float umbrage_box_scale(int radius) {
+    UMBRAGE_HIGHP float scale = 0.00346020772;  // not returned as a literal: that would have the host's precision
+    if (radius < 8) scale = 0.00444444455;
+    if (radius < 7) scale = 0.00591715984;
+    if (radius < 6) scale = 0.00826446246;
+    if (radius < 5) scale = 0.0123456791;
+    if (radius < 4) scale = 0.0204081628;
+    if (radius < 3) scale = 0.0399999991;
+    if (radius < 2) scale = 0.111111112;
+    if (radius < 1) scale = 1.0;
+    return scale;
+}
+)GLSL",
+};
+
+inline constexpr snippet box{
+    .name = "box",
+    .summary = "lit share of a box of radius 0..8",
+    .exactness = tier::b,
+    .needs = list<&box_count, &box_scale>,
+    .source = R"GLSL(
+// umbrage_box: lit share of a (2r+1) x (2r+1) box; visibility, 1.0 is lit; arguments as for umbrage_box_count
+UMBRAGE_HIGHP float umbrage_box(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, int radius) {
+    UMBRAGE_HIGHP float visibility = umbrage_box_count(map, size, coord, receiver, radius) * umbrage_box_scale(radius);
+    return visibility < 0.999 ? visibility : 1.0;  // 121 times the rounded 1/121 is not 1
+}
+)GLSL",
+};
+
+}  // namespace glsl
+
+namespace filters {
+
+/// The filter as a value.
+struct box {
+    static constexpr std::string_view name = "box";
+    static constexpr const glsl::snippet* snippet = &glsl::box;
+
+    int radius = 1;  ///< clamped to 0..8
+    comparison is_lit{};
+
+    [[nodiscard]] constexpr float reach() const {
+        return static_cast<float>(radius < 0 ? 0 : (radius < max_box_radius ? radius : max_box_radius)) + 0.5f;
+    }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::box(fetch, coord, receiver, radius, is_lit);
+    }
+};
+
+/// The same result; for images of receivers it first asks, for the whole box, whether all of it is lit or in shadow.
+/// Pays off for large radii, and where shadows have more inside than border.
+struct hierarchical_box {
+    static constexpr std::string_view name = "hierarchical_box";
+    static constexpr const glsl::snippet* snippet = &glsl::box;
+
+    int radius = 1;  ///< clamped to 0..8
+    comparison is_lit{};
+
+    [[nodiscard]] constexpr float reach() const { return box{radius}.reach(); }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::box(fetch, coord, receiver, radius, is_lit);
+    }
+};
 
 }  // namespace filters
 }  // namespace umbrage
@@ -5635,6 +6158,158 @@ inline constexpr std::array<window, 9> window::values{
     tent<2>, tent<3>, quadratic_b_spline, binomial<5>, castano_dyadic<5>, castano<5>, binomial<7>, tent<7>, castano<7>};
 
 }  // namespace filters
+}  // namespace umbrage
+
+// ---- umbrage/filter/table/summed_variance.hpp
+// Variance shadows from a summed-area table: a box of any size from four texels.
+//
+//     umbrage::image<glm::u16vec4> table = umbrage::make_variance_table(map, {.bits = 11, .radius = 16});
+//     float visibility =
+//         umbrage::summed_variance(umbrage::clamped(table), map.size(), coord, depth - bias, 16.0f, 2048.0f);
+//
+// The table's sums are whole numbers modulo 2^32, and so are their differences: exact while what they say of a box is
+// below 2^32. Squares are taken about the box's mean, rounded down, and never leave whole numbers: nothing cancels but
+// what is exact, as n S2 - S1^2 would in floats.
+
+namespace umbrage {
+
+/// What a table says of the codes in a box of n texels.
+/// @param table   ivec2 -> four whole numbers below 2^16: sums of codes modulo 2^16 and over 2^16, and of their
+///                squares; of all texels before a column and a row
+/// @param first   of the box: lowest column and row;   end  highest and one, first < end
+/// @return        (mean, rest, high, low): the codes' sum is n mean + rest, rest < n, and the sum of their squared
+///                distances from mean is 4096 high + low, low < 4096
+/// @formula       with T = sum + rest: squares - mean T, in digits of 12 bits
+/// @exactness     A while codes are below 2^12, n times the codes that there are at most 2^24 and the squared
+///                distances' sum < 2^32, which make_variance_table sees to, however often the table has wrapped
+template <real T, class Fetch>
+[[nodiscard]] glm::vec<4, T> box_moments(Fetch&& table, glm::ivec2 first, glm::ivec2 end) {
+    using four = glm::vec<4, T>;
+    const four a(table(end)), b(table(glm::ivec2(first.x, end.y)));
+    const four c(table(glm::ivec2(end.x, first.y))), d(table(first));
+    const four part = (a - b) - (c - d);
+    const T carry_1 = glm::floor(part.x * T(1.0 / 65536.0)), carry_2 = glm::floor(part.z * T(1.0 / 65536.0));
+    const T above_1 = part.y + carry_1, above_2 = part.w + carry_2;
+    const T low_1 = part.x - carry_1 * T(65536), low_2 = part.z - carry_2 * T(65536);
+    const T high_1 =
+        glm::max(above_1 - glm::floor(above_1 * T(1.0 / 65536.0)) * T(65536), T(0));  // or a compiler distributes
+    const T sum = high_1 * T(65536) + low_1;
+    const T high_2 = above_2 - glm::floor(above_2 * T(1.0 / 65536.0)) * T(65536);
+    const glm::vec<2, T> sides(end - first);
+    const T n = sides.x * sides.y, mean = floor_divide(sum, n), rest = sum - mean * n, factor = sum + rest;
+    const T factor_high = glm::floor(factor * T(1.0 / 4096.0)), factor_low = factor - factor_high * T(4096);
+    const T square_high = glm::floor(low_2 * T(1.0 / 4096.0)), square_low = low_2 - square_high * T(4096);
+    const T below = square_low - mean * factor_low, borrow = glm::floor(below * T(1.0 / 4096.0));
+    const T wide = high_2 * T(16) + square_high - mean * factor_high + borrow;
+    const T high = wide - glm::floor(wide * T(1.0 / 1048576.0)) * T(1048576);
+    return {mean, rest, high, below - borrow * T(4096)};
+}
+
+/// Share of the texels in a box that can be lit: Chebyshev's bound, from its mean and variance.
+/// @param table      as make_variance_table makes it
+/// @param size       of the map in texels; the table has one more column and row
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit; what
+///                   of the box lies outside the map does not count
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param radius     whole, >= 0: the box has 2 radius + 1 texels a side; at most the table's
+/// @param codes      2^bits of the table
+/// @return           visibility: 1 where the receiver is no farther than the mean, else an upper bound on the lit share
+/// @formula          m, v mean and variance of the codes + 1: d = codes receiver - m; d <= 0 ? 1 : v / (v + d^2)
+/// @exactness        C: two divisions, on numbers that do not cancel; within 2^-16, as d is off by 2^-23 where v is at
+///                   least 1/64^2
+/// @cite             Lauritzen: Summed-area variance shadow maps, GPU Gems 3, 2007; Donnelly, Lauritzen: Variance
+///                   shadow maps, I3D 2006
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T summed_variance(Fetch&& table, glm::ivec2 size, glm::vec<2, T> coord, T receiver, T radius, T codes,
+                                Compare is_lit = {}) {
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), size - 1);
+    const int reach = static_cast<int>(radius);
+    const glm::ivec2 first = glm::max(texel - reach, glm::ivec2(0)), end = glm::min(texel + reach + 1, size);
+    const glm::vec<4, T> m = box_moments<T>(table, first, end);
+    const T n = T((end.x - first.x) * (end.y - first.y)), share = m.y / n;
+    const T variance = (m.z * T(4096) + (m.w - m.y)) / n + share * (T(1) - share);
+    const T scaled = receiver * codes, t = is_lit(T(0), T(1)) ? scaled : codes - scaled;
+    const T d = (t - T(1) - m.x) - share;
+    if (is_nan(d)) return T(0);
+    return d <= T(0) ? T(1) : variance / (variance + d * d);
+}
+
+namespace glsl {
+inline constexpr snippet box_moments{
+    .name = "box_moments",
+    .summary = "mean and squared distances from it over a box, from a summed-area table",
+    .exactness = tier::a,
+    .needs = list<&texel, &floor_divide>,
+    .source = R"GLSL(
+// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
+//   that of their squared distances from mean 4096 high + low;  whole numbers
+//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 first,
+                                       UMBRAGE_HIGHP vec2 end) {
+    UMBRAGE_HIGHP vec4 a = umbrage_texel(map, size, end);
+    UMBRAGE_HIGHP vec4 b = umbrage_texel(map, size, vec2(first.x, end.y));
+    UMBRAGE_HIGHP vec4 c = umbrage_texel(map, size, vec2(end.x, first.y));
+    UMBRAGE_HIGHP vec4 d = umbrage_texel(map, size, first);
+    UMBRAGE_HIGHP vec4 part = (a - b) - (c - d);
+    UMBRAGE_HIGHP vec2 low = vec2(part.x, part.z);
+    UMBRAGE_HIGHP vec2 carry = floor(low * (1.0 / 65536.0));
+    UMBRAGE_HIGHP vec2 above = vec2(part.y, part.w) + carry;
+    low = low - carry * 65536.0;
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));  // or a compiler distributes
+    UMBRAGE_HIGHP float sum = above.x * 65536.0 + low.x;
+    UMBRAGE_HIGHP vec2 sides = end - first;
+    UMBRAGE_HIGHP float n = sides.x * sides.y;
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(sum, n);
+    UMBRAGE_HIGHP float rest = sum - mean * n;
+    UMBRAGE_HIGHP vec2 digits = vec2(sum + rest, low.y);
+    UMBRAGE_HIGHP vec2 high = floor(digits * (1.0 / 4096.0));
+    digits = digits - high * 4096.0;
+    UMBRAGE_HIGHP float below = digits.y - mean * digits.x;
+    UMBRAGE_HIGHP float borrow = floor(below * (1.0 / 4096.0));
+    UMBRAGE_HIGHP float wide = above.y * 16.0 + high.y - mean * high.x + borrow;
+    wide = wide - floor(wide * (1.0 / 1048576.0)) * 1048576.0;
+    return vec4(mean, rest, wide, below - borrow * 4096.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet summed_variance{
+    .name = "summed_variance",
+    .summary = "variance shadow over a box of any size, from a summed-area table",
+    .exactness = tier::c,
+    .within = 1.0f / 65536.0f,
+    .needs = list<&is_compared, &cleared_depth, &box_moments>,
+    .source = R"GLSL(
+// umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
+//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
+UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                            UMBRAGE_HIGHP float codes) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 last = size - 1.0;
+    UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
+    UMBRAGE_HIGHP vec4 m = umbrage_box_moments(map, size, first, end);
+    UMBRAGE_HIGHP vec2 sides = end - first;
+    UMBRAGE_HIGHP float n = sides.x * sides.y;
+    UMBRAGE_HIGHP float share = m.y / n;
+    UMBRAGE_HIGHP float variance = (m.z * 4096.0 + (m.w - m.y)) / n + share * (1.0 - share);
+    UMBRAGE_HIGHP float scaled = receiver * codes;
+    UMBRAGE_HIGHP float t = umbrage_cleared_depth() > 0.5 ? scaled : codes - scaled;
+    UMBRAGE_HIGHP float d = (t - 1.0 - m.x) - share;
+    UMBRAGE_HIGHP float behind = d > 0.0 ? variance / (variance + d * d) : 0.0;
+    return compared ? (d <= 0.0 ? 1.0 : behind) : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr auto summed_variance_snippets = list<&box_moments, &summed_variance>;
+
+}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/light/bounds.hpp
@@ -9148,6 +9823,143 @@ struct block_form<filters::pcf_2x2> {
 
 }  // namespace umbrage::detail
 
+// ---- umbrage/simd/blocks/soft.hpp
+// Contact hardening over blocks of receivers: discs as in disc.hpp, with a radius for each receiver.
+
+namespace umbrage::detail {
+
+/// floor(a / b); 0 <= a < 2^24, 1 <= b, as floor_divide.
+[[nodiscard]] UMBRAGE_INLINE inline std::int32_t divide_int(std::int32_t a, std::int32_t b) {
+    auto q = static_cast<std::int32_t>(static_cast<float>(a) / static_cast<float>(b));
+    q -= std::int32_t(q * b > a);
+    return q + std::int32_t((q + 1) * b <= a);
+}
+
+/// @tparam Filter   filters::pcss or filters::dpcf
+template <depth_direction Direction, class Filter>
+struct soft_blocks : disc_blocks<Direction> {
+    using discs = disc_blocks<Direction>;
+    using test = typename discs::test;
+    using placed = typename discs::placed;
+    static constexpr std::int32_t far_code = 65535;
+    static constexpr bool filters_again = std::is_same_v<Filter, filters::pcss>;
+
+    float per_code;
+    std::int32_t least, widest;
+
+    /// Turned points in 1/16 of 1/64 of a radius: a radius of 4 texels divides by nothing.
+    static disc_table turned_points(const Filter& filter) {
+        return {filter.points == 8 ? disc_points<8>.data()
+                                   : (filter.points == 16 ? disc_points<16>.data() : disc_points<32>.data()),
+                filter.points, 4.0f};
+    }
+    soft_blocks(image_view<const float> of_map, const disc_table& turned, const Filter& filter)
+        : discs{of_map, turned, filter.points, clamp_int(static_cast<int>(filter.reach()), 8)},
+          per_code(filter.softness.per_code),
+          least(static_cast<std::int32_t>(filter.softness.least)),
+          widest(static_cast<std::int32_t>(filter.softness.widest)) {}
+
+    template <class Isa>
+    UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa set) const {
+        out_of_line(set, [&](auto) UMBRAGE_INLINE { soften(at, visibility); });
+    }
+
+private:
+    [[nodiscard]] static UMBRAGE_INLINE std::int32_t distance_code_of(float depth) {
+        const std::int32_t number = number_mask(depth), x = floor_within(depth * 65536.0f, 65535.0f);
+        return ((test::forward ? x : far_code - x) & number) | (far_code & ~number);
+    }
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t radius(std::int32_t apart) const {
+        const std::int32_t r = floor_int(static_cast<float>(apart) * per_code);
+        const std::int32_t above = r > least ? r : least;
+        return above < widest ? above : widest;
+    }
+
+    /// Calls use(texels) point by point, with the texels below that point of each receiver's disc.
+    template <class Use>
+    UMBRAGE_INLINE void for_each_tap(const placed& at, const std::int32_t* radii, const Use& use) const {
+        const float_texels of_map{this->map};
+        const texel_bytes memory(this->map);
+        const int last_x = this->map.size.x - 1, last_y = this->map.size.y - 1;
+        loaded_texels<float_texels> texels(of_map);
+        alignas(64) std::int32_t offsets[block];
+        for (int p = 0; p < this->points; ++p) {
+            const disc_table::tap& tap = this->taps.of[static_cast<std::size_t>(at.row)][static_cast<std::size_t>(p)];
+            for (int i = 0; i < block; ++i)
+                offsets[i] = memory.offset(clamp_int((at.x[i] + (tap.x[i] * radii[i] >> 6)) >> 8, last_x),
+                                           clamp_int((at.y[i] + (tap.y[i] * radii[i] >> 6)) >> 8, last_y));
+            texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
+            use(texels);
+        }
+    }
+
+    UMBRAGE_INLINE void soften(const placed& at, float* visibility) const {
+        alignas(64) std::int32_t codes[block], searched[block], radii[block], blocked[block]{}, sums[block]{};
+        for (int i = 0; i < block; ++i) {
+            codes[i] = distance_code_of(at.z[i]);
+            searched[i] = radius(codes[i]);
+        }
+        for_each_tap(at, searched, [&](const auto& texels) UMBRAGE_INLINE {
+            std::int32_t found = 0;
+            for (int i = 0; i < block; ++i) {
+                const std::int32_t before = 1 - test::lit(at.z[i], texels.one(i));
+                blocked[i] += before;
+                found |= before;
+            }
+            if (found == 0) return;  // most blocks of a picture are lit
+            for (int i = 0; i < block; ++i)
+                sums[i] += distance_code_of(texels.one(i)) & -(1 - test::lit(at.z[i], texels.one(i)));
+        });
+        std::int32_t any = 0;
+        for (int i = 0; i < block; ++i) {
+            any |= blocked[i] & at.compared[i];
+            radii[i] = radius(codes[i] - divide_int(sums[i], blocked[i] > 1 ? blocked[i] : 1));
+        }
+        if (any == 0) {
+            for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
+        } else if constexpr (filters_again) {
+            alignas(64) std::int32_t lit[block]{};
+            for_each_tap(at, radii, [&](const auto& texels) UMBRAGE_INLINE {
+                for (int i = 0; i < block; ++i) lit[i] += test::lit(at.z[i], texels.one(i));
+            });
+            const float share = 1.0f / static_cast<float>(this->points);
+            UMBRAGE_NO_OVERLAP
+            for (int i = 0; i < block; ++i)
+                visibility[i] =
+                    select(at.compared[i] & -std::int32_t(blocked[i] > 0), static_cast<float>(lit[i]) * share, 1.0f);
+        } else {
+            const std::int32_t n = this->points, cube = n * n * n;
+            const float share = 1.0f / (512.0f * static_cast<float>(cube));
+            UMBRAGE_NO_OVERLAP
+            for (int i = 0; i < block; ++i) {
+                const std::int32_t ratio = divide_int(radii[i] * 256, searched[i] > 1 ? searched[i] : 1);
+                const std::int32_t u = blocked[i] * 2 - n, d = n - (u < 0 ? -u : u), steep = cube - d * d * d;
+                const std::int32_t hard = u < 0 ? cube - steep : cube + steep;
+                const std::int32_t dark = hard * (256 - ratio) + blocked[i] * ratio * (2 * n * n);
+                visibility[i] = select(at.compared[i], 1.0f - static_cast<float>(dark) * share, 1.0f);
+            }
+        }
+    }
+};
+
+template <class Filter>
+struct soft_form {
+    static constexpr map_need need = map_need::floats;
+    static constexpr int least = 1;
+    template <depth_direction Direction, class ParallelFor, class Use>
+    static void with_blocks(const float_texels& map, const Filter& filter, ParallelFor&&, const Use& use) {
+        using blocks = soft_blocks<Direction, Filter>;
+        const disc_table turned = blocks::turned_points(filter);
+        use(blocks(map.map, turned, filter));
+    }
+};
+template <>
+struct block_form<filters::pcss> : soft_form<filters::pcss> {};
+template <>
+struct block_form<filters::dpcf> : soft_form<filters::dpcf> {};
+
+}  // namespace umbrage::detail
+
 // ---- umbrage/filter/filters.hpp
 // Every filter of the library, in one list: what tools, tables, proofs and examples walk. Each comes with its form for
 // blocks of receivers.
@@ -11599,6 +12411,96 @@ template <class T>
 }  // namespace umbrage
 UMBRAGE_END_STRICT_MATH
 
+// ---- umbrage/images/variance_table.hpp
+// Summed-area tables of a shadow map's depths and their squares, and visibility of whole images from them.
+//
+//     umbrage::variance_table of{.bits = 11, .radius = 16};
+//     umbrage::image<glm::u16vec4> table = umbrage::make_variance_table(map, of);
+//     umbrage::summed_visibility(table, of, receivers, 16, out);
+//
+// A box of 33 x 33 texels costs what one of 3 x 3 does.
+
+namespace umbrage {
+
+/// What a table is made for.
+struct variance_table {
+    int bits = 11;    ///< of a depth's code, 1 to 12
+    int radius = 16;  ///< of the largest box: 2 radius + 1 texels a side
+    comparison is_lit{};
+};
+
+/// Sums of a map's codes, of distance from the near plane, and of their squares, for summed_variance.
+///
+/// @param map         depths; NaN counts as far
+/// @param of          the largest box, n texels of it within the map
+/// @return            one column and row more than the map: what lies before that column and row; the sums modulo 2^16
+///                    and over 2^16, those of the squares likewise
+/// @throws std::invalid_argument  empty map, bits or radius out of range; n 2^bits > 2^24; or n (s^2 / 4 + 1) >= 2^32,
+///                    s the difference of the map's greatest and least code: what a box may then hold wraps
+template <class ParallelFor = serial>
+[[nodiscard]] image<glm::u16vec4> make_variance_table(image_view<const float> map, const variance_table& of,
+                                                      ParallelFor&& parallel = {}) {
+    if (map.empty()) detail::fail("umbrage::make_variance_table: empty map");
+    if (of.bits < 1 || of.bits > 12) detail::fail("umbrage::make_variance_table: bits must lie between 1 and 12");
+    if (of.radius < 0 || of.radius > 32767) detail::fail("umbrage::make_variance_table: radius out of range");
+    image<std::uint32_t> codes(map.size), sums(map.size);
+    std::uint32_t least = 65535, greatest = 0;
+    for (int y = 0; y < map.size.y; ++y)
+        for (int x = 0; x < map.size.x; ++x) {
+            const auto code = static_cast<std::uint32_t>(distance_code(map.row(y)[x], of.is_lit)) >> (16 - of.bits);
+            codes[{x, y}] = code;
+            least = std::min(least, code), greatest = std::max(greatest, code);
+        }
+    const std::int64_t side = 2 * std::int64_t(of.radius) + 1, spread = std::int64_t(greatest) - std::int64_t(least);
+    const std::int64_t n = std::min<std::int64_t>(side, map.size.x) * std::min<std::int64_t>(side, map.size.y);
+    if (n << of.bits > std::int64_t(1) << 24)
+        detail::fail("umbrage::make_variance_table: sums of so large a box need more than 24 bits");
+    if (n * (spread * spread + 4) >= std::int64_t(1) << 34)
+        detail::fail("umbrage::make_variance_table: squared distances in so large a box may reach 2^32");
+
+    image<glm::u16vec4> table(map.size + 1, glm::u16vec4(0));
+    const auto store = [&](glm::length_t first_channel) {
+        summed_area(codes, sums, parallel);
+        for (int y = 0; y < map.size.y; ++y)
+            for (int x = 0; x < map.size.x; ++x) {
+                const std::uint32_t sum = sums[{x, y}];
+                glm::u16vec4& texel = table[{x + 1, y + 1}];
+                texel[first_channel] = static_cast<std::uint16_t>(sum & 0xFFFF);
+                texel[first_channel + 1] = static_cast<std::uint16_t>(sum >> 16);
+            }
+    };
+    store(0);
+    for (std::uint32_t& code : codes.texels()) code *= code;
+    store(2);
+    return table;
+}
+
+/// summed_variance of each receiver.
+/// @param table, of   from make_variance_table
+/// @param receivers   (x, y) in texels of the map, z depth, biased
+/// @param radius      of the box, at most the table's
+/// @param out         visibility, 1 lit; same size as receivers
+/// @throws std::invalid_argument  sizes differ, a table without texels, or a radius that is not the table's
+template <class ParallelFor = serial>
+void summed_visibility(image_view<const glm::u16vec4> table, const variance_table& of,
+                       image_view<const glm::vec3> receivers, int radius, image_view<float> out,
+                       ParallelFor&& parallel = {}) {
+    if (receivers.size != out.size) detail::fail("umbrage::summed_visibility: sizes differ");
+    if (table.size.x < 2 || table.size.y < 2) detail::fail("umbrage::summed_visibility: empty table");
+    if (radius < 0 || radius > of.radius) detail::fail("umbrage::summed_visibility: the table is of another radius");
+    const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
+    const auto codes = static_cast<float>(1 << of.bits), reach = static_cast<float>(radius);
+    parallel(out.size.y, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < out.size.x; ++x) {
+                const glm::vec3 r = receivers.row(y)[x];
+                out.row(y)[x] = summed_variance(fetch, table.size - 1, glm::vec2(r), r.z, reach, codes, of.is_lit);
+            }
+    });
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/images/visibility.hpp
 // A whole image of receivers against a shadow map, with any filter and any encoding.
 //
@@ -13367,12 +14269,13 @@ inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::
 inline constexpr auto light = collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets,
                                       cube_atlas_snippets, pancake_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
-inline constexpr auto codes =
-    collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
+inline constexpr auto codes = collect(scalar_snippets, floor_divide_snippets, unorm_snippets, writers,
+                                      rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps =
     collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
-            filters, pcf_2x2_cube_snippets, pcf_2x2_hardware_snippets, window_hardware_snippets, bounds_lit_snippets);
+            filters, pcf_2x2_cube_snippets, pcf_2x2_hardware_snippets, window_hardware_snippets, bounds_lit_snippets,
+            penumbra_snippets, pcss_snippets, dpcf_snippets, summed_variance_snippets);
 inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
                                      kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);

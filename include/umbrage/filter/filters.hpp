@@ -15,6 +15,7 @@
 #include <umbrage/simd/blocks/hard.hpp>
 #include <umbrage/simd/blocks/hierarchical.hpp>
 #include <umbrage/simd/blocks/pcf_2x2.hpp>
+#include <umbrage/simd/blocks/soft.hpp>
 #include <umbrage/simd/blocks/window.hpp>
 
 namespace umbrage::filters {

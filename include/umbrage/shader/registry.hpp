@@ -29,6 +29,8 @@
 #include <umbrage/filter/pcf/pcf_2x2_cube.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 #include <umbrage/filter/pcf/window_hardware.hpp>
+#include <umbrage/filter/table/summed_variance.hpp>
+#include <umbrage/floor_divide.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/select.hpp>
@@ -102,12 +104,13 @@ inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::
 inline constexpr auto light = collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets,
                                       cube_atlas_snippets, pancake_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
-inline constexpr auto codes =
-    collect(scalar_snippets, unorm_snippets, writers, rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
+inline constexpr auto codes = collect(scalar_snippets, floor_divide_snippets, unorm_snippets, writers,
+                                      rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps =
     collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
-            filters, pcf_2x2_cube_snippets, pcf_2x2_hardware_snippets, window_hardware_snippets, bounds_lit_snippets);
+            filters, pcf_2x2_cube_snippets, pcf_2x2_hardware_snippets, window_hardware_snippets, bounds_lit_snippets,
+            penumbra_snippets, pcss_snippets, dpcf_snippets, summed_variance_snippets);
 inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
                                      kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);

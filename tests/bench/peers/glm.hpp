@@ -36,8 +36,9 @@ void window_7x7(const float_map& map, const std::vector<glm::vec3>& receivers, s
 void disc_16(const float_map& map, const std::vector<glm::vec3>& receivers, int width, float radius,
              const std::array<glm::vec2, 16>& points, std::vector<float>& visibility);
 
-/// Percentage-closer soft shadows over such a disc: mean depth of what is nearer, a penumbra in proportion to the distance.
-/// @param texels_a_depth   radius of the penumbra, from blockers a depth of 1 before the receiver;   least, widest  texels
+/// Percentage-closer soft shadows over such a disc: the mean of what is nearer, a penumbra in proportion to the gap.
+/// @param texels_a_depth   radius of the penumbra, from blockers a depth of 1 before the receiver
+/// @param least, widest    radii of the filter and the search
 void pcss_16(const float_map& map, const std::vector<glm::vec3>& receivers, int width, float texels_a_depth,
              float least, float widest, const std::array<glm::vec2, 16>& points, std::vector<float>& visibility);
 

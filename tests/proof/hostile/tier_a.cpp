@@ -26,7 +26,7 @@
 #include <umbrage/filter/pcf/pcf_2x2_cube.hpp>
 #include <umbrage/view/overlay_texel.hpp>
 
-#include "hostile.hpp"
+#include "soft_shadows.hpp"
 
 namespace {
 
@@ -244,6 +244,8 @@ void suite::all() const {
         },
         [](const auto& in) { return disc_tap(in[0], in[1], in[2], in[3].x); });
     run("disc_radius", inputs, any, [](float v) { return disc_radius(v); });
+    each_soft_shadow([&](const char* name, int of, auto draw_one, auto op) { run(name, inputs / of, draw_one, op); },
+                     fetch);
     run("clamp_bias", inputs, any, [](float v) { return clamp_bias(v); });
     run("clamp_slope", inputs, any, [](float v) { return clamp_slope(v); });
     run("box_count", few_inputs, draw, [&](const look_up& l) { return box_count(fetch, l.a, l.receiver, l.radius); });

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+//
+// Contact hardening without a second look: one disc counts the blockers, and its share is steepened to the penumbra's
+// width. Half the texels of pcss, and softer than it where a penumbra is much narrower than the light.
+//
+//     float visibility = umbrage::dpcf<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
+//                                          umbrage::disc_turn(pixel));
+//
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include <umbrage/filter/blocker/penumbra.hpp>
+#include <umbrage/filter/filter.hpp>
+
+namespace umbrage {
+
+/// The share of a disc in shadow, steepened.
+/// @tparam Points    8, 16 or 32
+/// @param blocked    whole, 0 .. Points
+/// @param ratio      of the penumbra to the disc, in 1/256, whole, 0 .. 256: 256 leaves the share as it is
+/// @return           0 lit .. 1; 0, 1/2 and 1 stay what they are, and more blocked is never less dark
+/// @formula          x = blocked / Points, s the sign of 2 x - 1: 1/2 + s/2 (1 - (1 - |2 x - 1|)^3), which ratio mixes
+///                   with x
+/// @exactness        A: whole numbers up to 2^24, over 512 Points^3
+/// @cite             Google Filament: surface_shadowing.fs
+template <int Points, real T>
+[[nodiscard]] constexpr T hardened(T blocked, T ratio) {
+    constexpr T n = T(Points), cube = n * n * n;
+    const T u = blocked * T(2) - n, d = n - (u < T(0) ? -u : u), steep = cube - d * d * d;
+    const T hard = u < T(0) ? cube - steep : cube + steep;
+    return (hard * (T(256) - ratio) + blocked * ratio * (T(2) * n * n)) * (T(1) / (T(512) * cube));
+}
+
+/// @tparam Points    8, 16 or 32
+/// @param fetch      ivec2 texel -> stored depth; called Points times, texels may lie the widest radius outside the map
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param softness   of make_softness: (per_code, least, widest)
+/// @param turn       as disc_turn gives it
+/// @return           visibility, 1 where nothing blocks, 0 where all does
+/// @formula          z = distance_code(receiver); m blockers with the sum s within w = penumbra(z);
+///                   1 - hardened(m, floor(256 penumbra(z - floor(s / m)) / w))
+/// @exactness        A
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T dpcf(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness, glm::vec<2, T> turn,
+                     Compare is_lit = {}) {
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const T z = distance_code(receiver, is_lit), widest = penumbra(z, softness);
+    const glm::vec<2, T> found = blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, widest, turn, is_lit);
+    const T mean = floor_divide(found.y, glm::max(found.x, T(1)));
+    const T ratio = floor_divide(penumbra(z - mean, softness) * T(256), glm::max(widest, T(1)));
+    return T(1) - hardened<Points>(found.x, ratio);
+}
+
+namespace glsl {
+namespace detail {
+
+template <int Points>
+constexpr filled_text<1200> hardened_text() {
+    constexpr int n = Points;
+    return fill<1200>(R"GLSL(
+// umbrage_hardened$n: the share of $n points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+UMBRAGE_HIGHP float umbrage_hardened$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
+    UMBRAGE_HIGHP float u = blocked * 2.0 - $n.0;
+    UMBRAGE_HIGHP float d = $n.0 - abs(u);
+    UMBRAGE_HIGHP float steep = $c.0 - d * d * d;
+    UMBRAGE_HIGHP float hard = u < 0.0 ? $c.0 - steep : $c.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * $s.0) * (1.0 / $w.0);
+}
+)GLSL",
+                      {{'n', n}, {'c', n * n * n}, {'s', 2 * n * n}, {'w', 512 * n * n * n}});
+}
+
+template <int Points>
+constexpr filled_text<2000> dpcf_text() {
+    return fill<2000>(R"GLSL(
+// umbrage_dpcf$n: contact hardening by $n points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float ratio = umbrage_floor_divide(radius * 256.0, max(widest, 1.0));
+    UMBRAGE_HIGHP float dark = umbrage_hardened$n(found.x, ratio);
+    return compared ? 1.0 - dark : 1.0;
+}
+)GLSL",
+                      {{'n', Points}});
+}
+
+}  // namespace detail
+
+template <int Points>
+inline constexpr auto hardened_text = detail::hardened_text<Points>();
+template <int Points>
+inline constexpr snippet hardened{.name = Points == 8 ? "hardened8" : (Points == 16 ? "hardened16" : "hardened32"),
+                                  .summary = "a disc's share in shadow, steepened",
+                                  .exactness = tier::a,
+                                  .source = hardened_text<Points>.view()};
+
+template <int Points>
+inline constexpr auto dpcf_text = detail::dpcf_text<Points>();
+template <int Points>
+inline constexpr snippet dpcf{
+    .name = Points == 8 ? "dpcf8" : (Points == 16 ? "dpcf16" : "dpcf32"),
+    .summary = Points == 8    ? "contact hardening by 8 points"
+               : Points == 16 ? "contact hardening by 16 points"
+                              : "contact hardening by 32 points",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &hardened<Points>>,
+    .source = dpcf_text<Points>.view()};
+
+inline constexpr auto dpcf_snippets = list<&hardened<8>, &hardened<16>, &hardened<32>, &dpcf<8>, &dpcf<16>, &dpcf<32>>;
+
+}  // namespace glsl
+
+namespace filters {
+
+/// The filter as a value; functions over images turn it from pixel to pixel.
+struct dpcf {
+    int points = 16;  ///< 8, 16 or 32
+    light_softness softness{};
+    comparison is_lit{};
+    std::string_view name = "dpcf16";
+    const glsl::snippet* snippet = &glsl::dpcf<16>;
+
+    static const std::array<dpcf, 3> values;
+
+    /// The disc of the widest radius.
+    [[nodiscard]] constexpr rotated_disc widest() const { return {points, softness.widest * 0.0625f, is_lit}; }
+    /// From a receiver to the farthest point, in texels.
+    [[nodiscard]] constexpr float farthest_point() const { return widest().farthest_point(); }
+    [[nodiscard]] constexpr float reach() const { return widest().reach(); }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
+        const glm::vec2 turn = disc_turn(glm::vec2(pixel));
+        const glm::vec3 soft(softness);
+        if (points == 8) return umbrage::dpcf<8>(fetch, coord, receiver, soft, turn, is_lit);
+        if (points == 16) return umbrage::dpcf<16>(fetch, coord, receiver, soft, turn, is_lit);
+        return umbrage::dpcf<32>(fetch, coord, receiver, soft, turn, is_lit);
+    }
+};
+
+inline constexpr std::array<dpcf, 3> dpcf::values{{{8, {}, {}, "dpcf8", &glsl::dpcf<8>},
+                                                   {16, {}, {}, "dpcf16", &glsl::dpcf<16>},
+                                                   {32, {}, {}, "dpcf32", &glsl::dpcf<32>}}};
+
+}  // namespace filters
+}  // namespace umbrage

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+//
+// Percentage-closer soft shadows: hard where a caster touches what it shadows, softer the farther it is.
+//
+//     umbrage::light_softness soft = umbrage::make_softness(umbrage::make_light_units(light, map.size()), lamp_radius);
+//     float visibility = umbrage::pcss<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
+//                                          umbrage::disc_turn(pixel));
+//
+// A disc as wide as the light, seen from the receiver, is searched for blockers; their mean distance gives the
+// penumbra, and the penumbra's radius the disc that is filtered over. Search and filter share points, turn and bias:
+// one that is acne-free for the widest radius is so for all.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include <umbrage/filter/blocker/penumbra.hpp>
+#include <umbrage/filter/filter.hpp>
+
+namespace umbrage {
+
+/// @tparam Points    8, 16 or 32, of the search and of the filter
+/// @param fetch      ivec2 texel -> stored depth; called twice Points times, texels may lie the widest radius outside
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param softness   of make_softness: (per_code, least, widest)
+/// @param turn       as disc_turn gives it
+/// @return           visibility, a multiple of 1 / Points; 1 where the search finds no blocker, as for a receiver at
+///                   the near plane; where all it finds blocks, the filter decides all the same
+/// @formula          z = distance_code(receiver); m blockers with the sum s within penumbra(z);
+///                   disc(penumbra(z - floor(s / m)) / 16)
+/// @error            against real numbers the radius is off by (-1 - c, 2 c) sixteenths of a texel, c = per_code, for
+///                   depths that are rounded down to 16 bits, and by 1/256 of itself for per_code
+/// @exactness        A
+/// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T pcss(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness, glm::vec<2, T> turn,
+                     Compare is_lit = {}) {
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const T z = distance_code(receiver, is_lit);
+    const glm::vec<2, T> found =
+        blockers<Points>(fetch, glm::floor(coord * T(256)), receiver, penumbra(z, softness), turn, is_lit);
+    if (!(found.x > T(0))) return T(1);
+    const T radius = penumbra(z - floor_divide(found.y, found.x), softness);
+    return disc<Points>(fetch, coord, receiver, radius * T(0.0625), turn, is_lit);
+}
+
+namespace glsl {
+namespace detail {
+
+template <int Points>
+constexpr filled_text<2000> pcss_text() {
+    return fill<2000>(R"GLSL(
+// umbrage_pcss$n: percentage-closer soft shadows, $n points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float lit = umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return compared && found.x > 0.5 ? lit : 1.0;
+}
+)GLSL",
+                      {{'n', Points}});
+}
+
+}  // namespace detail
+
+template <int Points>
+inline constexpr auto pcss_text = detail::pcss_text<Points>();
+template <int Points>
+inline constexpr snippet pcss{
+    .name = Points == 8 ? "pcss8" : (Points == 16 ? "pcss16" : "pcss32"),
+    .summary = Points == 8    ? "percentage-closer soft shadows, 8 points twice"
+               : Points == 16 ? "percentage-closer soft shadows, 16 points twice"
+                              : "percentage-closer soft shadows, 32 points twice",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
+    .source = pcss_text<Points>.view()};
+
+inline constexpr auto pcss_snippets = list<&pcss<8>, &pcss<16>, &pcss<32>>;
+
+}  // namespace glsl
+
+namespace filters {
+
+/// The filter as a value; functions over images turn it from pixel to pixel.
+struct pcss {
+    int points = 16;  ///< 8, 16 or 32
+    light_softness softness{};
+    comparison is_lit{};
+    std::string_view name = "pcss16";
+    const glsl::snippet* snippet = &glsl::pcss<16>;
+
+    static const std::array<pcss, 3> values;
+
+    /// The disc of the widest radius.
+    [[nodiscard]] constexpr rotated_disc widest() const { return {points, softness.widest * 0.0625f, is_lit}; }
+    /// From a receiver to the farthest point, in texels.
+    [[nodiscard]] constexpr float farthest_point() const { return widest().farthest_point(); }
+    [[nodiscard]] constexpr float reach() const { return widest().reach(); }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel = {}) const {
+        const glm::vec2 turn = disc_turn(glm::vec2(pixel));
+        const glm::vec3 soft(softness);
+        if (points == 8) return umbrage::pcss<8>(fetch, coord, receiver, soft, turn, is_lit);
+        if (points == 16) return umbrage::pcss<16>(fetch, coord, receiver, soft, turn, is_lit);
+        return umbrage::pcss<32>(fetch, coord, receiver, soft, turn, is_lit);
+    }
+};
+
+inline constexpr std::array<pcss, 3> pcss::values{{{8, {}, {}, "pcss8", &glsl::pcss<8>},
+                                                   {16, {}, {}, "pcss16", &glsl::pcss<16>},
+                                                   {32, {}, {}, "pcss32", &glsl::pcss<32>}}};
+
+}  // namespace filters
+}  // namespace umbrage

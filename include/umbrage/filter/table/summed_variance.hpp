@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+//
+// Variance shadows from a summed-area table: a box of any size from four texels.
+//
+//     umbrage::image<glm::u16vec4> table = umbrage::make_variance_table(map, {.bits = 11, .radius = 16});
+//     float visibility =
+//         umbrage::summed_variance(umbrage::clamped(table), map.size(), coord, depth - bias, 16.0f, 2048.0f);
+//
+// The table's sums are whole numbers modulo 2^32, and so are their differences: exact while what they say of a box is
+// below 2^32. Squares are taken about the box's mean, rounded down, and never leave whole numbers: nothing cancels but
+// what is exact, as n S2 - S1^2 would in floats.
+#pragma once
+
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/filter/texel_space.hpp>
+#include <umbrage/floor_divide.hpp>
+
+namespace umbrage {
+
+/// What a table says of the codes in a box of n texels.
+/// @param table   ivec2 -> four whole numbers below 2^16: sums of codes modulo 2^16 and over 2^16, and of their
+///                squares; of all texels before a column and a row
+/// @param first   of the box: lowest column and row;   end  highest and one, first < end
+/// @return        (mean, rest, high, low): the codes' sum is n mean + rest, rest < n, and the sum of their squared
+///                distances from mean is 4096 high + low, low < 4096
+/// @formula       with T = sum + rest: squares - mean T, in digits of 12 bits
+/// @exactness     A while codes are below 2^12, n times the codes that there are at most 2^24 and the squared
+///                distances' sum < 2^32, which make_variance_table sees to, however often the table has wrapped
+template <real T, class Fetch>
+[[nodiscard]] glm::vec<4, T> box_moments(Fetch&& table, glm::ivec2 first, glm::ivec2 end) {
+    using four = glm::vec<4, T>;
+    const four a(table(end)), b(table(glm::ivec2(first.x, end.y)));
+    const four c(table(glm::ivec2(end.x, first.y))), d(table(first));
+    const four part = (a - b) - (c - d);
+    const T carry_1 = glm::floor(part.x * T(1.0 / 65536.0)), carry_2 = glm::floor(part.z * T(1.0 / 65536.0));
+    const T above_1 = part.y + carry_1, above_2 = part.w + carry_2;
+    const T low_1 = part.x - carry_1 * T(65536), low_2 = part.z - carry_2 * T(65536);
+    const T high_1 =
+        glm::max(above_1 - glm::floor(above_1 * T(1.0 / 65536.0)) * T(65536), T(0));  // or a compiler distributes
+    const T sum = high_1 * T(65536) + low_1;
+    const T high_2 = above_2 - glm::floor(above_2 * T(1.0 / 65536.0)) * T(65536);
+    const glm::vec<2, T> sides(end - first);
+    const T n = sides.x * sides.y, mean = floor_divide(sum, n), rest = sum - mean * n, factor = sum + rest;
+    const T factor_high = glm::floor(factor * T(1.0 / 4096.0)), factor_low = factor - factor_high * T(4096);
+    const T square_high = glm::floor(low_2 * T(1.0 / 4096.0)), square_low = low_2 - square_high * T(4096);
+    const T below = square_low - mean * factor_low, borrow = glm::floor(below * T(1.0 / 4096.0));
+    const T wide = high_2 * T(16) + square_high - mean * factor_high + borrow;
+    const T high = wide - glm::floor(wide * T(1.0 / 1048576.0)) * T(1048576);
+    return {mean, rest, high, below - borrow * T(4096)};
+}
+
+/// Share of the texels in a box that can be lit: Chebyshev's bound, from its mean and variance.
+/// @param table      as make_variance_table makes it
+/// @param size       of the map in texels; the table has one more column and row
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit; what
+///                   of the box lies outside the map does not count
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param radius     whole, >= 0: the box has 2 radius + 1 texels a side; at most the table's
+/// @param codes      2^bits of the table
+/// @return           visibility: 1 where the receiver is no farther than the mean, else an upper bound on the lit share
+/// @formula          m, v mean and variance of the codes + 1: d = codes receiver - m; d <= 0 ? 1 : v / (v + d^2)
+/// @exactness        C: two divisions, on numbers that do not cancel; within 2^-16, as d is off by 2^-23 where v is at
+///                   least 1/64^2
+/// @cite             Lauritzen: Summed-area variance shadow maps, GPU Gems 3, 2007; Donnelly, Lauritzen: Variance
+///                   shadow maps, I3D 2006
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T summed_variance(Fetch&& table, glm::ivec2 size, glm::vec<2, T> coord, T receiver, T radius, T codes,
+                                Compare is_lit = {}) {
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), size - 1);
+    const int reach = static_cast<int>(radius);
+    const glm::ivec2 first = glm::max(texel - reach, glm::ivec2(0)), end = glm::min(texel + reach + 1, size);
+    const glm::vec<4, T> m = box_moments<T>(table, first, end);
+    const T n = T((end.x - first.x) * (end.y - first.y)), share = m.y / n;
+    const T variance = (m.z * T(4096) + (m.w - m.y)) / n + share * (T(1) - share);
+    const T scaled = receiver * codes, t = is_lit(T(0), T(1)) ? scaled : codes - scaled;
+    const T d = (t - T(1) - m.x) - share;
+    if (is_nan(d)) return T(0);
+    return d <= T(0) ? T(1) : variance / (variance + d * d);
+}
+
+namespace glsl {
+inline constexpr snippet box_moments{
+    .name = "box_moments",
+    .summary = "mean and squared distances from it over a box, from a summed-area table",
+    .exactness = tier::a,
+    .needs = list<&texel, &floor_divide>,
+    .source = R"GLSL(
+// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
+//   that of their squared distances from mean 4096 high + low;  whole numbers
+//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 first,
+                                       UMBRAGE_HIGHP vec2 end) {
+    UMBRAGE_HIGHP vec4 a = umbrage_texel(map, size, end);
+    UMBRAGE_HIGHP vec4 b = umbrage_texel(map, size, vec2(first.x, end.y));
+    UMBRAGE_HIGHP vec4 c = umbrage_texel(map, size, vec2(end.x, first.y));
+    UMBRAGE_HIGHP vec4 d = umbrage_texel(map, size, first);
+    UMBRAGE_HIGHP vec4 part = (a - b) - (c - d);
+    UMBRAGE_HIGHP vec2 low = vec2(part.x, part.z);
+    UMBRAGE_HIGHP vec2 carry = floor(low * (1.0 / 65536.0));
+    UMBRAGE_HIGHP vec2 above = vec2(part.y, part.w) + carry;
+    low = low - carry * 65536.0;
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));  // or a compiler distributes
+    UMBRAGE_HIGHP float sum = above.x * 65536.0 + low.x;
+    UMBRAGE_HIGHP vec2 sides = end - first;
+    UMBRAGE_HIGHP float n = sides.x * sides.y;
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(sum, n);
+    UMBRAGE_HIGHP float rest = sum - mean * n;
+    UMBRAGE_HIGHP vec2 digits = vec2(sum + rest, low.y);
+    UMBRAGE_HIGHP vec2 high = floor(digits * (1.0 / 4096.0));
+    digits = digits - high * 4096.0;
+    UMBRAGE_HIGHP float below = digits.y - mean * digits.x;
+    UMBRAGE_HIGHP float borrow = floor(below * (1.0 / 4096.0));
+    UMBRAGE_HIGHP float wide = above.y * 16.0 + high.y - mean * high.x + borrow;
+    wide = wide - floor(wide * (1.0 / 1048576.0)) * 1048576.0;
+    return vec4(mean, rest, wide, below - borrow * 4096.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet summed_variance{
+    .name = "summed_variance",
+    .summary = "variance shadow over a box of any size, from a summed-area table",
+    .exactness = tier::c,
+    .within = 1.0f / 65536.0f,
+    .needs = list<&is_compared, &cleared_depth, &box_moments>,
+    .source = R"GLSL(
+// umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
+//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
+UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                            UMBRAGE_HIGHP float codes) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 last = size - 1.0;
+    UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
+    UMBRAGE_HIGHP vec4 m = umbrage_box_moments(map, size, first, end);
+    UMBRAGE_HIGHP vec2 sides = end - first;
+    UMBRAGE_HIGHP float n = sides.x * sides.y;
+    UMBRAGE_HIGHP float share = m.y / n;
+    UMBRAGE_HIGHP float variance = (m.z * 4096.0 + (m.w - m.y)) / n + share * (1.0 - share);
+    UMBRAGE_HIGHP float scaled = receiver * codes;
+    UMBRAGE_HIGHP float t = umbrage_cleared_depth() > 0.5 ? scaled : codes - scaled;
+    UMBRAGE_HIGHP float d = (t - 1.0 - m.x) - share;
+    UMBRAGE_HIGHP float behind = d > 0.0 ? variance / (variance + d * d) : 0.0;
+    return compared ? (d <= 0.0 ? 1.0 : behind) : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr auto summed_variance_snippets = list<&box_moments, &summed_variance>;
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+//
+// Summed-area tables of a shadow map's depths and their squares, and visibility of whole images from them.
+//
+//     umbrage::variance_table of{.bits = 11, .radius = 16};
+//     umbrage::image<glm::u16vec4> table = umbrage::make_variance_table(map, of);
+//     umbrage::summed_visibility(table, of, receivers, 16, out);
+//
+// A box of 33 x 33 texels costs what one of 3 x 3 does.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/filter/blocker/penumbra.hpp>
+#include <umbrage/filter/table/summed_variance.hpp>
+#include <umbrage/image.hpp>
+#include <umbrage/images/parallel.hpp>
+#include <umbrage/images/summed_area.hpp>
+
+namespace umbrage {
+
+/// What a table is made for.
+struct variance_table {
+    int bits = 11;    ///< of a depth's code, 1 to 12
+    int radius = 16;  ///< of the largest box: 2 radius + 1 texels a side
+    comparison is_lit{};
+};
+
+/// Sums of a map's codes, of distance from the near plane, and of their squares, for summed_variance.
+///
+/// @param map         depths; NaN counts as far
+/// @param of          the largest box, n texels of it within the map
+/// @return            one column and row more than the map: what lies before that column and row; the sums modulo 2^16
+///                    and over 2^16, those of the squares likewise
+/// @throws std::invalid_argument  empty map, bits or radius out of range; n 2^bits > 2^24; or n (s^2 / 4 + 1) >= 2^32,
+///                    s the difference of the map's greatest and least code: what a box may then hold wraps
+template <class ParallelFor = serial>
+[[nodiscard]] image<glm::u16vec4> make_variance_table(image_view<const float> map, const variance_table& of,
+                                                      ParallelFor&& parallel = {}) {
+    if (map.empty()) detail::fail("umbrage::make_variance_table: empty map");
+    if (of.bits < 1 || of.bits > 12) detail::fail("umbrage::make_variance_table: bits must lie between 1 and 12");
+    if (of.radius < 0 || of.radius > 32767) detail::fail("umbrage::make_variance_table: radius out of range");
+    image<std::uint32_t> codes(map.size), sums(map.size);
+    std::uint32_t least = 65535, greatest = 0;
+    for (int y = 0; y < map.size.y; ++y)
+        for (int x = 0; x < map.size.x; ++x) {
+            const auto code = static_cast<std::uint32_t>(distance_code(map.row(y)[x], of.is_lit)) >> (16 - of.bits);
+            codes[{x, y}] = code;
+            least = std::min(least, code), greatest = std::max(greatest, code);
+        }
+    const std::int64_t side = 2 * std::int64_t(of.radius) + 1, spread = std::int64_t(greatest) - std::int64_t(least);
+    const std::int64_t n = std::min<std::int64_t>(side, map.size.x) * std::min<std::int64_t>(side, map.size.y);
+    if (n << of.bits > std::int64_t(1) << 24)
+        detail::fail("umbrage::make_variance_table: sums of so large a box need more than 24 bits");
+    if (n * (spread * spread + 4) >= std::int64_t(1) << 34)
+        detail::fail("umbrage::make_variance_table: squared distances in so large a box may reach 2^32");
+
+    image<glm::u16vec4> table(map.size + 1, glm::u16vec4(0));
+    const auto store = [&](glm::length_t first_channel) {
+        summed_area(codes, sums, parallel);
+        for (int y = 0; y < map.size.y; ++y)
+            for (int x = 0; x < map.size.x; ++x) {
+                const std::uint32_t sum = sums[{x, y}];
+                glm::u16vec4& texel = table[{x + 1, y + 1}];
+                texel[first_channel] = static_cast<std::uint16_t>(sum & 0xFFFF);
+                texel[first_channel + 1] = static_cast<std::uint16_t>(sum >> 16);
+            }
+    };
+    store(0);
+    for (std::uint32_t& code : codes.texels()) code *= code;
+    store(2);
+    return table;
+}
+
+/// summed_variance of each receiver.
+/// @param table, of   from make_variance_table
+/// @param receivers   (x, y) in texels of the map, z depth, biased
+/// @param radius      of the box, at most the table's
+/// @param out         visibility, 1 lit; same size as receivers
+/// @throws std::invalid_argument  sizes differ, a table without texels, or a radius that is not the table's
+template <class ParallelFor = serial>
+void summed_visibility(image_view<const glm::u16vec4> table, const variance_table& of,
+                       image_view<const glm::vec3> receivers, int radius, image_view<float> out,
+                       ParallelFor&& parallel = {}) {
+    if (receivers.size != out.size) detail::fail("umbrage::summed_visibility: sizes differ");
+    if (table.size.x < 2 || table.size.y < 2) detail::fail("umbrage::summed_visibility: empty table");
+    if (radius < 0 || radius > of.radius) detail::fail("umbrage::summed_visibility: the table is of another radius");
+    const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
+    const auto codes = static_cast<float>(1 << of.bits), reach = static_cast<float>(radius);
+    parallel(out.size.y, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < out.size.x; ++x) {
+                const glm::vec3 r = receivers.row(y)[x];
+                out.row(y)[x] = summed_variance(fetch, table.size - 1, glm::vec2(r), r.z, reach, codes, of.is_lit);
+            }
+    });
+}
+
+}  // namespace umbrage

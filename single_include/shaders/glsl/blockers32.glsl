@@ -1,0 +1,190 @@
+// umbrage 0.1.0, MIT License: blockers32
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_TAP
+#define UMBRAGE_HAS_DISC_TAP
+// umbrage_disc_tap: the texel that a point of a disc falls on
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   radius    in 1/16 texel, a whole number from 0 to 4095
+UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 turn,
+                                    UMBRAGE_HIGHP float radius) {
+    UMBRAGE_HIGHP vec2 turned = vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+    return floor((position + floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_INSIDE_MAP
+#define UMBRAGE_HAS_INSIDE_MAP
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_BORDERED
+#define UMBRAGE_HAS_FETCH_BORDERED
+// umbrage_fetch_bordered: texel of a map, or border outside of it
+UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                          UMBRAGE_HIGHP vec4 border) {
+    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
+    return umbrage_inside_map(size, texel) ? value : border;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH
+#define UMBRAGE_HAS_FETCH_DEPTH
+// UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
+// UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
+#ifndef UMBRAGE_FETCH
+#ifndef UMBRAGE_OUTSIDE_LIT
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
+#else
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
+#endif
+#endif
+// umbrage_fetch_depth: stored depth of a texel
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return UMBRAGE_FETCH(map, size, texel);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE
+#define UMBRAGE_HAS_COMPARE
+// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
+#ifndef UMBRAGE_LIT
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#else
+#define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#endif
+#endif
+// umbrage_compare: visibility of one comparison
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return UMBRAGE_LIT(receiver, stored);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISTANCE_CODE
+#define UMBRAGE_HAS_DISTANCE_CODE
+// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float code = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKER
+#define UMBRAGE_HAS_BLOCKER
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float stored = umbrage_fetch_depth(map, size, texel);
+    UMBRAGE_HIGHP float code = umbrage_distance_code(stored);
+    return umbrage_compare(receiver, stored) > 0.5 ? vec2(0.0, 0.0) : vec2(1.0, code);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKERS32
+#define UMBRAGE_HAS_BLOCKERS32
+// umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
+                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                      UMBRAGE_HIGHP vec2 turn) {
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-2.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-5.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-8.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(8.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, 7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -9.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(6.0, -7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-8.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-3.0, -10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-6.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-9.0, -8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(5.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(7.0, 11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(13.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, 4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(10.0, -10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(14.0, -2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-11.0, 9.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, 14.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-13.0, -6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(12.0, 8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 14.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-7.0, -13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, -15.0), turn, radius), receiver);
+    return n;
+}
+#endif

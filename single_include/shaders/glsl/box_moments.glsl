@@ -1,0 +1,83 @@
+// umbrage 0.1.0, MIT License: box_moments
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_MEND_QUOTIENT
+#define UMBRAGE_HAS_MEND_QUOTIENT
+// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+UMBRAGE_HIGHP float umbrage_mend_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+    UMBRAGE_HIGHP float low = q * b > a ? q - 1.0 : q;
+    return (low + 1.0) * b <= a ? low + 1.0 : low;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FLOOR_DIVIDE
+#define UMBRAGE_HAS_FLOOR_DIVIDE
+// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+    return umbrage_mend_quotient(floor(a / b), a, b);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BOX_MOMENTS
+#define UMBRAGE_HAS_BOX_MOMENTS
+// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
+//   that of their squared distances from mean 4096 high + low;  whole numbers
+//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+UMBRAGE_HIGHP vec4 umbrage_box_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 first,
+                                       UMBRAGE_HIGHP vec2 end) {
+    UMBRAGE_HIGHP vec4 a = umbrage_texel(map, size, end);
+    UMBRAGE_HIGHP vec4 b = umbrage_texel(map, size, vec2(first.x, end.y));
+    UMBRAGE_HIGHP vec4 c = umbrage_texel(map, size, vec2(end.x, first.y));
+    UMBRAGE_HIGHP vec4 d = umbrage_texel(map, size, first);
+    UMBRAGE_HIGHP vec4 part = (a - b) - (c - d);
+    UMBRAGE_HIGHP vec2 low = vec2(part.x, part.z);
+    UMBRAGE_HIGHP vec2 carry = floor(low * (1.0 / 65536.0));
+    UMBRAGE_HIGHP vec2 above = vec2(part.y, part.w) + carry;
+    low = low - carry * 65536.0;
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2(0.0, 0.0));  // or a compiler distributes
+    UMBRAGE_HIGHP float sum = above.x * 65536.0 + low.x;
+    UMBRAGE_HIGHP vec2 sides = end - first;
+    UMBRAGE_HIGHP float n = sides.x * sides.y;
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(sum, n);
+    UMBRAGE_HIGHP float rest = sum - mean * n;
+    UMBRAGE_HIGHP vec2 digits = vec2(sum + rest, low.y);
+    UMBRAGE_HIGHP vec2 high = floor(digits * (1.0 / 4096.0));
+    digits = digits - high * 4096.0;
+    UMBRAGE_HIGHP float below = digits.y - mean * digits.x;
+    UMBRAGE_HIGHP float borrow = floor(below * (1.0 / 4096.0));
+    UMBRAGE_HIGHP float wide = above.y * 16.0 + high.y - mean * high.x + borrow;
+    wide = wide - floor(wide * (1.0 / 1048576.0)) * 1048576.0;
+    return vec4(mean, rest, wide, below - borrow * 4096.0);
+}
+#endif

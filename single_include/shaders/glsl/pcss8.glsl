@@ -1,0 +1,288 @@
+// umbrage 0.1.0, MIT License: pcss8
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PENUMBRA
+#define UMBRAGE_HAS_PENUMBRA
+// umbrage_penumbra: radius in 1/16 texel, a whole number
+//   apart     umbrage_distance_code of the receiver less that of the blocker
+//   softness  (1/16 texel a code, least, widest), of make_softness
+UMBRAGE_HIGHP float umbrage_penumbra(UMBRAGE_HIGHP float apart, UMBRAGE_HIGHP vec3 softness) {
+    return min(max(floor(apart * softness.x), softness.y), softness.z);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_TAP
+#define UMBRAGE_HAS_DISC_TAP
+// umbrage_disc_tap: the texel that a point of a disc falls on
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   radius    in 1/16 texel, a whole number from 0 to 4095
+UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 turn,
+                                    UMBRAGE_HIGHP float radius) {
+    UMBRAGE_HIGHP vec2 turned = vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+    return floor((position + floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_INSIDE_MAP
+#define UMBRAGE_HAS_INSIDE_MAP
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_MEND_QUOTIENT
+#define UMBRAGE_HAS_MEND_QUOTIENT
+// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+UMBRAGE_HIGHP float umbrage_mend_quotient(UMBRAGE_HIGHP float q, UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+    UMBRAGE_HIGHP float low = q * b > a ? q - 1.0 : q;
+    return (low + 1.0) * b <= a ? low + 1.0 : low;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FLOOR_DIVIDE
+#define UMBRAGE_HAS_FLOOR_DIVIDE
+// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+UMBRAGE_HIGHP float umbrage_floor_divide(UMBRAGE_HIGHP float a, UMBRAGE_HIGHP float b) {
+    return umbrage_mend_quotient(floor(a / b), a, b);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_RADIUS
+#define UMBRAGE_HAS_DISC_RADIUS
+// umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
+UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
+    UMBRAGE_HIGHP float inside = radius > 0.0 ? floor(radius * 16.0) : 0.0;
+    return radius >= 255.9375 ? 4095.0 : inside;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
+#ifndef UMBRAGE_BEYOND_FAR
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
+#else
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
+#endif
+#endif
+// umbrage_beyond_far: whether a receiver is behind the far plane
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_BEYOND_FAR(receiver);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED
+#define UMBRAGE_HAS_IS_COMPARED
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISTANCE_CODE
+#define UMBRAGE_HAS_DISTANCE_CODE
+// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float code = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_BORDERED
+#define UMBRAGE_HAS_FETCH_BORDERED
+// umbrage_fetch_bordered: texel of a map, or border outside of it
+UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                          UMBRAGE_HIGHP vec4 border) {
+    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
+    return umbrage_inside_map(size, texel) ? value : border;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH
+#define UMBRAGE_HAS_FETCH_DEPTH
+// UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
+// UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
+#ifndef UMBRAGE_FETCH
+#ifndef UMBRAGE_OUTSIDE_LIT
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
+#else
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
+#endif
+#endif
+// umbrage_fetch_depth: stored depth of a texel
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return UMBRAGE_FETCH(map, size, texel);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE
+#define UMBRAGE_HAS_COMPARE
+// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
+#ifndef UMBRAGE_LIT
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#else
+#define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#endif
+#endif
+// umbrage_compare: visibility of one comparison
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return UMBRAGE_LIT(receiver, stored);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKER
+#define UMBRAGE_HAS_BLOCKER
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float stored = umbrage_fetch_depth(map, size, texel);
+    UMBRAGE_HIGHP float code = umbrage_distance_code(stored);
+    return umbrage_compare(receiver, stored) > 0.5 ? vec2(0.0, 0.0) : vec2(1.0, code);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKERS8
+#define UMBRAGE_HAS_BLOCKERS8
+// umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 position,
+                                      UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                      UMBRAGE_HIGHP vec2 turn) {
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(3.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-4.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(1.0, -11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-9.0, -8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(-12.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, 6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(0.0, 13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2(11.0, -7.0), turn, radius), receiver);
+    return n;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT
+#define UMBRAGE_HAS_LIT
+// umbrage_lit: visibility of one comparison with a texel
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC8
+#define UMBRAGE_HAS_DISC8
+// umbrage_disc8: lit share of 8 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_disc8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius, UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(3.0, -1.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-4.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(1.0, -11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-9.0, -8.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(-12.0, 3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, 6.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(0.0, 13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2(11.0, -7.0), turn, rho), receiver);
+    return compared ? n * (1.0 / 8.0) : 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PCSS8
+#define UMBRAGE_HAS_PCSS8
+// umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_pcss8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                   UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec3 softness,
+                                   UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? floor(coord * 256.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float z = umbrage_distance_code(receiver);
+    UMBRAGE_HIGHP float widest = umbrage_penumbra(z, softness);
+    UMBRAGE_HIGHP vec2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
+    UMBRAGE_HIGHP float lit = umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return compared && found.x > 0.5 ? lit : 1.0;
+}
+#endif

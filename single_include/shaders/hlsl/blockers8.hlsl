@@ -1,0 +1,108 @@
+// umbrage 0.1.0, MIT License: blockers8
+
+#ifndef UMBRAGE_HAS_DISC_TAP
+#define UMBRAGE_HAS_DISC_TAP
+// umbrage_disc_tap: the texel that a point of a disc falls on
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   radius    in 1/16 texel, a whole number from 0 to 4095
+float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
+    float2 turned = float2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+    return floor((position + floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
+    return map.Load(int3(int2(texel), 0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE
+#define UMBRAGE_HAS_DECODE
+// umbrage_decode: depth of a texel's value
+float umbrage_decode(float4 value) {
+    return value.x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH
+#define UMBRAGE_HAS_FETCH_DEPTH
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+float umbrage_fetch_depth(Texture2D<float4> map, float2 size, float2 texel) {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE
+#define UMBRAGE_HAS_COMPARE
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+float umbrage_compare(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISTANCE_CODE
+#define UMBRAGE_HAS_DISTANCE_CODE
+// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+float umbrage_distance_code(float depth) {
+    float code = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKER
+#define UMBRAGE_HAS_BLOCKER
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+float2 umbrage_blocker(Texture2D<float4> map, float2 size, float2 texel, float receiver) {
+    float stored = umbrage_fetch_depth(map, size, texel);
+    float code = umbrage_distance_code(stored);
+    return umbrage_compare(receiver, stored) > 0.5 ? float2(0.0, 0.0) : float2(1.0, code);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKERS8
+#define UMBRAGE_HAS_BLOCKERS8
+// umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+float2 umbrage_blockers8(Texture2D<float4> map, float2 size, float2 position, float receiver, float radius,
+                         float2 turn) {
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -7.0), turn, radius), receiver);
+    return n;
+}
+#endif

@@ -1,0 +1,10 @@
+// umbrage 0.1.0, MIT License: mend_quotient
+
+#ifndef UMBRAGE_HAS_MEND_QUOTIENT
+#define UMBRAGE_HAS_MEND_QUOTIENT
+// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+float umbrage_mend_quotient(float q, float a, float b) {
+    float low = q * b > a ? q - 1.0 : q;
+    return (low + 1.0) * b <= a ? low + 1.0 : low;
+}
+#endif

@@ -1,0 +1,234 @@
+// umbrage 0.1.0, MIT License: pcss16
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+precise bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PENUMBRA
+#define UMBRAGE_HAS_PENUMBRA
+// umbrage_penumbra: radius in 1/16 texel, a whole number
+//   apart     umbrage_distance_code of the receiver less that of the blocker
+//   softness  (1/16 texel a code, least, widest), of make_softness
+float umbrage_penumbra(float apart, float3 softness) {
+    return min(max(floor(apart * softness.x), softness.y), softness.z);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_TAP
+#define UMBRAGE_HAS_DISC_TAP
+// umbrage_disc_tap: the texel that a point of a disc falls on
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   radius    in 1/16 texel, a whole number from 0 to 4095
+float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
+    float2 turned = float2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+    return floor((position + floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_MEND_QUOTIENT
+#define UMBRAGE_HAS_MEND_QUOTIENT
+// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+float umbrage_mend_quotient(float q, float a, float b) {
+    float low = q * b > a ? q - 1.0 : q;
+    return (low + 1.0) * b <= a ? low + 1.0 : low;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FLOOR_DIVIDE
+#define UMBRAGE_HAS_FLOOR_DIVIDE
+// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+float umbrage_floor_divide(float a, float b) {
+    return umbrage_mend_quotient(floor(a / b), a, b);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_RADIUS
+#define UMBRAGE_HAS_DISC_RADIUS
+// umbrage_disc_radius: a disc's radius in 1/16 texel, from one in texels: a whole number from 0 to 4095, of a NaN 0
+float umbrage_disc_radius(float radius) {
+    float inside = radius > 0.0 ? floor(radius * 16.0) : 0.0;
+    return radius >= 255.9375 ? 4095.0 : inside;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// umbrage_beyond_far: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED
+#define UMBRAGE_HAS_IS_COMPARED
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+precise bool umbrage_is_compared(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISTANCE_CODE
+#define UMBRAGE_HAS_DISTANCE_CODE
+// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+float umbrage_distance_code(float depth) {
+    float code = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
+    return map.Load(int3(int2(texel), 0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE
+#define UMBRAGE_HAS_DECODE
+// umbrage_decode: depth of a texel's value
+float umbrage_decode(float4 value) {
+    return value.x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH
+#define UMBRAGE_HAS_FETCH_DEPTH
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+float umbrage_fetch_depth(Texture2D<float4> map, float2 size, float2 texel) {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE
+#define UMBRAGE_HAS_COMPARE
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+float umbrage_compare(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKER
+#define UMBRAGE_HAS_BLOCKER
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+float2 umbrage_blocker(Texture2D<float4> map, float2 size, float2 texel, float receiver) {
+    float stored = umbrage_fetch_depth(map, size, texel);
+    float code = umbrage_distance_code(stored);
+    return umbrage_compare(receiver, stored) > 0.5 ? float2(0.0, 0.0) : float2(1.0, code);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKERS16
+#define UMBRAGE_HAS_BLOCKERS16
+// umbrage_blockers16: how many of a disc's 16 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+float2 umbrage_blockers16(Texture2D<float4> map, float2 size, float2 position, float receiver, float radius,
+                          float2 turn) {
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(5.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-5.0, 2.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 7.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-6.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(8.0, -5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, -11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-1.0, 13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, 11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, 10.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-13.0, -4.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(7.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-7.0, -12.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(14.0, -2.0), turn, radius), receiver);
+    return n;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT
+#define UMBRAGE_HAS_LIT
+// umbrage_lit: visibility of one comparison with a texel
+float umbrage_lit(Texture2D<float4> map, float2 size, float2 texel, float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC16
+#define UMBRAGE_HAS_DISC16
+// umbrage_disc16: lit share of 16 points of a disc; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+float umbrage_disc16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);  // no branch: fetches overlap
+    float rho = umbrage_disc_radius(radius);
+    float n = 0.0;
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(1.0, -3.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(5.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-5.0, 2.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, 7.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-6.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(8.0, -5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(0.0, -11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(11.0, 5.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-12.0, 4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-1.0, 13.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, 11.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-9.0, 10.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-13.0, -4.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(7.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(-7.0, -12.0), turn, rho), receiver);
+    n += umbrage_lit(map, size, umbrage_disc_tap(at, float2(14.0, -2.0), turn, rho), receiver);
+    return compared ? n * (1.0 / 16.0) : 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PCSS16
+#define UMBRAGE_HAS_PCSS16
+// umbrage_pcss16: percentage-closer soft shadows, 16 points twice; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+float umbrage_pcss16(Texture2D<float4> map, float2 size, float2 coord, float receiver, float3 softness, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? floor(coord * 256.0) : float2(0.0, 0.0);
+    float z = umbrage_distance_code(receiver);
+    float widest = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
+    float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
+    float radius = umbrage_penumbra(z - mean, softness);
+    float lit = umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+    return compared && found.x > 0.5 ? lit : 1.0;
+}
+#endif

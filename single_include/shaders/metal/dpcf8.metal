@@ -1,0 +1,198 @@
+// umbrage 0.1.0, MIT License: dpcf8
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PENUMBRA
+#define UMBRAGE_HAS_PENUMBRA
+// umbrage_penumbra: radius in 1/16 texel, a whole number
+//   apart     umbrage_distance_code of the receiver less that of the blocker
+//   softness  (1/16 texel a code, least, widest), of make_softness
+inline float umbrage_penumbra(float apart, float3 softness) {
+    return metal::min(metal::max(metal::floor(apart * softness.x), softness.y), softness.z);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_TAP
+#define UMBRAGE_HAS_DISC_TAP
+// umbrage_disc_tap: the texel that a point of a disc falls on
+//   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
+//   radius    in 1/16 texel, a whole number from 0 to 4095
+inline float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
+    float2 turned = float2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
+    return metal::floor((position + metal::floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_MEND_QUOTIENT
+#define UMBRAGE_HAS_MEND_QUOTIENT
+// umbrage_mend_quotient: floor(a / b) from q, at most one off;  whole numbers, a below 2^24, b from 1 to 2^24
+inline float umbrage_mend_quotient(float q, float a, float b) {
+    float low = q * b > a ? q - 1.0 : q;
+    return (low + 1.0) * b <= a ? low + 1.0 : low;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FLOOR_DIVIDE
+#define UMBRAGE_HAS_FLOOR_DIVIDE
+// umbrage_floor_divide: floor(a / b) of whole numbers, a below 2^24, b from 1 to 2^24, the quotient at most 2^18
+inline float umbrage_floor_divide(float a, float b) {
+    return umbrage_mend_quotient(metal::floor(a / b), a, b);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_HARDENED8
+#define UMBRAGE_HAS_HARDENED8
+// umbrage_hardened8: the share of 8 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+inline float umbrage_hardened8(float blocked, float ratio) {
+    float u = blocked * 2.0 - 8.0;
+    float d = 8.0 - metal::abs(u);
+    float steep = 512.0 - d * d * d;
+    float hard = u < 0.0 ? 512.0 - steep : 512.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 128.0) * (1.0 / 262144.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// umbrage_beyond_far: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED
+#define UMBRAGE_HAS_IS_COMPARED
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+inline bool umbrage_is_compared(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+inline float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISTANCE_CODE
+#define UMBRAGE_HAS_DISTANCE_CODE
+// umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
+inline float umbrage_distance_code(float depth) {
+    float code = metal::min(metal::floor(umbrage_saturate(depth) * 65536.0), 65535.0);
+    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
+    return map.read(uint2(texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE
+#define UMBRAGE_HAS_DECODE
+// umbrage_decode: depth of a texel's value
+inline float umbrage_decode(float4 value) {
+    return value.x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH
+#define UMBRAGE_HAS_FETCH_DEPTH
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE
+#define UMBRAGE_HAS_COMPARE
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKER
+#define UMBRAGE_HAS_BLOCKER
+// umbrage_blocker: (1.0, umbrage_distance_code) of a texel before the receiver, of any other (0.0, 0.0)
+inline float2 umbrage_blocker(metal::texture2d<float> map, float2 size, float2 texel, float receiver) {
+    float stored = umbrage_fetch_depth(map, size, texel);
+    float code = umbrage_distance_code(stored);
+    return umbrage_compare(receiver, stored) > 0.5 ? float2(0.0, 0.0) : float2(1.0, code);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKERS8
+#define UMBRAGE_HAS_BLOCKERS8
+// umbrage_blockers8: how many of a disc's 8 points fall on texels before the receiver, and the sum of their codes
+//   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
+//   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
+inline float2 umbrage_blockers8(metal::texture2d<float> map, float2 size, float2 position, float receiver, float radius,
+                                float2 turn) {
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(3.0, -1.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-4.0, 5.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(1.0, -11.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-9.0, -8.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(-12.0, 3.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, 6.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(0.0, 13.0), turn, radius), receiver);
+    n += umbrage_blocker(map, size, umbrage_disc_tap(position, float2(11.0, -7.0), turn, radius), receiver);
+    return n;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DPCF8
+#define UMBRAGE_HAS_DPCF8
+// umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_dpcf8(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float3 softness,
+                           float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 at = compared ? metal::floor(coord * 256.0) : float2(0.0, 0.0);
+    float z = umbrage_distance_code(receiver);
+    float widest = umbrage_penumbra(z, softness);
+    float2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
+    float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
+    float radius = umbrage_penumbra(z - mean, softness);
+    float ratio = umbrage_floor_divide(radius * 256.0, metal::max(widest, 1.0));
+    float dark = umbrage_hardened8(found.x, ratio);
+    return compared ? 1.0 - dark : 1.0;
+}
+#endif

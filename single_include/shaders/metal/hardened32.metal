@@ -1,0 +1,18 @@
+// umbrage 0.1.0, MIT License: hardened32
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_HARDENED32
+#define UMBRAGE_HAS_HARDENED32
+// umbrage_hardened32: the share of 32 points in shadow, steepened
+//   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
+inline float umbrage_hardened32(float blocked, float ratio) {
+    float u = blocked * 2.0 - 32.0;
+    float d = 32.0 - metal::abs(u);
+    float steep = 32768.0 - d * d * d;
+    float hard = u < 0.0 ? 32768.0 - steep : 32768.0 + steep;
+    return (hard * (256.0 - ratio) + blocked * ratio * 2048.0) * (1.0 / 16777216.0);
+}
+#endif

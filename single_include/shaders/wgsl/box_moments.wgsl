@@ -1,0 +1,31 @@
+// umbrage 0.1.0, MIT License: box_moments
+// Paste along: texel.wgsl, mend_quotient.wgsl, floor_divide.wgsl
+
+// umbrage_box_moments: (mean, rest, high, low) of the codes in a box of n texels: their sum is n mean + rest, and
+//   that of their squared distances from mean 4096 high + low;  whole numbers
+//   map, size  a table of make_variance_table and its size;   first, end  of the box, first < end
+fn umbrage_box_moments(map: texture_2d<f32>, size: vec2f, first: vec2f, end: vec2f) -> vec4f {
+    let a: vec4f = umbrage_texel(map, size, end);
+    let b: vec4f = umbrage_texel(map, size, vec2f(first.x, end.y));
+    let c: vec4f = umbrage_texel(map, size, vec2f(end.x, first.y));
+    let d: vec4f = umbrage_texel(map, size, first);
+    let part: vec4f = (a - b) - (c - d);
+    var low: vec2f = vec2f(part.x, part.z);
+    let carry: vec2f = floor(low * (1.0 / 65536.0));
+    var above: vec2f = vec2f(part.y, part.w) + carry;
+    low = low - carry * 65536.0;
+    above = max(above - floor(above * (1.0 / 65536.0)) * 65536.0, vec2f(0.0, 0.0));  // or a compiler distributes
+    let sum: f32 = above.x * 65536.0 + low.x;
+    let sides: vec2f = end - first;
+    let n: f32 = sides.x * sides.y;
+    let mean: f32 = umbrage_floor_divide(sum, n);
+    let rest: f32 = sum - mean * n;
+    var digits: vec2f = vec2f(sum + rest, low.y);
+    let high: vec2f = floor(digits * (1.0 / 4096.0));
+    digits = digits - high * 4096.0;
+    let below: f32 = digits.y - mean * digits.x;
+    let borrow: f32 = floor(below * (1.0 / 4096.0));
+    var wide: f32 = above.y * 16.0 + high.y - mean * high.x + borrow;
+    wide = wide - floor(wide * (1.0 / 1048576.0)) * 1048576.0;
+    return vec4f(mean, rest, wide, below - borrow * 4096.0);
+}

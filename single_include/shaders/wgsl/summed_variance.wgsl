@@ -1,0 +1,25 @@
+// umbrage 0.1.0, MIT License: summed_variance
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cleared_depth.wgsl, texel.wgsl, mend_quotient.wgsl, floor_divide.wgsl, box_moments.wgsl
+
+// umbrage_summed_variance: variance shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_variance_table, and its size: one more than the shadow map's
+//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   codes  2^bits of the table
+fn umbrage_summed_variance(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+                           codes: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let last: vec2f = size - 1.0;
+    let texel: vec2f = select(vec2f(0.0, 0.0), clamp(floor(coord), vec2f(0.0, 0.0), last - 1.0), compared);
+    let first: vec2f = max(texel - radius, vec2f(0.0, 0.0));
+    let end: vec2f = min(texel + radius + 1.0, last);
+    let m: vec4f = umbrage_box_moments(map, size, first, end);
+    let sides: vec2f = end - first;
+    let n: f32 = sides.x * sides.y;
+    let share: f32 = m.y / n;
+    let variance: f32 = (m.z * 4096.0 + (m.w - m.y)) / n + share * (1.0 - share);
+    let scaled: f32 = receiver * codes;
+    let t: f32 = select(codes - scaled, scaled, umbrage_cleared_depth() > 0.5);
+    let d: f32 = (t - 1.0 - m.x) - share;
+    let behind: f32 = select(0.0, variance / (variance + d * d), d > 0.0);
+    return select(1.0, select(behind, 1.0, d <= 0.0), compared);
+}

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+//
+// What contact hardening is held against: its steps in 64-bit whole numbers and texels by brute force.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include <umbrage/filter/blocker/penumbra.hpp>
+
+#include "../maps.hpp"
+
+namespace whole {
+
+using umbrage::image;
+
+inline std::int64_t floor_divide(std::int64_t a, std::int64_t b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+
+/// A light's size as L / 2^j sixteenths of a texel a code.
+struct softness {
+    std::int64_t digits, shift, least, widest;
+
+    [[nodiscard]] std::int64_t radius(std::int64_t apart) const {
+        return std::clamp(floor_divide(apart * digits, std::int64_t(1) << shift), least, widest);
+    }
+    [[nodiscard]] glm::vec3 values() const {
+        return {std::ldexp(static_cast<float>(digits), -static_cast<int>(shift)), static_cast<float>(least),
+                static_cast<float>(widest)};
+    }
+};
+
+struct receiver {
+    glm::vec2 coord;
+    float depth;
+    glm::ivec2 turn;
+};
+
+struct search {
+    std::int64_t count = 0, sum = 0;
+};
+
+/// 16 bits of distance from the near plane, of numbers in [0, 1].
+inline std::int64_t code(double depth, bool forward) {
+    const auto x = std::min<std::int64_t>(static_cast<std::int64_t>(std::floor(depth * 65536)), 65535);
+    return forward ? x : 65535 - x;
+}
+
+/// Calls use(stored depth) for the texel under each point.
+template <int Points, class Use>
+void for_each_tap(const image<float>& map, const receiver& r, std::int64_t radius, Use use) {
+    const auto x = static_cast<std::int64_t>(std::floor(double(r.coord.x) * 256));
+    const auto y = static_cast<std::int64_t>(std::floor(double(r.coord.y) * 256));
+    for (const glm::ivec2 p : umbrage::disc_points<Points>) {
+        const std::int64_t turned_x = r.turn.x * p.x - r.turn.y * p.y, turned_y = r.turn.y * p.x + r.turn.x * p.y;
+        use(texel_at(map, floor_divide(x + floor_divide(turned_x * radius, 64), 256),
+                     floor_divide(y + floor_divide(turned_y * radius, 64), 256)));
+    }
+}
+
+template <int Points>
+search blockers(const image<float>& map, const receiver& r, std::int64_t radius, bool forward) {
+    search found;
+    for_each_tap<Points>(map, r, radius, [&](double stored) {
+        if (forward ? double(r.depth) <= stored : double(r.depth) >= stored) return;
+        ++found.count;
+        found.sum += code(stored, forward);
+    });
+    return found;
+}
+
+/// Depths from a map, receivers before, on and behind them, turns of all 16 pixels.
+struct cases {
+    std::mt19937 random{7};
+    image<float> map{{23, 17}};
+    std::vector<float> xs = awkward_coordinates(random, 23), ys = awkward_coordinates(random, 17);
+
+    cases() {
+        for (float& d : map.texels()) d = static_cast<float>(random() % 33) / 32.0f;
+    }
+    [[nodiscard]] receiver draw() {
+        const float x = xs[random() % xs.size()], y = ys[random() % ys.size()];
+        const float depth = static_cast<float>(random() % 65) / 64.0f;
+        const auto pixel_x = static_cast<float>(random() % 4), pixel_y = static_cast<float>(random() % 4);
+        return {{x, y}, depth, glm::ivec2(umbrage::disc_turn(glm::vec2(pixel_x, pixel_y)))};
+    }
+    [[nodiscard]] softness light() {
+        const auto digits = static_cast<std::int64_t>(random() % 256), shift = static_cast<std::int64_t>(random() % 16);
+        const auto least = static_cast<std::int64_t>(random() % 32), more = static_cast<std::int64_t>(random() % 200);
+        return {digits, shift, least, random() % 8 ? least + more : 4095};
+    }
+};
+
+}  // namespace whole
