@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "set_ups.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -15,6 +16,8 @@
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/unorm.hpp>
+#include <umbrage/view/false_colour.hpp>
 
 #include "surface.hpp"
 
@@ -124,6 +127,19 @@ umbrage::quality_report measure(const set_up& s, const lit_view& v, int step, um
             return inside ? umbrage::pixels_per_texel(to_texels, to_pixels, p, normal) : glm::dmat2(0);
         },
         extents);
+}
+
+umbrage::image<glm::u8vec3> false_colours(const lit_view& v, const umbrage::image<float>& extents, int step) {
+    umbrage::image<glm::u8vec3> out(extents.size(), glm::u8vec3(0));
+    for (glm::ivec2 p{0}; p.y < out.size().y; ++p.y)
+        for (p.x = 0; p.x < out.size().x; ++p.x) {
+            if (v.seen[p * step] == nothing) continue;
+            const surface at = surface_at(v.scene, v.camera, v.seen, p * step);
+            const float shade = 0.6f + 0.4f * glm::dot(at.face_normal, glm::normalize(v.camera.position - at.position));
+            const float level = 0.5f + std::log2(extents[p]) / 6;
+            out[p] = umbrage::store_unorm8(shade * (extents[p] > 0 ? umbrage::false_colour(level) : glm::vec3(0.2f)));
+        }
+    return out;
 }
 
 }  // namespace example

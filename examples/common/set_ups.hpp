@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include <glm/gtc/type_precision.hpp>
+
 #include <umbrage/images/quality.hpp>
 
 #include "camera.hpp"
@@ -55,5 +57,11 @@ struct set_up {
 /// Over surfaces that face the light and lie in a map; see umbrage::measure_quality.
 [[nodiscard]] umbrage::quality_report measure(const set_up& s, const lit_view& v, int step,
                                               umbrage::image_view<float> extents = {});
+
+/// The picture of it: from an eighth of a pixel, dark blue, to eight, dark red; grey where nothing was measured; darker
+/// on surfaces that turn away.
+/// @param extents   as measure gives them
+[[nodiscard]] umbrage::image<glm::u8vec3> false_colours(const lit_view& v, const umbrage::image<float>& extents,
+                                                        int step);
 
 }  // namespace example

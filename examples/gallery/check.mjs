@@ -122,6 +122,19 @@ try {
     });
   }
 
+  for (const view of ["indoor", "outdoor"]) {
+    const shown = await page.locator("#" + view).evaluate(article => ({
+      pictures: article.querySelectorAll("img").length,
+      rows: [...article.querySelectorAll("dd")].map(row => row.textContent) }));
+    check(view + ": every set-up of a light has a picture and its numbers", () => {
+      assert.ok(shown.rows.length > 10, String(shown.rows.length));
+      assert.equal(shown.pictures, shown.rows.length);
+      const number = "[\\d.e+]+";
+      for (const row of shown.rows)
+        assert.match(row, new RegExp(`^mean ${number}, p95 ${number}, greatest ${number}, storage ${number}$`));
+    });
+  }
+
   // As people see it.
   const fits = () => page.evaluate(() => document.documentElement.scrollWidth <= innerWidth);
   const desktop = await fits();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Renders the systems, encodings, biases and filters of the library into one page.
+// Renders the systems, encodings, biases, filters and set-ups of lights of the library into one page.
 //
 //     gallery --output build/gallery/index.html
 //
@@ -25,6 +25,7 @@ void run(const settings& o) {
     add_encodings(page, o, folder);
     add_biases(page, o, folder);
     add_filters(page, o, folder);
+    add_lights(page, o);
     page.write(o.output, "Times are of one run on one thread of " + example::processor() + " unless said otherwise.");
     std::filesystem::remove_all(folder);
     std::printf("%s, %.1f MB\n", o.output.string().c_str(), double(std::filesystem::file_size(o.output)) / 1e6);
@@ -36,7 +37,7 @@ void run(const settings& o) {
 int main(int argc, char** argv) {
     return example::run("gallery", [&] {
         gallery::settings o;
-        CLI::App app{"Makes one page of every system, encoding, bias and filter.", "gallery"};
+        CLI::App app{"Makes one page of every system, encoding, bias, filter and set-up of a light.", "gallery"};
         app.option_defaults()->always_capture_default();
         app.add_option("-o,--output", o.output, "the page; its folder is made when missing");
         app.add_option("--viewer", o.viewer, "the viewer, for pictures by OpenGL; left out where it cannot run");

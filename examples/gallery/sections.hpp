@@ -27,6 +27,7 @@ struct settings {
 void add_systems(page& page, const settings& o, const std::filesystem::path& folder);
 void add_encodings(page& page, const settings& o, const std::filesystem::path& folder);
 void add_biases(page& page, const settings& o, const std::filesystem::path& folder);
+void add_lights(page& page, const settings& o);
 void add_filters(page& page, const settings& o, const std::filesystem::path& folder);
 
 template <class... Values>

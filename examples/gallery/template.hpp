@@ -37,6 +37,7 @@ figure img { display: block; max-width: 100%; height: auto; border: 1px solid va
 figcaption, .tier { color: var(--faint); font-size: .85rem }
 dl { display: flex; flex-wrap: wrap; gap: .5rem 1.75rem; margin: 1rem 0 }
 dl div { max-width: 100% }
+#lights dl { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(22rem, 100%), 1fr)) }
 dt { color: var(--faint); font-size: .85rem }
 dd { margin: 0; font-variant-numeric: tabular-nums }
 .bar { display: flex; flex-wrap: wrap; gap: .5rem; align-items: center }

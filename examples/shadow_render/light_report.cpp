@@ -1,49 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "light_report.hpp"
 
-#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
 
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
-#include <umbrage/unorm.hpp>
-#include <umbrage/view/false_colour.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <png.hpp>
 #include <progress.hpp>
 #include <set_ups.hpp>
-#include <surface.hpp>
 
 #include "light.hpp"
 #include "sheet.hpp"
 #include "view.hpp"
 
 namespace shadow_render {
-namespace {
-
-constexpr int step = 2;  ///< from one measured pixel to the next
-
-/// From an eighth of a pixel to eight, grey where nothing was measured; darker on surfaces that turn away.
-picture false_colours(const example::lit_view& v, const umbrage::image<float>& extents) {
-    picture out(extents.size(), glm::u8vec3(0));
-    for (glm::ivec2 p{0}; p.y < out.size().y; ++p.y)
-        for (p.x = 0; p.x < out.size().x; ++p.x) {
-            if (v.seen[p * step] == example::nothing) continue;
-            const example::surface at = surface_at(v.scene, v.camera, v.seen, p * step);
-            const float shade = 0.6f + 0.4f * glm::dot(at.face_normal, glm::normalize(v.camera.position - at.position));
-            const float level = 0.5f + std::log2(extents[p]) / 6;
-            out[p] = umbrage::store_unorm8(shade * (extents[p] > 0 ? umbrage::false_colour(level) : glm::vec3(0.2f)));
-        }
-    return out;
-}
-
-}  // namespace
 
 void light_report(const options& o, const example::scene& scene) {
     const auto& set_ups = example::set_ups();
+    constexpr int step = 2;  // from one measured pixel to the next
     example::progress progress(set_ups.size() + 2, o.quiet);
     const light lamp = make_light(o, scene);
     const example::camera camera = make_camera(o, scene);
@@ -69,8 +45,9 @@ void light_report(const options& o, const example::scene& scene) {
         progress.stage(s.name, [&] {
             umbrage::image<float> extents(size);
             const umbrage::quality_report r = example::measure(s, view, step, extents.view());
-            page.add(false_colours(view, extents), {s.name, text("mean %.3g, p95 %.3g", r.mean, r.p95),
-                                                    text("greatest %.3g, storage %.3g", r.greatest, r.storage_factor)});
+            page.add(example::false_colours(view, extents, step),
+                     {s.name, text("mean %.3g, p95 %.3g", r.mean, r.p95),
+                      text("greatest %.3g, storage %.3g", r.greatest, r.storage_factor)});
             if (!o.quiet)
                 std::printf("%-32s %9.3f %9.3f %9.2f %11.3g %8zu\n", s.name.c_str(), r.mean, r.p95, r.greatest,
                             r.storage_factor, r.measured);

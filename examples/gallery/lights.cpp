@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+//
+// How good every set-up of a light is for two views.
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/trigonometric.hpp>
+
+#include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+#include <camera.hpp>
+#include <scene.hpp>
+#include <set_ups.hpp>
+
+#include "sections.hpp"
+
+namespace gallery {
+namespace {
+
+namespace glsl = umbrage::glsl;
+
+struct view {
+    std::string_view id, title;
+    example::scene scene;
+    example::camera_setup camera;
+    float light_elevation, light_distance;
+    int map_size;
+};
+
+void add_view(page& page, const settings& o, const view& v) {
+    constexpr int step = 4;
+    const glm::ivec2 screen(2 * o.size, 4 * o.size / 3);
+    constexpr float azimuth = 60;
+    const glm::dvec3 towards(example::direction_at(azimuth, v.light_elevation));
+    example::camera_setup from = v.camera;
+    from.target = v.scene.target, from.z_near = v.scene.z_near, from.z_far = v.scene.z_far;
+    from.aspect = static_cast<float>(screen.x) / static_cast<float>(screen.y);
+    const example::camera camera = example::make_camera(from);
+    const auto lit =
+        example::make_lit_view(v.scene, camera, screen,
+                               {glm::dvec3(v.scene.target) + towards * double(v.light_distance), -towards,
+                                glm::dvec3(example::direction_at(azimuth, v.light_elevation + 90)), glm::radians(30.0)},
+                               v.map_size);
+    std::vector<figure> figures;
+    std::vector<number> numbers;
+    for (const example::set_up& s : example::set_ups()) {
+        umbrage::image<float> extents((screen - 1) / step + 1);
+        const umbrage::quality_report r = example::measure(s, lit, step, extents.view());
+        figures.push_back({page.picture(example::false_colours(lit, extents, step)), s.name});
+        numbers.push_back({s.name, text("mean %.3g, p95 %.3g, greatest %.3g, storage %.3g", r.mean, r.p95, r.greatest,
+                                        r.storage_factor)});
+    }
+    page.entry(v.id, v.title,
+               text("%d × %d pixels; one map of %d × %d texels, or four of %d × %d.", screen.x, screen.y, v.map_size,
+                    v.map_size, v.map_size / 2, v.map_size / 2),
+               figures, numbers,
+               together_and_alone({glsl::shadow_coordinate, glsl::cascade_by_depth, glsl::cascade_coordinate}));
+}
+
+}  // namespace
+
+void add_lights(page& page, const settings& o) {
+    page.section("lights", "Lights",
+                 "How many pixels a texel's longer axis covers, by every way of placing a light's maps, over surfaces "
+                 "that face it. Dark blue: an eighth of a pixel or less; green: one; dark red: eight or more; grey: "
+                 "outside the map, or turned away. Storage is what maps would need, in screens, for one pixel a texel "
+                 "everywhere. Measured: cascades between the nearest and the farthest thing seen.");
+    add_view(page, o,
+             {.id = "indoor",
+              .title = "A few things on a floor",
+              .scene = example::default_scene(),
+              .camera = {.elevation = 30},
+              .light_elevation = 40,
+              .light_distance = 8,
+              .map_size = 1024});
+    add_view(page, o,
+             {.id = "outdoor",
+              .title = "A kilometre of hills",
+              .scene = example::outdoor_scene(),
+              .camera = {.elevation = 4, .distance = 64, .fov = 50},
+              .light_elevation = 30,
+              .light_distance = 100,
+              .map_size = 4096});
+}
+
+}  // namespace gallery
