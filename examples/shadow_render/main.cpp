@@ -4,8 +4,8 @@
 //
 //     light -> depth pass -> encode -> [map] -> fetch -> decode -> compare -> filter -> visibility -> shade
 //
-// Start reading at render(); with cascades it is render_cascades(), in cascades.cpp. The filter is chosen in filter.cpp; the bias is in receivers.cpp, the light on
-// things in shade.hpp.
+// Start reading at render(); with cascades it is render_cascades(), in cascades.cpp. The filter is chosen in
+// filter.cpp; the bias is in receivers.cpp, the light on things in shade.hpp.
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>

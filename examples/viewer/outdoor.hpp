@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The outdoor scene on OpenGL 3.3: instances, drawn into a layer of depth for each of a sun's cascades, and the camera's
-// pass, which chooses between them. Each pass draws what its matrix can see.
+// The outdoor scene on OpenGL 3.3: instances, drawn into a layer of depth for each of a sun's cascades, and the
+// camera's pass, which chooses between them. Each pass draws what its matrix can see.
 //
 //     viewer::outdoor outdoor(session.scene);          // a context is current
 //     outdoor.draw(session, framebuffer, {960, 640});

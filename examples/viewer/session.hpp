@@ -39,7 +39,8 @@ inline constexpr std::string_view keys =
     "H  this text, R  reset\n"
     "P  screenshot, Esc  quit\n";
 
-/// Cascades over a kilometre, beside the original systems: a directional light, depths as they are, a filter over layers.
+/// Cascades over a kilometre, beside the original systems: a directional light, depths as they are, a filter over
+/// layers.
 inline constexpr example::shadow_system outdoor_system{
     .name = "outdoor",
     .title = "Outdoors: four cascades",
