@@ -6973,9 +6973,11 @@ template <std::size_t Count, real T, class Light>
 /// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
 /// camera's frustum, which does not change as the camera turns, and moves by whole texels.
 ///
-/// Offsets are whole numbers, so that in float as in double a world point moves through a map by exactly as much, up to
-/// 2^23 texels from the world's origin: draw depths from rotated points by the projection alone, and what a map shows
-/// of a point keeps its bits too. In float, one matrix for both may move it by a hundredth of a texel.
+/// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
+/// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,
+/// else in float 2^-14 of a texel on maps of 1024, which may move a filter's weights by a step of 1/256. Draw depths
+/// from rotated points by the projection alone. In float, one matrix for both may move points by a hundredth of a
+/// texel.
 ///
 /// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
 /// @return         the nearest first, from split to split
@@ -12141,7 +12143,8 @@ struct placed_point {
 
 /// Over all points and frames.
 struct stability_report {
-    double drift = 0;  ///< of the grid against the world, texels: 0 where maps move by whole texels, at most 1/2
+    double change = 0;  ///< greatest, of a point's visibility in one map
+    double drift = 0;   ///< of the grid against the world, texels: 0 where maps move by whole texels, at most 1/2
     std::size_t compared = 0;  ///< points that a map held in two frames or more
     std::size_t changed = 0;   ///< those of them whose visibility changed in one map
 
@@ -12176,7 +12179,9 @@ template <class Frame>
             const glm::dvec2 moved = now.texel - then.texel, off = glm::abs(moved - glm::round(moved));
             report.drift = glm::max(report.drift, glm::max(off.x, off.y));
             compared[k] = 1;
-            if (now.visibility != then.visibility) changed[k] = 1;
+            const double change = glm::abs(now.visibility - then.visibility);
+            report.change = glm::max(report.change, change);
+            if (change != 0.0) changed[k] = 1;
         }
     }
     for (std::size_t k = 0; k < points; ++k) report.compared += compared[k] != 0, report.changed += changed[k] != 0;

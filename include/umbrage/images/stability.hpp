@@ -34,7 +34,8 @@ struct placed_point {
 
 /// Over all points and frames.
 struct stability_report {
-    double drift = 0;  ///< of the grid against the world, texels: 0 where maps move by whole texels, at most 1/2
+    double change = 0;  ///< greatest, of a point's visibility in one map
+    double drift = 0;   ///< of the grid against the world, texels: 0 where maps move by whole texels, at most 1/2
     std::size_t compared = 0;  ///< points that a map held in two frames or more
     std::size_t changed = 0;   ///< those of them whose visibility changed in one map
 
@@ -69,7 +70,9 @@ template <class Frame>
             const glm::dvec2 moved = now.texel - then.texel, off = glm::abs(moved - glm::round(moved));
             report.drift = glm::max(report.drift, glm::max(off.x, off.y));
             compared[k] = 1;
-            if (now.visibility != then.visibility) changed[k] = 1;
+            const double change = glm::abs(now.visibility - then.visibility);
+            report.change = glm::max(report.change, change);
+            if (change != 0.0) changed[k] = 1;
         }
     }
     for (std::size_t k = 0; k < points; ++k) report.compared += compared[k] != 0, report.changed += changed[k] != 0;

@@ -30,9 +30,11 @@ TEST_CASE("measure_stability: points that stay, move by whole texels, drift, fli
     CHECK(two.drift == 0.125);
     CHECK(two.compared == 3);
     CHECK(two.changed == 0);
+    CHECK(two.change == 0);
     CHECK(three.drift == 0.125);
     CHECK(three.compared == 5);
     CHECK(three.changed == 1);
+    CHECK(three.change == 0.25);
     CHECK(three.share() == 0.2);
     CHECK(complaint([&] { (void)up_to(0); }) == "umbrage::measure_stability: frames must be above 0");
 }

@@ -93,9 +93,11 @@ template <std::size_t Count, real T, class Light>
 /// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
 /// camera's frustum, which does not change as the camera turns, and moves by whole texels.
 ///
-/// Offsets are whole numbers, so that in float as in double a world point moves through a map by exactly as much, up to
-/// 2^23 texels from the world's origin: draw depths from rotated points by the projection alone, and what a map shows
-/// of a point keeps its bits too. In float, one matrix for both may move it by a hundredth of a texel.
+/// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
+/// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,
+/// else in float 2^-14 of a texel on maps of 1024, which may move a filter's weights by a step of 1/256. Draw depths
+/// from rotated points by the projection alone. In float, one matrix for both may move points by a hundredth of a
+/// texel.
 ///
 /// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
 /// @return         the nearest first, from split to split
