@@ -116,18 +116,18 @@ place place_of(const umbrage::cascade_uniforms<float>& u, float distance) {
 }
 
 /// The picture in the cascades' colours, white beyond.
-umbrage::image<glm::u8vec3> tinted(umbrage::image<glm::u8vec3> picture, const umbrage::cascade_uniforms<float>& u,
+umbrage::image<glm::u8vec3> tinted(umbrage::image<glm::u8vec3> shaded, const umbrage::cascade_uniforms<float>& u,
                                    const umbrage::image<float>& distances, const view& v, int samples) {
     constexpr std::array<glm::vec3, cascade_count + 1> tints{
         {{1, 0.45f, 0.4f}, {0.5f, 1, 0.4f}, {0.45f, 0.6f, 1}, {1, 0.9f, 0.35f}, {1, 1, 1}}};
-    for (glm::ivec2 p{0}; p.y < picture.size().y; ++p.y)
-        for (p.x = 0; p.x < picture.size().x; ++p.x) {
+    for (glm::ivec2 p{0}; p.y < shaded.size().y; ++p.y)
+        for (p.x = 0; p.x < shaded.size().x; ++p.x) {
             if (v.seen[p * samples] == example::nothing) continue;
             const auto [number, weight] = place_of(u, distances[p * samples]);
             const glm::vec3 tint = glm::mix(tints[number], tints[number + 1], weight);
-            picture[p] = umbrage::store_unorm8(glm::vec3(picture[p]) / 255.0f * tint);
+            shaded[p] = umbrage::store_unorm8(glm::vec3(shaded[p]) / 255.0f * tint);
         }
-    return picture;
+    return shaded;
 }
 
 }  // namespace
@@ -176,11 +176,11 @@ void render_cascades(const options& o, const example::scene& scene) {
                 umbrage::blend_cascades(by_cascade[number].texels()[i], by_cascade[number + 1].texels()[i], weight);
         }
     });
-    auto picture = progress.stage("shade", [&] { return shade(view, visibility, o.samples, progress.bands()); });
+    auto shaded = progress.stage("shade", [&] { return shade(view, visibility, o.samples, progress.bands()); });
     progress.stage("write", [&] {
-        const auto coloured = tinted(picture, uniforms, distance, view, o.samples);
+        const auto coloured = tinted(shaded, uniforms, distance, view, o.samples);
         example::write_png(o.output / "cascades.png", coloured.view());
-        write(o, map, visibility, std::move(picture));
+        write(o, map, visibility, std::move(shaded));
     });
     if (o.quiet) return;
 

@@ -60,20 +60,20 @@ inline void shade_row(const view& v, const umbrage::image<float>& visibility, in
 template <class ParallelFor>
 [[nodiscard]] umbrage::image<glm::u8vec3> shade(const view& v, const umbrage::image<float>& visibility, int samples,
                                                 ParallelFor&& parallel) {
-    umbrage::image<glm::u8vec3> picture(v.seen.size() / samples);
-    parallel(picture.size().y, [&](int first, int last) {
+    umbrage::image<glm::u8vec3> pixels(v.seen.size() / samples);
+    parallel(pixels.size().y, [&](int first, int last) {
         const std::size_t width = static_cast<std::size_t>(v.seen.size().x);
         std::vector<glm::vec3> light(width * static_cast<std::size_t>(samples));
         for (int y = first; y < last; ++y) {
             for (int row = 0; row < samples; ++row)
                 shade_row(v, visibility, y * samples + row, &light[static_cast<std::size_t>(row) * width]);
-            for (int x = 0; x < picture.size().x; ++x)
-                picture[{x, y}] = example::to_srgb(mean<glm::vec3>(x, samples, [&](int at, int row) {
+            for (int x = 0; x < pixels.size().x; ++x)
+                pixels[{x, y}] = example::to_srgb(mean<glm::vec3>(x, samples, [&](int at, int row) {
                     return light[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(at)];
                 }));
         }
     });
-    return picture;
+    return pixels;
 }
 
 }  // namespace shadow_render
