@@ -161,13 +161,7 @@ void suite::all() const {
     run("cube_atlas_direction", inputs, cube_texel,
         [](glm::vec4 v) { return cube_atlas_direction(glm::vec2(v) + 1.0f, v.w); });
     run("cube_lit", inputs, cube_texel, [&](glm::vec4 v) { return cube_lit(fetch, v.w, glm::vec3(v), 0.5f); });
-    run(
-        "cube_tile", inputs,
-        [](source& s) {
-            const auto face = static_cast<int>(s.below(6));
-            return glm::ivec2(face, s.below(4096));
-        },
-        [](glm::ivec2 v) { return glm::vec2(cube_tile(v.x, v.y)); });
+    run("cube_tile", inputs, cube_texel, [](glm::vec4 v) { return glm::vec2(cube_tile(int(v.z), int(v.w))); });
     run(
         "cascade_by_depth", inputs, [](source& s) { return s.level() * 4.0f; },
         [](float depth) { return cascade_by_depth(depth, glm::vec3(1.0f, 1.5f, 3.25f)); });
