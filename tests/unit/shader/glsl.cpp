@@ -243,7 +243,7 @@ TEST_CASE("registry: one exit a function, its last statement") {
 
 TEST_CASE("registry: a division or a root is tier C, but for the coordinate of an old-style fetch, and one mended") {
     for (const snippet* s : registry) {
-        if (s->exactness == tier::c || s == &floor_divide) continue;
+        if (s->exactness == tier::c || s == &umbrage::glsl::floor_divide) continue;
         CAPTURE(s->name);
         const std::string code = without_comments(s->source);
         for (std::string_view loose : {"sqrt(", "normalize(", "length(", "pow(", "exp2(", "exp(", "sin(", "cos("})
