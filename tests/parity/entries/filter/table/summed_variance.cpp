@@ -9,30 +9,28 @@ namespace {
 
 using namespace umbrage;
 
-constexpr int table_bits = 10, table_radius = 9;
-
-/// Tables of random depths, some of them alike; the largest has wrapped.
-std::vector<texels> variance_tables(depth_direction direction) {
+/// Tables of random depths from `near` on, some of them alike; the largest has wrapped.
+std::vector<texels> variance_tables(const variance_table& of, float near) {
     random r(7);
     std::vector<texels> all;
     for (const ivec2 size : {ivec2(126, 90), ivec2(36, 20), ivec2(2, 1)}) {
         image<float> map(size);
-        for (float& d : map.texels()) d = static_cast<float>(r.below(4) ? r.below(1025) : 700) / 1024.0f;
-        const auto table =
-            make_variance_table(map.view(), {.bits = table_bits, .radius = table_radius, .is_lit = {direction}});
+        for (float& d : map.texels())
+            d = near + (1.0f - near) * static_cast<float>(r.below(4) ? r.below(1025) : 700) / 1024.0f;
+        const auto table = make_variance_table(map.view(), of);
         all.emplace_back(table.size());
         for (std::size_t i = 0; i < table.texels().size(); ++i) all.back().texels()[i] = vec4(table.texels()[i]);
     }
     return all;
 }
 
-/// x0.xy first, x0.zw the end of a box in the table.
+/// x0.xy first, x0.zw the end of a box in the table, of up to 33 x 33 texels: the sums of many squares pass 2^32.
 std::vector<input_class> boxes_in_tables() {
     return {{"random", [](auto, random& r, sample& s) {
                  for (int axis = 0; axis < 2; ++axis) {
                      const int size = s.map.size[axis] - 1, first = r.below(size), most = size - first;
                      s.x[0][axis] = static_cast<float>(first);
-                     s.x[0][axis + 2] = static_cast<float>(first + 1 + r.below(most < 19 ? most : 19));
+                     s.x[0][axis + 2] = static_cast<float>(first + 1 + r.below(most < 33 ? most : 33));
                  }
              }}};
 }
@@ -55,7 +53,7 @@ void add_summed_variance(std::vector<entry>& all, Compare is_lit, depth_directio
             .call =
                 "vec4(umbrage_summed_variance(map, map_size, vec2(x0.x, x0.y), x0.z, x0.w < 0.0 ? 0.0 : x0.w, "
                 "1024.0))",
-            .maps = variance_tables(direction),
+            .maps = variance_tables({.bits = 10, .radius = 9, .is_lit = {direction}}, 0.0f),
             .map_kind = {.direction = direction},
             .alike = direction == depth_direction::reversed};
     all.push_back(std::move(e));
@@ -72,7 +70,7 @@ void add_filter_table_summed_variance(std::vector<entry>& all) {
                            return box_moments<float>(table_of(s), ivec2(x.x, x.y), ivec2(x.z, x.w));
                        },
                    .call = "umbrage_box_moments(map, map_size, vec2(x0.x, x0.y), vec2(x0.z, x0.w))",
-                   .maps = variance_tables(depth_direction::forward)});
+                   .maps = variance_tables({.bits = 12, .radius = 16}, 0.75f)});
     add_summed_variance(all, less_equal{}, depth_direction::forward);
     add_summed_variance(all, greater_equal{}, depth_direction::reversed);
 }
