@@ -399,6 +399,82 @@ export const dpcf32: Snippet;
 export const box_moments: Snippet;
 /** variance shadow over a box of any size, from a summed-area table */
 export const summed_variance: Snippet;
+/** 2^n of whole numbers -64 to 63 */
+export const power_of_two: Snippet;
+/** 2^y to 1.8e-7 of it */
+export const exp2_polynomial: Snippet;
+/** 2^y in steps of 12 bits */
+export const exp2_steps: Snippet;
+/** depth that grows with distance */
+export const forward_depth: Snippet;
+/** most that mean and variance let be lit */
+export const chebyshev: Snippet;
+/** visibility without its least values */
+export const bleed_cut: Snippet;
+/** depth to a texel of a variance shadow map */
+export const encode_vsm: Snippet;
+/** mean of texels of a variance shadow map to visibility */
+export const decode_vsm: Snippet;
+/** depth's two moments to mean and deviation */
+export const encode_deviation: Snippet;
+/** mean and deviation to depth's two moments */
+export const decode_deviation: Snippet;
+/** mean and deviation in four channels to depth's two moments */
+export const decode_deviation_rgba8: Snippet;
+/** depth on the scale of exponential shadow maps */
+export const warp_depth: Snippet;
+/** depth to a texel of an exponential shadow map */
+export const encode_esm: Snippet;
+/** mean of texels of an exponential shadow map to visibility */
+export const decode_esm: Snippet;
+/** depth to a texel of two components */
+export const encode_evsm2: Snippet;
+/** depth to a texel of four components */
+export const encode_evsm4: Snippet;
+/** mean of texels of two components to visibility */
+export const decode_evsm2: Snippet;
+/** mean of texels of four components to visibility */
+export const decode_evsm4: Snippet;
+/** depth to its first four powers on [-1, 1] */
+export const encode_msm: Snippet;
+/** four moments to four channels of 16 bits */
+export const turn_moments: Snippet;
+/** four channels of 16 bits to four moments */
+export const turn_moments_back: Snippet;
+/** the two depths that make four moments beside a receiver's */
+export const moment_atoms: Snippet;
+/** four moments, moved a little towards those of spread depths */
+export const bias_moments: Snippet;
+/** mean of four moments to visibility */
+export const decode_msm: Snippet;
+/** least share of depths before a receiver, of depths on [-1, 1] */
+export const hausdorff_share: Snippet;
+/** mean of four moments of depths on [-1, 1] to visibility */
+export const decode_msm_hausdorff: Snippet;
+/** mean of the four texels around a point */
+export const fetch_bilinear: Snippet;
+/** visibility from a map of encode_vsm's texels */
+export const vsm: Snippet;
+/** visibility from a map of encode_esm's texels */
+export const esm: Snippet;
+/** visibility from a map of encode_evsm2's texels */
+export const evsm2: Snippet;
+/** visibility from a map of encode_evsm4's texels */
+export const evsm4: Snippet;
+/** visibility from a map of encode_msm's texels */
+export const msm: Snippet;
+/** visibility from a map of turned moments */
+export const msm_turned: Snippet;
+/** visibility from a map of encode_msm's texels */
+export const msm_hausdorff: Snippet;
+/** mean of texels in a row */
+export const blur_row3: Snippet;
+/** mean of texels in a row */
+export const blur_row5: Snippet;
+/** mean of texels in a row */
+export const blur_row7: Snippet;
+/** mean of 2x2 texels */
+export const halve_texels: Snippet;
 /** texels across a light as world units */
 export const texels_to_world: Snippet;
 /** clamp of a bias to [0, 1], NaN to 1 */

@@ -2273,6 +2273,474 @@ UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
     return compared ? (d <= 0.0 ? 1.0 : behind) : 1.0;
 }
 `,
+            "power_of_two": `
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
+#if __VERSION__ >= 300
+    UMBRAGE_HIGHP uint exponent = uint(n + 127.0);
+    return uintBitsToFloat(exponent << 23);
+#else
+    UMBRAGE_HIGHP float x = n < 0.0 ? n + 64.0 : n;
+    UMBRAGE_HIGHP float p = 1.0;
+    p = n < 0.0 ? p * (1.0 / 4294967296.0) * (1.0 / 4294967296.0) : p;
+    p = x >= 32.0 ? p * 4294967296.0 : p;
+    x = x >= 32.0 ? x - 32.0 : x;
+    p = x >= 16.0 ? p * 65536.0 : p;
+    x = x >= 16.0 ? x - 16.0 : x;
+    p = x >= 8.0 ? p * 256.0 : p;
+    x = x >= 8.0 ? x - 8.0 : x;
+    p = x >= 4.0 ? p * 16.0 : p;
+    x = x >= 4.0 ? x - 4.0 : x;
+    p = x >= 2.0 ? p * 4.0 : p;
+    x = x >= 2.0 ? x - 2.0 : x;
+    return x >= 1.0 ? p * 2.0 : p;
+#endif
+}
+`,
+            "exp2_polynomial": `
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
+    UMBRAGE_HIGHP float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    UMBRAGE_HIGHP float n = floor(x);
+    UMBRAGE_HIGHP float f = x - n;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float p = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+`,
+            "exp2_steps": `
+// umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
+    UMBRAGE_HIGHP float x = floor((y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0)) * 2048.0);
+    UMBRAGE_HIGHP float n = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP float f = x - n * 2048.0;
+    UMBRAGE_HIGHP float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
+    UMBRAGE_HIGHP float r = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
+    UMBRAGE_HIGHP float m = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
+    return m * (1.0 / 2048.0) * umbrage_power_of_two(n);
+}
+`,
+            "forward_depth": `
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+`,
+            "chebyshev": `
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                      UMBRAGE_HIGHP float min_variance) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float difference = m.y - m.x * m.x;
+    UMBRAGE_HIGHP float variance = difference > min_variance ? difference : min_variance;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float distance = receiver - m.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = variance + distance * distance;
+    UMBRAGE_HIGHP float p = variance / sum;
+    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+}
+`,
+            "bleed_cut": `
+// umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
+UMBRAGE_HIGHP float umbrage_bleed_cut(UMBRAGE_HIGHP float visibility, UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float stretched = (visibility - amount) / (1.0 - amount);
+    return visibility > amount ? stretched : 0.0;
+}
+`,
+            "encode_vsm": `
+// umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_vsm(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(depth));
+    return vec2(d, d * d);
+}
+`,
+            "decode_vsm": `
+// umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
+UMBRAGE_HIGHP float umbrage_decode_vsm(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                       UMBRAGE_HIGHP float min_variance) {
+    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+}
+`,
+            "encode_deviation": `
+// umbrage_encode_deviation: mean and mean square of depths to mean and twice the standard deviation, each 0.0 to 1.0
+UMBRAGE_HIGHP vec2 umbrage_encode_deviation(UMBRAGE_HIGHP vec2 m) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float variance = m.y - m.x * m.x;
+    return vec2(m.x, 2.0 * sqrt(variance > 0.0 ? variance : 0.0));
+}
+`,
+            "decode_deviation": `
+// umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
+UMBRAGE_HIGHP vec2 umbrage_decode_deviation(UMBRAGE_HIGHP vec2 held) {
+    UMBRAGE_HIGHP float half_of_it = held.y * 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = held.x * held.x + half_of_it * half_of_it;
+    return vec2(held.x, square);
+}
+`,
+            "decode_deviation_rgba8": `
+// umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
+UMBRAGE_HIGHP vec2 umbrage_decode_deviation_rgba8(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_HIGHP float mean = umbrage_decode_rg16(vec2(c.x, c.y), 1.0);
+    UMBRAGE_HIGHP float deviation = umbrage_decode_rg16(vec2(c.z, c.w), 1.0);
+    return umbrage_decode_deviation(vec2(mean, deviation));
+}
+`,
+            "warp_depth": `
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+UMBRAGE_HIGHP float umbrage_warp_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+`,
+            "encode_esm": `
+// umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP float umbrage_encode_esm(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+    return umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+}
+`,
+            "decode_esm": `
+// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+UMBRAGE_HIGHP float umbrage_decode_esm(UMBRAGE_HIGHP float m, UMBRAGE_HIGHP float receiver,
+                                       UMBRAGE_HIGHP float exponent) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float p = m * umbrage_warp_depth(d, -exponent);
+    UMBRAGE_HIGHP float lit = p > 0.0 && p < 1.0 ? p : (p >= 1.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "encode_evsm2": `
+// umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_evsm2(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+    UMBRAGE_HIGHP float w = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return vec2(w, w * w);
+}
+`,
+            "encode_evsm4": `
+// umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
+UMBRAGE_HIGHP vec4 umbrage_encode_evsm4(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec2 exponents) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(depth));
+    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
+    UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
+    return vec4(w, w * w, n, n * n);
+}
+`,
+            "decode_evsm2": `
+// umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power
+UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                         UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponent);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float least = deviation * w;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float least_variance = least * least;
+    UMBRAGE_HIGHP float lit = umbrage_chebyshev(m, w, least_variance);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "decode_evsm4": `
+// umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers
+UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
+                                         UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
+    UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least_variance = least * least;
+    UMBRAGE_HIGHP float a = umbrage_chebyshev(vec2(m.x, m.y), w, least_variance.x);
+    UMBRAGE_HIGHP float b = umbrage_chebyshev(vec2(m.z, m.w), n, least_variance.y);
+    UMBRAGE_HIGHP float lit = a < b ? a : b;
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "encode_msm": `
+// umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP vec4 umbrage_encode_msm(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    UMBRAGE_HIGHP float square = z * z;
+    return vec4(z, square, square * z, square * square);
+}
+`,
+            "turn_moments": `
+// umbrage_turn_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+UMBRAGE_HIGHP vec4 umbrage_turn_moments(UMBRAGE_HIGHP vec4 b) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = (b.x * 0.75 - b.z) * 2.0 + 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (b.y - b.w) * 4.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (b.y + b.w) * 0.5;
+    return vec4(x, y, z, w);
+}
+`,
+            "turn_moments_back": `
+// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
+UMBRAGE_HIGHP vec4 umbrage_turn_moments_back(UMBRAGE_HIGHP vec4 o) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = o.x - 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = o.z - 0.5;
+    UMBRAGE_HIGHP float eighth = o.y * 0.125;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b1 = z * 1.73205078 - x * 0.333333343;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b2 = o.w + eighth;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b3 = z * 1.29903817 - x * 0.75;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b4 = o.w - eighth;
+    return vec4(b1, b2, b3, b4);
+}
+`,
+            "moment_atoms": `
+// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
+//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float x) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = b.y - b.x * b.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;
+    UMBRAGE_HIGHP float l = third / d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float e = (b.w - b.y * b.y) - third * l;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float h = b.x * 2.0 - l;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float a = d * ((x + h) * x - d);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float m = x * e + h * a;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float c = d * (e - a);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = m * m - 4.0 * a * c;
+    UMBRAGE_HIGHP float root = sqrt(square > 0.0 ? square : 0.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
+    UMBRAGE_HIGHP vec2 t = vec2(w / a, c / w);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 q = (t + h) * t - d;
+    UMBRAGE_HIGHP float least = d * e;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 sum = least + (t * t * e + q * q * d);
+    return vec4(t.x, t.y, least / sum.x, least / sum.y);
+}
+`,
+            "bias_moments": `
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+UMBRAGE_HIGHP vec4 umbrage_bias_moments(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP vec2 bias) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = b.x - b.x * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = b.y + (bias.y - b.y) * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = b.z - b.z * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = b.w + (bias.y - b.w) * bias.x;
+    return vec4(x, y, z, w);
+}
+`,
+            "decode_msm": `
+// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased
+//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
+    UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
+    UMBRAGE_HIGHP float first = atoms.x < x ? atoms.z : 0.0;
+    UMBRAGE_HIGHP float second = atoms.y < x ? atoms.w : 0.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float lit = 1.0 - (first + second);
+    bool known = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "hausdorff_share": `
+// umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
+//   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+UMBRAGE_HIGHP float umbrage_hausdorff_share(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float z) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = (b.z - b.x) - z * (b.y - 1.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float n = (b.w - b.y) - z * (b.z - b.x);
+    UMBRAGE_HIGHP float f = n / d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float s = z + f;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float p = z * f;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float above = (b.z - (1.0 + s) * b.y) + ((s + p) * b.x - p);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float below = -2.0 * ((1.0 + z) * (1.0 + f));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float between = (f * f - 1.0) * (f - z);
+    UMBRAGE_HIGHP float end = above / below;
+    UMBRAGE_HIGHP float other = d / between;
+    return end + (f < z ? other : 0.0);
+}
+`,
+            "decode_msm_hausdorff": `
+// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
+UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver,
+                                                 UMBRAGE_HIGHP vec2 bias) {
+    UMBRAGE_HIGHP float plain = umbrage_decode_msm(b, receiver, bias);
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
+    UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = z - m.x;
+    UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
+    bool outside = abs(atoms.x + m.x) > 1.0 || abs(atoms.y + m.x) > 1.0;
+    UMBRAGE_HIGHP float share = umbrage_hausdorff_share(m, z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float lit = z > -1.0 ? 1.0 - share : 1.0;
+    bool known = outside && abs(atoms.z + atoms.w) <= 4294967296.0 && abs(lit) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : plain;
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "fetch_bilinear": `
+// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
+//   coord  in texels, first centre at (0.5, 0.5)
+UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+    UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, texel);
+    UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 0.0));
+    UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, texel + vec2(0.0, 1.0));
+    UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 1.0));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 low = a * lo.x + b * hi.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 high = c * lo.x + d * hi.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
+}
+`,
+            "vsm": `
+// umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   min_variance  0.0 or more
+UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float min_variance) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_vsm(vec2(m.x, m.y), receiver, min_variance);
+    return compared ? lit : 1.0;
+}
+`,
+            "esm": `
+// umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponent  as of the texels
+UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_esm(m.x, receiver, exponent);
+    return compared ? lit : 1.0;
+}
+`,
+            "evsm2": `
+// umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
+UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                  UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent,
+                                  UMBRAGE_HIGHP float deviation) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_evsm2(vec2(m.x, m.y), receiver, exponent, deviation);
+    return compared ? lit : 1.0;
+}
+`,
+            "evsm4": `
+// umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
+UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                  UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 exponents,
+                                  UMBRAGE_HIGHP vec2 deviations) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
+    return compared ? lit : 1.0;
+}
+`,
+            "msm": `
+// umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(m, receiver, bias);
+    return compared ? lit : 1.0;
+}
+`,
+            "msm_turned": `
+// umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+UMBRAGE_HIGHP float umbrage_msm_turned(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_turn_moments_back(m), receiver, bias);
+    return compared ? lit : 1.0;
+}
+`,
+            "msm_hausdorff": `
+// umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                          UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
+    return compared ? lit : 1.0;
+}
+`,
+            "blur_row3": `
+// umbrage_blur_row3: mean of 3 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+UMBRAGE_HIGHP vec4 umbrage_blur_row3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                     UMBRAGE_HIGHP vec2 along) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * (2.0 / 4.0);
+    UMBRAGE_HIGHP vec4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    UMBRAGE_HIGHP vec4 after1 = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (1.0 / 4.0);
+    return sum;
+}
+`,
+            "blur_row5": `
+// umbrage_blur_row5: mean of 5 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+UMBRAGE_HIGHP vec4 umbrage_blur_row5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                     UMBRAGE_HIGHP vec2 along) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * (6.0 / 16.0);
+    UMBRAGE_HIGHP vec4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    UMBRAGE_HIGHP vec4 after1 = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (4.0 / 16.0);
+    UMBRAGE_HIGHP vec4 before2 = umbrage_fetch_clamped(map, size, texel - along * 2.0);
+    UMBRAGE_HIGHP vec4 after2 = umbrage_fetch_clamped(map, size, texel + along * 2.0);
+    sum = sum + (before2 + after2) * (1.0 / 16.0);
+    return sum;
+}
+`,
+            "blur_row7": `
+// umbrage_blur_row7: mean of 7 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+UMBRAGE_HIGHP vec4 umbrage_blur_row7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                     UMBRAGE_HIGHP vec2 along) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * (20.0 / 64.0);
+    UMBRAGE_HIGHP vec4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    UMBRAGE_HIGHP vec4 after1 = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (15.0 / 64.0);
+    UMBRAGE_HIGHP vec4 before2 = umbrage_fetch_clamped(map, size, texel - along * 2.0);
+    UMBRAGE_HIGHP vec4 after2 = umbrage_fetch_clamped(map, size, texel + along * 2.0);
+    sum = sum + (before2 + after2) * (6.0 / 64.0);
+    UMBRAGE_HIGHP vec4 before3 = umbrage_fetch_clamped(map, size, texel - along * 3.0);
+    UMBRAGE_HIGHP vec4 after3 = umbrage_fetch_clamped(map, size, texel + along * 3.0);
+    sum = sum + (before3 + after3) * (1.0 / 64.0);
+    return sum;
+}
+`,
+            "halve_texels": `
+// umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
+//   map, size  read from, and its size in texels;   texel  of the next level, whole numbers
+UMBRAGE_HIGHP vec4 umbrage_halve_texels(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP vec2 at = texel * 2.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, at);
+    UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, at + vec2(1.0, 0.0));
+    UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, at + vec2(0.0, 1.0));
+    UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, at + vec2(1.0, 1.0));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = (a + b) + (c + d);
+    return sum * 0.25;
+}
+`,
             "texels_to_world": `
 // umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
 //   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
@@ -4547,6 +5015,432 @@ float umbrage_summed_variance(UMBRAGE_MAP map, float2 size, float2 coord, float 
     return compared ? (d <= 0.0 ? 1.0 : behind) : 1.0;
 }
 `,
+            "exp2_polynomial": `
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+float umbrage_exp2_polynomial(float y) {
+    float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    float n = floor(x);
+    float f = x - n;
+    precise float p = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+`,
+            "exp2_steps": `
+// umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+float umbrage_exp2_steps(float y) {
+    float x = floor((y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0)) * 2048.0);
+    float n = floor(x * (1.0 / 2048.0));
+    float f = x - n * 2048.0;
+    float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
+    float r = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
+    float m = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
+    return m * (1.0 / 2048.0) * umbrage_power_of_two(n);
+}
+`,
+            "forward_depth": `
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_forward_depth(float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+`,
+            "chebyshev": `
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
+    precise float difference = m.y - m.x * m.x;
+    float variance = difference > min_variance ? difference : min_variance;
+    precise float distance = receiver - m.x;
+    precise float sum = variance + distance * distance;
+    float p = variance / sum;
+    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+}
+`,
+            "bleed_cut": `
+// umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
+float umbrage_bleed_cut(float visibility, float amount) {
+    float stretched = (visibility - amount) / (1.0 - amount);
+    return visibility > amount ? stretched : 0.0;
+}
+`,
+            "encode_vsm": `
+// umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
+float2 umbrage_encode_vsm(float depth) {
+    float d = umbrage_forward_depth(umbrage_saturate(depth));
+    return float2(d, d * d);
+}
+`,
+            "decode_vsm": `
+// umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
+float umbrage_decode_vsm(float2 m, float receiver, float min_variance) {
+    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+}
+`,
+            "encode_deviation": `
+// umbrage_encode_deviation: mean and mean square of depths to mean and twice the standard deviation, each 0.0 to 1.0
+float2 umbrage_encode_deviation(float2 m) {
+    precise float variance = m.y - m.x * m.x;
+    return float2(m.x, 2.0 * sqrt(variance > 0.0 ? variance : 0.0));
+}
+`,
+            "decode_deviation": `
+// umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
+float2 umbrage_decode_deviation(float2 held) {
+    float half_of_it = held.y * 0.5;
+    precise float square = held.x * held.x + half_of_it * half_of_it;
+    return float2(held.x, square);
+}
+`,
+            "decode_deviation_rgba8": `
+// umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
+float2 umbrage_decode_deviation_rgba8(float4 c) {
+    float mean = umbrage_decode_rg16(float2(c.x, c.y), 1.0);
+    float deviation = umbrage_decode_rg16(float2(c.z, c.w), 1.0);
+    return umbrage_decode_deviation(float2(mean, deviation));
+}
+`,
+            "warp_depth": `
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+float umbrage_warp_depth(float depth, float exponent) {
+    precise float y = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+`,
+            "encode_esm": `
+// umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
+float umbrage_encode_esm(float depth, float exponent) {
+    return umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+}
+`,
+            "decode_esm": `
+// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+float umbrage_decode_esm(float m, float receiver, float exponent) {
+    float d = umbrage_forward_depth(receiver);
+    float p = m * umbrage_warp_depth(d, -exponent);
+    float lit = p > 0.0 && p < 1.0 ? p : (p >= 1.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "encode_evsm2": `
+// umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
+float2 umbrage_encode_evsm2(float depth, float exponent) {
+    float w = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return float2(w, w * w);
+}
+`,
+            "encode_evsm4": `
+// umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
+float4 umbrage_encode_evsm4(float depth, float2 exponents) {
+    float d = umbrage_forward_depth(umbrage_saturate(depth));
+    float w = umbrage_warp_depth(d, exponents.x);
+    float n = -umbrage_warp_depth(d, -exponents.y);
+    return float4(w, w * w, n, n * n);
+}
+`,
+            "decode_evsm2": `
+// umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power
+float umbrage_decode_evsm2(float2 m, float receiver, float exponent, float deviation) {
+    float d = umbrage_forward_depth(receiver);
+    float w = umbrage_warp_depth(d, exponent);
+    precise float least = deviation * w;
+    precise float least_variance = least * least;
+    float lit = umbrage_chebyshev(m, w, least_variance);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "decode_evsm4": `
+// umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers
+float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, float2 deviations) {
+    float d = umbrage_forward_depth(receiver);
+    float w = umbrage_warp_depth(d, exponents.x);
+    float n = -umbrage_warp_depth(d, -exponents.y);
+    precise float2 least = deviations * float2(w, n);
+    precise float2 least_variance = least * least;
+    float a = umbrage_chebyshev(float2(m.x, m.y), w, least_variance.x);
+    float b = umbrage_chebyshev(float2(m.z, m.w), n, least_variance.y);
+    float lit = a < b ? a : b;
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "encode_msm": `
+// umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
+float4 umbrage_encode_msm(float depth) {
+    precise float z = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    float square = z * z;
+    return float4(z, square, square * z, square * square);
+}
+`,
+            "turn_moments": `
+// umbrage_turn_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+float4 umbrage_turn_moments(float4 b) {
+    precise float x = (b.x * 0.75 - b.z) * 2.0 + 0.5;
+    precise float y = (b.y - b.w) * 4.0;
+    precise float z = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
+    precise float w = (b.y + b.w) * 0.5;
+    return float4(x, y, z, w);
+}
+`,
+            "turn_moments_back": `
+// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
+float4 umbrage_turn_moments_back(float4 o) {
+    precise float x = o.x - 0.5;
+    precise float z = o.z - 0.5;
+    float eighth = o.y * 0.125;
+    precise float b1 = z * 1.73205078 - x * 0.333333343;
+    precise float b2 = o.w + eighth;
+    precise float b3 = z * 1.29903817 - x * 0.75;
+    precise float b4 = o.w - eighth;
+    return float4(b1, b2, b3, b4);
+}
+`,
+            "moment_atoms": `
+// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
+//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+float4 umbrage_moment_atoms(float4 b, float x) {
+    precise float d = b.y - b.x * b.x;
+    precise float third = b.z - b.x * b.y;
+    float l = third / d;
+    precise float e = (b.w - b.y * b.y) - third * l;
+    precise float h = b.x * 2.0 - l;
+    precise float a = d * ((x + h) * x - d);
+    precise float m = x * e + h * a;
+    precise float c = d * (e - a);
+    precise float square = m * m - 4.0 * a * c;
+    float root = sqrt(square > 0.0 ? square : 0.0);
+    precise float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
+    float2 t = float2(w / a, c / w);
+    precise float2 q = (t + h) * t - d;
+    float least = d * e;
+    precise float2 sum = least + (t * t * e + q * q * d);
+    return float4(t.x, t.y, least / sum.x, least / sum.y);
+}
+`,
+            "bias_moments": `
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+float4 umbrage_bias_moments(float4 b, float2 bias) {
+    precise float x = b.x - b.x * bias.x;
+    precise float y = b.y + (bias.y - b.y) * bias.x;
+    precise float z = b.z - b.z * bias.x;
+    precise float w = b.w + (bias.y - b.w) * bias.x;
+    return float4(x, y, z, w);
+}
+`,
+            "decode_msm": `
+// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased
+//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
+    float d = umbrage_forward_depth(receiver);
+    float4 m = umbrage_bias_moments(b, bias);
+    precise float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
+    float4 atoms = umbrage_moment_atoms(m, x);
+    float first = atoms.x < x ? atoms.z : 0.0;
+    float second = atoms.y < x ? atoms.w : 0.0;
+    precise float lit = 1.0 - (first + second);
+    bool known = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "hausdorff_share": `
+// umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
+//   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+float umbrage_hausdorff_share(float4 b, float z) {
+    precise float d = (b.z - b.x) - z * (b.y - 1.0);
+    precise float n = (b.w - b.y) - z * (b.z - b.x);
+    float f = n / d;
+    precise float s = z + f;
+    precise float p = z * f;
+    precise float above = (b.z - (1.0 + s) * b.y) + ((s + p) * b.x - p);
+    precise float below = -2.0 * ((1.0 + z) * (1.0 + f));
+    precise float between = (f * f - 1.0) * (f - z);
+    float end = above / below;
+    float other = d / between;
+    return end + (f < z ? other : 0.0);
+}
+`,
+            "decode_msm_hausdorff": `
+// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
+float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
+    float plain = umbrage_decode_msm(b, receiver, bias);
+    float d = umbrage_forward_depth(receiver);
+    float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
+    float4 m = umbrage_bias_moments(b, bias);
+    precise float x = z - m.x;
+    float4 atoms = umbrage_moment_atoms(m, x);
+    bool outside = abs(atoms.x + m.x) > 1.0 || abs(atoms.y + m.x) > 1.0;
+    float share = umbrage_hausdorff_share(m, z);
+    precise float lit = z > -1.0 ? 1.0 - share : 1.0;
+    bool known = outside && abs(atoms.z + atoms.w) <= 4294967296.0 && abs(lit) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : plain;
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "fetch_bilinear": `
+// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
+//   coord  in texels, first centre at (0.5, 0.5)
+float4 umbrage_fetch_bilinear(UMBRAGE_MAP map, float2 size, float2 coord) {
+    float2 x = floor(coord * 256.0) - 128.0;
+    float2 texel = floor(x * (1.0 / 256.0));
+    float2 hi = x - texel * 256.0;
+    float2 lo = 256.0 - hi;
+    float4 a = umbrage_fetch_clamped(map, size, texel);
+    float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
+    float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));
+    float4 d = umbrage_fetch_clamped(map, size, texel + float2(1.0, 1.0));
+    precise float4 low = a * lo.x + b * hi.x;
+    precise float4 high = c * lo.x + d * hi.x;
+    precise float4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
+}
+`,
+            "vsm": `
+// umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   min_variance  0.0 or more
+float umbrage_vsm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float min_variance) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_vsm(float2(m.x, m.y), receiver, min_variance);
+    return compared ? lit : 1.0;
+}
+`,
+            "esm": `
+// umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponent  as of the texels
+float umbrage_esm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float exponent) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_esm(m.x, receiver, exponent);
+    return compared ? lit : 1.0;
+}
+`,
+            "evsm2": `
+// umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
+float umbrage_evsm2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float exponent, float deviation) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_evsm2(float2(m.x, m.y), receiver, exponent, deviation);
+    return compared ? lit : 1.0;
+}
+`,
+            "evsm4": `
+// umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
+float umbrage_evsm4(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 exponents, float2 deviations) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
+    return compared ? lit : 1.0;
+}
+`,
+            "msm": `
+// umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+float umbrage_msm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_msm(m, receiver, bias);
+    return compared ? lit : 1.0;
+}
+`,
+            "msm_turned": `
+// umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+float umbrage_msm_turned(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_msm(umbrage_turn_moments_back(m), receiver, bias);
+    return compared ? lit : 1.0;
+}
+`,
+            "msm_hausdorff": `
+// umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+float umbrage_msm_hausdorff(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
+    return compared ? lit : 1.0;
+}
+`,
+            "blur_row3": `
+// umbrage_blur_row3: mean of 3 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+float4 umbrage_blur_row3(UMBRAGE_MAP map, float2 size, float2 texel, float2 along) {
+    precise float4 sum = umbrage_fetch_clamped(map, size, texel) * (2.0 / 4.0);
+    float4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    float4 after1 = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (1.0 / 4.0);
+    return sum;
+}
+`,
+            "blur_row5": `
+// umbrage_blur_row5: mean of 5 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+float4 umbrage_blur_row5(UMBRAGE_MAP map, float2 size, float2 texel, float2 along) {
+    precise float4 sum = umbrage_fetch_clamped(map, size, texel) * (6.0 / 16.0);
+    float4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    float4 after1 = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (4.0 / 16.0);
+    float4 before2 = umbrage_fetch_clamped(map, size, texel - along * 2.0);
+    float4 after2 = umbrage_fetch_clamped(map, size, texel + along * 2.0);
+    sum = sum + (before2 + after2) * (1.0 / 16.0);
+    return sum;
+}
+`,
+            "blur_row7": `
+// umbrage_blur_row7: mean of 7 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+float4 umbrage_blur_row7(UMBRAGE_MAP map, float2 size, float2 texel, float2 along) {
+    precise float4 sum = umbrage_fetch_clamped(map, size, texel) * (20.0 / 64.0);
+    float4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    float4 after1 = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (15.0 / 64.0);
+    float4 before2 = umbrage_fetch_clamped(map, size, texel - along * 2.0);
+    float4 after2 = umbrage_fetch_clamped(map, size, texel + along * 2.0);
+    sum = sum + (before2 + after2) * (6.0 / 64.0);
+    float4 before3 = umbrage_fetch_clamped(map, size, texel - along * 3.0);
+    float4 after3 = umbrage_fetch_clamped(map, size, texel + along * 3.0);
+    sum = sum + (before3 + after3) * (1.0 / 64.0);
+    return sum;
+}
+`,
+            "halve_texels": `
+// umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
+//   map, size  read from, and its size in texels;   texel  of the next level, whole numbers
+float4 umbrage_halve_texels(UMBRAGE_MAP map, float2 size, float2 texel) {
+    float2 at = texel * 2.0;
+    float4 a = umbrage_fetch_clamped(map, size, at);
+    float4 b = umbrage_fetch_clamped(map, size, at + float2(1.0, 0.0));
+    float4 c = umbrage_fetch_clamped(map, size, at + float2(0.0, 1.0));
+    float4 d = umbrage_fetch_clamped(map, size, at + float2(1.0, 1.0));
+    precise float4 sum = (a + b) + (c + d);
+    return sum * 0.25;
+}
+`,
             "texels_to_world": `
 // umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
 //   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
@@ -6799,6 +7693,434 @@ inline float umbrage_summed_variance(UMBRAGE_MAP map, float2 size, float2 coord,
     return compared ? (d <= 0.0 ? 1.0 : behind) : 1.0;
 }
 `,
+            "exp2_polynomial": `
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+inline float umbrage_exp2_polynomial(float y) {
+    float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    float n = metal::floor(x);
+    float f = x - n;
+    float p = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+`,
+            "exp2_steps": `
+// umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+inline float umbrage_exp2_steps(float y) {
+    float x = metal::floor((y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0)) * 2048.0);
+    float n = metal::floor(x * (1.0 / 2048.0));
+    float f = x - n * 2048.0;
+    float g = metal::floor(f * (2048.0 - f) * (1.0 / 256.0));
+    float r = 1251.0 + metal::floor(f * 314.0 * (1.0 / 2048.0));
+    float m = 2048.0 + f - metal::floor((g * r + 16384.0) * (1.0 / 32768.0));
+    return m * (1.0 / 2048.0) * umbrage_power_of_two(n);
+}
+`,
+            "forward_depth": `
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+inline float umbrage_forward_depth(float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+`,
+            "chebyshev": `
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+inline float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
+    float difference = m.y - m.x * m.x;
+    float variance = difference > min_variance ? difference : min_variance;
+    float distance = receiver - m.x;
+    float sum = variance + distance * distance;
+    float p = variance / sum;
+    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+}
+`,
+            "bleed_cut": `
+// umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
+inline float umbrage_bleed_cut(float visibility, float amount) {
+    float stretched = (visibility - amount) / (1.0 - amount);
+    return visibility > amount ? stretched : 0.0;
+}
+`,
+            "encode_vsm": `
+// umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
+inline float2 umbrage_encode_vsm(float depth) {
+    float d = umbrage_forward_depth(umbrage_saturate(depth));
+    return float2(d, d * d);
+}
+`,
+            "decode_vsm": `
+// umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
+inline float umbrage_decode_vsm(float2 m, float receiver, float min_variance) {
+    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+}
+`,
+            "encode_deviation": `
+// umbrage_encode_deviation: mean and mean square of depths to mean and twice the standard deviation, each 0.0 to 1.0
+inline float2 umbrage_encode_deviation(float2 m) {
+    float variance = m.y - m.x * m.x;
+    return float2(m.x, 2.0 * metal::sqrt(variance > 0.0 ? variance : 0.0));
+}
+`,
+            "decode_deviation": `
+// umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
+inline float2 umbrage_decode_deviation(float2 held) {
+    float half_of_it = held.y * 0.5;
+    float square = held.x * held.x + half_of_it * half_of_it;
+    return float2(held.x, square);
+}
+`,
+            "decode_deviation_rgba8": `
+// umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
+inline float2 umbrage_decode_deviation_rgba8(float4 c) {
+    float mean = umbrage_decode_rg16(float2(c.x, c.y), 1.0);
+    float deviation = umbrage_decode_rg16(float2(c.z, c.w), 1.0);
+    return umbrage_decode_deviation(float2(mean, deviation));
+}
+`,
+            "warp_depth": `
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+inline float umbrage_warp_depth(float depth, float exponent) {
+    float y = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+`,
+            "encode_esm": `
+// umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
+inline float umbrage_encode_esm(float depth, float exponent) {
+    return umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+}
+`,
+            "decode_esm": `
+// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+inline float umbrage_decode_esm(float m, float receiver, float exponent) {
+    float d = umbrage_forward_depth(receiver);
+    float p = m * umbrage_warp_depth(d, -exponent);
+    float lit = p > 0.0 && p < 1.0 ? p : (p >= 1.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "encode_evsm2": `
+// umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
+inline float2 umbrage_encode_evsm2(float depth, float exponent) {
+    float w = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return float2(w, w * w);
+}
+`,
+            "encode_evsm4": `
+// umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
+inline float4 umbrage_encode_evsm4(float depth, float2 exponents) {
+    float d = umbrage_forward_depth(umbrage_saturate(depth));
+    float w = umbrage_warp_depth(d, exponents.x);
+    float n = -umbrage_warp_depth(d, -exponents.y);
+    return float4(w, w * w, n, n * n);
+}
+`,
+            "decode_evsm2": `
+// umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power
+inline float umbrage_decode_evsm2(float2 m, float receiver, float exponent, float deviation) {
+    float d = umbrage_forward_depth(receiver);
+    float w = umbrage_warp_depth(d, exponent);
+    float least = deviation * w;
+    float least_variance = least * least;
+    float lit = umbrage_chebyshev(m, w, least_variance);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "decode_evsm4": `
+// umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers
+inline float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, float2 deviations) {
+    float d = umbrage_forward_depth(receiver);
+    float w = umbrage_warp_depth(d, exponents.x);
+    float n = -umbrage_warp_depth(d, -exponents.y);
+    float2 least = deviations * float2(w, n);
+    float2 least_variance = least * least;
+    float a = umbrage_chebyshev(float2(m.x, m.y), w, least_variance.x);
+    float b = umbrage_chebyshev(float2(m.z, m.w), n, least_variance.y);
+    float lit = a < b ? a : b;
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "encode_msm": `
+// umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
+inline float4 umbrage_encode_msm(float depth) {
+    float z = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    float square = z * z;
+    return float4(z, square, square * z, square * square);
+}
+`,
+            "turn_moments": `
+// umbrage_turn_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+inline float4 umbrage_turn_moments(float4 b) {
+    float x = (b.x * 0.75 - b.z) * 2.0 + 0.5;
+    float y = (b.y - b.w) * 4.0;
+    float z = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
+    float w = (b.y + b.w) * 0.5;
+    return float4(x, y, z, w);
+}
+`,
+            "turn_moments_back": `
+// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
+inline float4 umbrage_turn_moments_back(float4 o) {
+    float x = o.x - 0.5;
+    float z = o.z - 0.5;
+    float eighth = o.y * 0.125;
+    float b1 = z * 1.73205078 - x * 0.333333343;
+    float b2 = o.w + eighth;
+    float b3 = z * 1.29903817 - x * 0.75;
+    float b4 = o.w - eighth;
+    return float4(b1, b2, b3, b4);
+}
+`,
+            "moment_atoms": `
+// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
+//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+inline float4 umbrage_moment_atoms(float4 b, float x) {
+    float d = b.y - b.x * b.x;
+    float third = b.z - b.x * b.y;
+    float l = third / d;
+    float e = (b.w - b.y * b.y) - third * l;
+    float h = b.x * 2.0 - l;
+    float a = d * ((x + h) * x - d);
+    float m = x * e + h * a;
+    float c = d * (e - a);
+    float square = m * m - 4.0 * a * c;
+    float root = metal::sqrt(square > 0.0 ? square : 0.0);
+    float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
+    float2 t = float2(w / a, c / w);
+    float2 q = (t + h) * t - d;
+    float least = d * e;
+    float2 sum = least + (t * t * e + q * q * d);
+    return float4(t.x, t.y, least / sum.x, least / sum.y);
+}
+`,
+            "bias_moments": `
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+inline float4 umbrage_bias_moments(float4 b, float2 bias) {
+    float x = b.x - b.x * bias.x;
+    float y = b.y + (bias.y - b.y) * bias.x;
+    float z = b.z - b.z * bias.x;
+    float w = b.w + (bias.y - b.w) * bias.x;
+    return float4(x, y, z, w);
+}
+`,
+            "decode_msm": `
+// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased
+//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
+    float d = umbrage_forward_depth(receiver);
+    float4 m = umbrage_bias_moments(b, bias);
+    float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
+    float4 atoms = umbrage_moment_atoms(m, x);
+    float first = atoms.x < x ? atoms.z : 0.0;
+    float second = atoms.y < x ? atoms.w : 0.0;
+    float lit = 1.0 - (first + second);
+    bool known = metal::abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "hausdorff_share": `
+// umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
+//   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+inline float umbrage_hausdorff_share(float4 b, float z) {
+    float d = (b.z - b.x) - z * (b.y - 1.0);
+    float n = (b.w - b.y) - z * (b.z - b.x);
+    float f = n / d;
+    float s = z + f;
+    float p = z * f;
+    float above = (b.z - (1.0 + s) * b.y) + ((s + p) * b.x - p);
+    float below = -2.0 * ((1.0 + z) * (1.0 + f));
+    float between = (f * f - 1.0) * (f - z);
+    float end = above / below;
+    float other = d / between;
+    return end + (f < z ? other : 0.0);
+}
+`,
+            "decode_msm_hausdorff": `
+// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
+inline float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
+    float plain = umbrage_decode_msm(b, receiver, bias);
+    float d = umbrage_forward_depth(receiver);
+    float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
+    float4 m = umbrage_bias_moments(b, bias);
+    float x = z - m.x;
+    float4 atoms = umbrage_moment_atoms(m, x);
+    bool outside = metal::abs(atoms.x + m.x) > 1.0 || metal::abs(atoms.y + m.x) > 1.0;
+    float share = umbrage_hausdorff_share(m, z);
+    float lit = z > -1.0 ? 1.0 - share : 1.0;
+    bool known = outside && metal::abs(atoms.z + atoms.w) <= 4294967296.0 && metal::abs(lit) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : plain;
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "fetch_bilinear": `
+// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
+//   coord  in texels, first centre at (0.5, 0.5)
+inline float4 umbrage_fetch_bilinear(UMBRAGE_MAP map, float2 size, float2 coord) {
+    float2 x = metal::floor(coord * 256.0) - 128.0;
+    float2 texel = metal::floor(x * (1.0 / 256.0));
+    float2 hi = x - texel * 256.0;
+    float2 lo = 256.0 - hi;
+    float4 a = umbrage_fetch_clamped(map, size, texel);
+    float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
+    float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));
+    float4 d = umbrage_fetch_clamped(map, size, texel + float2(1.0, 1.0));
+    float4 low = a * lo.x + b * hi.x;
+    float4 high = c * lo.x + d * hi.x;
+    float4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
+}
+`,
+            "vsm": `
+// umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   min_variance  0.0 or more
+inline float umbrage_vsm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float min_variance) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_vsm(float2(m.x, m.y), receiver, min_variance);
+    return compared ? lit : 1.0;
+}
+`,
+            "esm": `
+// umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponent  as of the texels
+inline float umbrage_esm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float exponent) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_esm(m.x, receiver, exponent);
+    return compared ? lit : 1.0;
+}
+`,
+            "evsm2": `
+// umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
+inline float umbrage_evsm2(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float exponent,
+                           float deviation) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_evsm2(float2(m.x, m.y), receiver, exponent, deviation);
+    return compared ? lit : 1.0;
+}
+`,
+            "evsm4": `
+// umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
+inline float umbrage_evsm4(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 exponents,
+                           float2 deviations) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
+    return compared ? lit : 1.0;
+}
+`,
+            "msm": `
+// umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+inline float umbrage_msm(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_msm(m, receiver, bias);
+    return compared ? lit : 1.0;
+}
+`,
+            "msm_turned": `
+// umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+inline float umbrage_msm_turned(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_msm(umbrage_turn_moments_back(m), receiver, bias);
+    return compared ? lit : 1.0;
+}
+`,
+            "msm_hausdorff": `
+// umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+inline float umbrage_msm_hausdorff(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
+    return compared ? lit : 1.0;
+}
+`,
+            "blur_row3": `
+// umbrage_blur_row3: mean of 3 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+inline float4 umbrage_blur_row3(UMBRAGE_MAP map, float2 size, float2 texel, float2 along) {
+    float4 sum = umbrage_fetch_clamped(map, size, texel) * (2.0 / 4.0);
+    float4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    float4 after1 = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (1.0 / 4.0);
+    return sum;
+}
+`,
+            "blur_row5": `
+// umbrage_blur_row5: mean of 5 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+inline float4 umbrage_blur_row5(UMBRAGE_MAP map, float2 size, float2 texel, float2 along) {
+    float4 sum = umbrage_fetch_clamped(map, size, texel) * (6.0 / 16.0);
+    float4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    float4 after1 = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (4.0 / 16.0);
+    float4 before2 = umbrage_fetch_clamped(map, size, texel - along * 2.0);
+    float4 after2 = umbrage_fetch_clamped(map, size, texel + along * 2.0);
+    sum = sum + (before2 + after2) * (1.0 / 16.0);
+    return sum;
+}
+`,
+            "blur_row7": `
+// umbrage_blur_row7: mean of 7 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+inline float4 umbrage_blur_row7(UMBRAGE_MAP map, float2 size, float2 texel, float2 along) {
+    float4 sum = umbrage_fetch_clamped(map, size, texel) * (20.0 / 64.0);
+    float4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    float4 after1 = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (15.0 / 64.0);
+    float4 before2 = umbrage_fetch_clamped(map, size, texel - along * 2.0);
+    float4 after2 = umbrage_fetch_clamped(map, size, texel + along * 2.0);
+    sum = sum + (before2 + after2) * (6.0 / 64.0);
+    float4 before3 = umbrage_fetch_clamped(map, size, texel - along * 3.0);
+    float4 after3 = umbrage_fetch_clamped(map, size, texel + along * 3.0);
+    sum = sum + (before3 + after3) * (1.0 / 64.0);
+    return sum;
+}
+`,
+            "halve_texels": `
+// umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
+//   map, size  read from, and its size in texels;   texel  of the next level, whole numbers
+inline float4 umbrage_halve_texels(UMBRAGE_MAP map, float2 size, float2 texel) {
+    float2 at = texel * 2.0;
+    float4 a = umbrage_fetch_clamped(map, size, at);
+    float4 b = umbrage_fetch_clamped(map, size, at + float2(1.0, 0.0));
+    float4 c = umbrage_fetch_clamped(map, size, at + float2(0.0, 1.0));
+    float4 d = umbrage_fetch_clamped(map, size, at + float2(1.0, 1.0));
+    float4 sum = (a + b) + (c + d);
+    return sum * 0.25;
+}
+`,
             "texels_to_world": `
 // umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
 //   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
@@ -9045,6 +10367,433 @@ fn umbrage_summed_variance(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver:
     return select(1.0, select(behind, 1.0, d <= 0.0), compared);
 }
 `,
+            "exp2_polynomial": `
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+fn umbrage_exp2_polynomial(y: f32) -> f32 {
+    let x: f32 = select(select(-64.0, 63.0, y >= 63.0), y, y > -64.0 && y < 63.0);
+    let n: f32 = floor(x);
+    let f: f32 = x - n;
+    var p: f32 = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+`,
+            "exp2_steps": `
+// umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+fn umbrage_exp2_steps(y: f32) -> f32 {
+    let x: f32 = floor(select(select(-64.0, 63.0, y >= 63.0), y, y > -64.0 && y < 63.0) * 2048.0);
+    let n: f32 = floor(x * (1.0 / 2048.0));
+    let f: f32 = x - n * 2048.0;
+    let g: f32 = floor(f * (2048.0 - f) * (1.0 / 256.0));
+    let r: f32 = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
+    let m: f32 = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
+    return m * (1.0 / 2048.0) * umbrage_power_of_two(n);
+}
+`,
+            "forward_depth": `
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_forward_depth(depth: f32) -> f32 {
+    return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
+}
+`,
+            "chebyshev": `
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+fn umbrage_chebyshev(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
+    let difference: f32 = m.y - m.x * m.x;
+    let variance: f32 = select(min_variance, difference, difference > min_variance);
+    let distance: f32 = receiver - m.x;
+    let sum: f32 = variance + distance * distance;
+    let p: f32 = variance / sum;
+    return select(select(0.0, p, p > 0.0 && p <= 1.0), 1.0, receiver <= m.x);
+}
+`,
+            "bleed_cut": `
+// umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
+fn umbrage_bleed_cut(visibility: f32, amount: f32) -> f32 {
+    let stretched: f32 = (visibility - amount) / (1.0 - amount);
+    return select(0.0, stretched, visibility > amount);
+}
+`,
+            "encode_vsm": `
+// umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
+fn umbrage_encode_vsm(depth: f32) -> vec2f {
+    let d: f32 = umbrage_forward_depth(umbrage_saturate(depth));
+    return vec2f(d, d * d);
+}
+`,
+            "decode_vsm": `
+// umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
+fn umbrage_decode_vsm(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
+    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+}
+`,
+            "encode_deviation": `
+// umbrage_encode_deviation: mean and mean square of depths to mean and twice the standard deviation, each 0.0 to 1.0
+fn umbrage_encode_deviation(m: vec2f) -> vec2f {
+    let variance: f32 = m.y - m.x * m.x;
+    return vec2f(m.x, 2.0 * sqrt(select(0.0, variance, variance > 0.0)));
+}
+`,
+            "decode_deviation": `
+// umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
+fn umbrage_decode_deviation(held: vec2f) -> vec2f {
+    let half_of_it: f32 = held.y * 0.5;
+    let square: f32 = held.x * held.x + half_of_it * half_of_it;
+    return vec2f(held.x, square);
+}
+`,
+            "decode_deviation_rgba8": `
+// umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
+fn umbrage_decode_deviation_rgba8(c: vec4f) -> vec2f {
+    let mean: f32 = umbrage_decode_rg16(vec2f(c.x, c.y), 1.0);
+    let deviation: f32 = umbrage_decode_rg16(vec2f(c.z, c.w), 1.0);
+    return umbrage_decode_deviation(vec2f(mean, deviation));
+}
+`,
+            "warp_depth": `
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+fn umbrage_warp_depth(depth: f32, exponent: f32) -> f32 {
+    let y: f32 = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+`,
+            "encode_esm": `
+// umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
+fn umbrage_encode_esm(depth: f32, exponent: f32) -> f32 {
+    return umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+}
+`,
+            "decode_esm": `
+// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+fn umbrage_decode_esm(m: f32, receiver: f32, exponent: f32) -> f32 {
+    let d: f32 = umbrage_forward_depth(receiver);
+    let p: f32 = m * umbrage_warp_depth(d, -exponent);
+    let lit: f32 = select(select(0.0, 1.0, p >= 1.0), p, p > 0.0 && p < 1.0);
+    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
+}
+`,
+            "encode_evsm2": `
+// umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
+fn umbrage_encode_evsm2(depth: f32, exponent: f32) -> vec2f {
+    let w: f32 = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return vec2f(w, w * w);
+}
+`,
+            "encode_evsm4": `
+// umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
+fn umbrage_encode_evsm4(depth: f32, exponents: vec2f) -> vec4f {
+    let d: f32 = umbrage_forward_depth(umbrage_saturate(depth));
+    let w: f32 = umbrage_warp_depth(d, exponents.x);
+    let n: f32 = -umbrage_warp_depth(d, -exponents.y);
+    return vec4f(w, w * w, n, n * n);
+}
+`,
+            "decode_evsm2": `
+// umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power
+fn umbrage_decode_evsm2(m: vec2f, receiver: f32, exponent: f32, deviation: f32) -> f32 {
+    let d: f32 = umbrage_forward_depth(receiver);
+    let w: f32 = umbrage_warp_depth(d, exponent);
+    let least: f32 = deviation * w;
+    let least_variance: f32 = least * least;
+    let lit: f32 = umbrage_chebyshev(m, w, least_variance);
+    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
+}
+`,
+            "decode_evsm4": `
+// umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers
+fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f) -> f32 {
+    let d: f32 = umbrage_forward_depth(receiver);
+    let w: f32 = umbrage_warp_depth(d, exponents.x);
+    let n: f32 = -umbrage_warp_depth(d, -exponents.y);
+    let least: vec2f = deviations * vec2f(w, n);
+    let least_variance: vec2f = least * least;
+    let a: f32 = umbrage_chebyshev(vec2f(m.x, m.y), w, least_variance.x);
+    let b: f32 = umbrage_chebyshev(vec2f(m.z, m.w), n, least_variance.y);
+    let lit: f32 = select(b, a, a < b);
+    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
+}
+`,
+            "encode_msm": `
+// umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
+fn umbrage_encode_msm(depth: f32) -> vec4f {
+    let z: f32 = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    let square: f32 = z * z;
+    return vec4f(z, square, square * z, square * square);
+}
+`,
+            "turn_moments": `
+// umbrage_turn_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+fn umbrage_turn_moments(b: vec4f) -> vec4f {
+    let x: f32 = (b.x * 0.75 - b.z) * 2.0 + 0.5;
+    let y: f32 = (b.y - b.w) * 4.0;
+    let z: f32 = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
+    let w: f32 = (b.y + b.w) * 0.5;
+    return vec4f(x, y, z, w);
+}
+`,
+            "turn_moments_back": `
+// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
+fn umbrage_turn_moments_back(o: vec4f) -> vec4f {
+    let x: f32 = o.x - 0.5;
+    let z: f32 = o.z - 0.5;
+    let eighth: f32 = o.y * 0.125;
+    let b1: f32 = z * 1.73205078 - x * 0.333333343;
+    let b2: f32 = o.w + eighth;
+    let b3: f32 = z * 1.29903817 - x * 0.75;
+    let b4: f32 = o.w - eighth;
+    return vec4f(b1, b2, b3, b4);
+}
+`,
+            "moment_atoms": `
+// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
+//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+fn umbrage_moment_atoms(b: vec4f, x: f32) -> vec4f {
+    let d: f32 = b.y - b.x * b.x;
+    let third: f32 = b.z - b.x * b.y;
+    let l: f32 = third / d;
+    let e: f32 = (b.w - b.y * b.y) - third * l;
+    let h: f32 = b.x * 2.0 - l;
+    let a: f32 = d * ((x + h) * x - d);
+    let m: f32 = x * e + h * a;
+    let c: f32 = d * (e - a);
+    let square: f32 = m * m - 4.0 * a * c;
+    let root: f32 = sqrt(select(0.0, square, square > 0.0));
+    let w: f32 = select(-(m + root), root - m, m < 0.0) * 0.5;
+    let t: vec2f = vec2f(w / a, c / w);
+    let q: vec2f = (t + h) * t - d;
+    let least: f32 = d * e;
+    let sum: vec2f = least + (t * t * e + q * q * d);
+    return vec4f(t.x, t.y, least / sum.x, least / sum.y);
+}
+`,
+            "bias_moments": `
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+fn umbrage_bias_moments(b: vec4f, bias: vec2f) -> vec4f {
+    let x: f32 = b.x - b.x * bias.x;
+    let y: f32 = b.y + (bias.y - b.y) * bias.x;
+    let z: f32 = b.z - b.z * bias.x;
+    let w: f32 = b.w + (bias.y - b.w) * bias.x;
+    return vec4f(x, y, z, w);
+}
+`,
+            "decode_msm": `
+// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased
+//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
+    let d: f32 = umbrage_forward_depth(receiver);
+    let m: vec4f = umbrage_bias_moments(b, bias);
+    let x: f32 = (select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0) - m.x;
+    let atoms: vec4f = umbrage_moment_atoms(m, x);
+    let first: f32 = select(0.0, atoms.z, atoms.x < x);
+    let second: f32 = select(0.0, atoms.w, atoms.y < x);
+    var lit: f32 = 1.0 - (first + second);
+    let known: bool = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    lit = select(select(0.0, 1.0, x <= 0.0), select(0.0, select(1.0, lit, lit < 1.0), lit > 0.0), known);
+    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
+}
+`,
+            "hausdorff_share": `
+// umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
+//   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+fn umbrage_hausdorff_share(b: vec4f, z: f32) -> f32 {
+    let d: f32 = (b.z - b.x) - z * (b.y - 1.0);
+    let n: f32 = (b.w - b.y) - z * (b.z - b.x);
+    let f: f32 = n / d;
+    let s: f32 = z + f;
+    let p: f32 = z * f;
+    let above: f32 = (b.z - (1.0 + s) * b.y) + ((s + p) * b.x - p);
+    let below: f32 = -2.0 * ((1.0 + z) * (1.0 + f));
+    let between: f32 = (f * f - 1.0) * (f - z);
+    let end: f32 = above / below;
+    let other: f32 = d / between;
+    return end + select(0.0, other, f < z);
+}
+`,
+            "decode_msm_hausdorff": `
+// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
+fn umbrage_decode_msm_hausdorff(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
+    let plain: f32 = umbrage_decode_msm(b, receiver, bias);
+    let d: f32 = umbrage_forward_depth(receiver);
+    let z: f32 = select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0;
+    let m: vec4f = umbrage_bias_moments(b, bias);
+    let x: f32 = z - m.x;
+    let atoms: vec4f = umbrage_moment_atoms(m, x);
+    let outside: bool = abs(atoms.x + m.x) > 1.0 || abs(atoms.y + m.x) > 1.0;
+    let share: f32 = umbrage_hausdorff_share(m, z);
+    var lit: f32 = select(1.0, 1.0 - share, z > -1.0);
+    let known: bool = outside && abs(atoms.z + atoms.w) <= 4294967296.0 && abs(lit) <= 4294967296.0;  // what is no NaN
+    lit = select(plain, select(0.0, select(1.0, lit, lit < 1.0), lit > 0.0), known);
+    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
+}
+`,
+            "fetch_bilinear": `
+// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
+//   coord  in texels, first centre at (0.5, 0.5)
+fn umbrage_fetch_bilinear(UMBRAGE_MAP map, size: vec2f, coord: vec2f) -> vec4f {
+    let x: vec2f = floor(coord * 256.0) - 128.0;
+    let texel: vec2f = floor(x * (1.0 / 256.0));
+    let hi: vec2f = x - texel * 256.0;
+    let lo: vec2f = 256.0 - hi;
+    let a: vec4f = umbrage_fetch_clamped(map, size, texel);
+    let b: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 0.0));
+    let c: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(0.0, 1.0));
+    let d: vec4f = umbrage_fetch_clamped(map, size, texel + vec2f(1.0, 1.0));
+    let low: vec4f = a * lo.x + b * hi.x;
+    let high: vec4f = c * lo.x + d * hi.x;
+    let sum: vec4f = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
+}
+`,
+            "vsm": `
+// umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   min_variance  0.0 or more
+fn umbrage_vsm(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, min_variance: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
+    let lit: f32 = umbrage_decode_vsm(vec2f(m.x, m.y), receiver, min_variance);
+    return select(1.0, lit, compared);
+}
+`,
+            "esm": `
+// umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponent  as of the texels
+fn umbrage_esm(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, exponent: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
+    let lit: f32 = umbrage_decode_esm(m.x, receiver, exponent);
+    return select(1.0, lit, compared);
+}
+`,
+            "evsm2": `
+// umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
+fn umbrage_evsm2(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, exponent: f32, deviation: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
+    let lit: f32 = umbrage_decode_evsm2(vec2f(m.x, m.y), receiver, exponent, deviation);
+    return select(1.0, lit, compared);
+}
+`,
+            "evsm4": `
+// umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
+fn umbrage_evsm4(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, exponents: vec2f,
+                 deviations: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
+    let lit: f32 = umbrage_decode_evsm4(m, receiver, exponents, deviations);
+    return select(1.0, lit, compared);
+}
+`,
+            "msm": `
+// umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+fn umbrage_msm(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, bias: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
+    let lit: f32 = umbrage_decode_msm(m, receiver, bias);
+    return select(1.0, lit, compared);
+}
+`,
+            "msm_turned": `
+// umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+fn umbrage_msm_turned(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, bias: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
+    let lit: f32 = umbrage_decode_msm(umbrage_turn_moments_back(m), receiver, bias);
+    return select(1.0, lit, compared);
+}
+`,
+            "msm_hausdorff": `
+// umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+fn umbrage_msm_hausdorff(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, bias: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
+    let lit: f32 = umbrage_decode_msm_hausdorff(m, receiver, bias);
+    return select(1.0, lit, compared);
+}
+`,
+            "blur_row3": `
+// umbrage_blur_row3: mean of 3 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+fn umbrage_blur_row3(UMBRAGE_MAP map, size: vec2f, texel: vec2f, along: vec2f) -> vec4f {
+    var sum: vec4f = umbrage_fetch_clamped(map, size, texel) * (2.0 / 4.0);
+    let before1: vec4f = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    let after1: vec4f = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (1.0 / 4.0);
+    return sum;
+}
+`,
+            "blur_row5": `
+// umbrage_blur_row5: mean of 5 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+fn umbrage_blur_row5(UMBRAGE_MAP map, size: vec2f, texel: vec2f, along: vec2f) -> vec4f {
+    var sum: vec4f = umbrage_fetch_clamped(map, size, texel) * (6.0 / 16.0);
+    let before1: vec4f = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    let after1: vec4f = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (4.0 / 16.0);
+    let before2: vec4f = umbrage_fetch_clamped(map, size, texel - along * 2.0);
+    let after2: vec4f = umbrage_fetch_clamped(map, size, texel + along * 2.0);
+    sum = sum + (before2 + after2) * (1.0 / 16.0);
+    return sum;
+}
+`,
+            "blur_row7": `
+// umbrage_blur_row7: mean of 7 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+fn umbrage_blur_row7(UMBRAGE_MAP map, size: vec2f, texel: vec2f, along: vec2f) -> vec4f {
+    var sum: vec4f = umbrage_fetch_clamped(map, size, texel) * (20.0 / 64.0);
+    let before1: vec4f = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    let after1: vec4f = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (15.0 / 64.0);
+    let before2: vec4f = umbrage_fetch_clamped(map, size, texel - along * 2.0);
+    let after2: vec4f = umbrage_fetch_clamped(map, size, texel + along * 2.0);
+    sum = sum + (before2 + after2) * (6.0 / 64.0);
+    let before3: vec4f = umbrage_fetch_clamped(map, size, texel - along * 3.0);
+    let after3: vec4f = umbrage_fetch_clamped(map, size, texel + along * 3.0);
+    sum = sum + (before3 + after3) * (1.0 / 64.0);
+    return sum;
+}
+`,
+            "halve_texels": `
+// umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
+//   map, size  read from, and its size in texels;   texel  of the next level, whole numbers
+fn umbrage_halve_texels(UMBRAGE_MAP map, size: vec2f, texel: vec2f) -> vec4f {
+    let at: vec2f = texel * 2.0;
+    let a: vec4f = umbrage_fetch_clamped(map, size, at);
+    let b: vec4f = umbrage_fetch_clamped(map, size, at + vec2f(1.0, 0.0));
+    let c: vec4f = umbrage_fetch_clamped(map, size, at + vec2f(0.0, 1.0));
+    let d: vec4f = umbrage_fetch_clamped(map, size, at + vec2f(1.0, 1.0));
+    let sum: vec4f = (a + b) + (c + d);
+    return sum * 0.25;
+}
+`,
             "texels_to_world": `
 // umbrage_texels_to_world: texels across a light as world units; 0.0 for w <= 0.0
 //   units  (edge of a texel, depth a world unit) at w = 1.0;   w  of the point's shadow coordinate
@@ -9575,6 +11324,44 @@ const rows = [
     ["dpcf32", "dpcf32", "contact hardening by 32 points", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers32", "floor_divide", "hardened32"]],
     ["box_moments", "box_moments", "mean and squared distances from it over a box, from a summed-area table", "a", 0, 0, "100", "none", false, ["texel", "floor_divide"]],
     ["summed_variance", "summed_variance", "variance shadow over a box of any size, from a summed-area table", "c", 0, 1 / 65536, "100", "none", false, ["is_compared", "cleared_depth", "box_moments"]],
+    ["power_of_two", "power_of_two", "2^n of whole numbers -64 to 63", "a", 0, 0, "100", "none", false, []],
+    ["exp2_polynomial", "exp2_polynomial", "2^y to 1.8e-7 of it", "b", 0, 0, "100", "none", false, ["power_of_two"]],
+    ["exp2_steps", "exp2_steps", "2^y in steps of 12 bits", "a", 0, 0, "100", "none", false, ["power_of_two"]],
+    ["forward_depth", "forward_depth", "depth that grows with distance", "b", 0, 0, "100", "none", false, ["cleared_depth"]],
+    ["chebyshev", "chebyshev", "most that mean and variance let be lit", "c", 1, 0, "100", "none", false, []],
+    ["bleed_cut", "bleed_cut", "visibility without its least values", "c", 1, 0, "100", "none", false, []],
+    ["encode_vsm", "encode_vsm", "depth to a texel of a variance shadow map", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth"]],
+    ["decode_vsm", "decode_vsm", "mean of texels of a variance shadow map to visibility", "c", 1, 0, "100", "none", false, ["chebyshev", "forward_depth"]],
+    ["encode_deviation", "encode_deviation", "depth's two moments to mean and deviation", "c", 1, 0, "100", "none", false, []],
+    ["decode_deviation", "decode_deviation", "mean and deviation to depth's two moments", "b", 0, 0, "100", "none", false, []],
+    ["decode_deviation_rgba8", "decode_deviation_rgba8", "mean and deviation in four channels to depth's two moments", "b", 0, 0, "100", "none", false, ["decode_deviation", "decode_rg16"]],
+    ["warp_depth", "warp_depth", "depth on the scale of exponential shadow maps", "b", 0, 0, "100", "none", false, ["exp2_polynomial"]],
+    ["encode_esm", "encode_esm", "depth to a texel of an exponential shadow map", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth", "warp_depth"]],
+    ["decode_esm", "decode_esm", "mean of texels of an exponential shadow map to visibility", "b", 0, 0, "100", "none", false, ["forward_depth", "warp_depth"]],
+    ["encode_evsm2", "encode_evsm2", "depth to a texel of two components", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth", "warp_depth"]],
+    ["encode_evsm4", "encode_evsm4", "depth to a texel of four components", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth", "warp_depth"]],
+    ["decode_evsm2", "decode_evsm2", "mean of texels of two components to visibility", "c", 1, 0, "100", "none", false, ["chebyshev", "forward_depth", "warp_depth"]],
+    ["decode_evsm4", "decode_evsm4", "mean of texels of four components to visibility", "c", 1, 0, "100", "none", false, ["chebyshev", "forward_depth", "warp_depth"]],
+    ["encode_msm", "encode_msm", "depth to its first four powers on [-1, 1]", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth"]],
+    ["turn_moments", "turn_moments", "four moments to four channels of 16 bits", "b", 0, 0, "100", "none", false, []],
+    ["turn_moments_back", "turn_moments_back", "four channels of 16 bits to four moments", "b", 0, 0, "100", "none", false, []],
+    ["moment_atoms", "moment_atoms", "the two depths that make four moments beside a receiver's", "c", 0, 1 / 64, "100", "none", false, []],
+    ["bias_moments", "bias_moments", "four moments, moved a little towards those of spread depths", "b", 0, 0, "100", "none", false, []],
+    ["decode_msm", "decode_msm", "mean of four moments to visibility", "c", 0, 1 / 64, "100", "none", false, ["bias_moments", "forward_depth", "moment_atoms"]],
+    ["hausdorff_share", "hausdorff_share", "least share of depths before a receiver, of depths on [-1, 1]", "c", 0, 1 / 64, "100", "none", false, []],
+    ["decode_msm_hausdorff", "decode_msm_hausdorff", "mean of four moments of depths on [-1, 1] to visibility", "c", 0, 1 / 64, "100", "none", false, ["bias_moments", "decode_msm", "forward_depth", "hausdorff_share", "moment_atoms"]],
+    ["fetch_bilinear", "fetch_bilinear", "mean of the four texels around a point", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
+    ["vsm", "vsm", "visibility from a map of encode_vsm's texels", "c", 1, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_vsm"]],
+    ["esm", "esm", "visibility from a map of encode_esm's texels", "b", 0, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_esm"]],
+    ["evsm2", "evsm2", "visibility from a map of encode_evsm2's texels", "c", 1, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_evsm2"]],
+    ["evsm4", "evsm4", "visibility from a map of encode_evsm4's texels", "c", 1, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_evsm4"]],
+    ["msm", "msm", "visibility from a map of encode_msm's texels", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_msm"]],
+    ["msm_turned", "msm_turned", "visibility from a map of turned moments", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_msm", "turn_moments_back"]],
+    ["msm_hausdorff", "msm_hausdorff", "visibility from a map of encode_msm's texels", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_msm_hausdorff"]],
+    ["blur_row3", "blur_row3", "mean of texels in a row", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
+    ["blur_row5", "blur_row5", "mean of texels in a row", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
+    ["blur_row7", "blur_row7", "mean of texels in a row", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
+    ["halve_texels", "halve_texels", "mean of 2x2 texels", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
     ["texels_to_world", "texels_to_world", "texels across a light as world units", "b", 0, 0, "100", "none", false, []],
     ["clamp_bias", "clamp_bias", "clamp of a bias to [0, 1], NaN to 1", "a", 0, 0, "100", "none", false, []],
     ["world_to_depth", "world_to_depth", "world units along a light as depth", "c", 1, 0, "100", "none", false, ["clamp_bias"]],
@@ -9645,4 +11432,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, pancaked, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, pancaked, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, power_of_two, exp2_polynomial, exp2_steps, forward_depth, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, turn_moments_back, moment_atoms, bias_moments, decode_msm, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

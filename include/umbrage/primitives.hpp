@@ -44,6 +44,16 @@
 #include <umbrage/filter/pcf/window.hpp>
 #include <umbrage/filter/pcf/window_hardware.hpp>
 #include <umbrage/filter/pcf/windows.hpp>
+#include <umbrage/filter/prefiltered/chebyshev.hpp>
+#include <umbrage/filter/prefiltered/esm.hpp>
+#include <umbrage/filter/prefiltered/evsm.hpp>
+#include <umbrage/filter/prefiltered/exp2.hpp>
+#include <umbrage/filter/prefiltered/hausdorff.hpp>
+#include <umbrage/filter/prefiltered/look_up.hpp>
+#include <umbrage/filter/prefiltered/msm.hpp>
+#include <umbrage/filter/prefiltered/prefilters.hpp>
+#include <umbrage/filter/prefiltered/reduce.hpp>
+#include <umbrage/filter/prefiltered/vsm.hpp>
 #include <umbrage/filter/table/summed_variance.hpp>
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/floor_divide.hpp>

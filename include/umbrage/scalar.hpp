@@ -60,11 +60,10 @@ template <class Elements>
 /// @exactness   A: selects, never computes; by the order of the bits, so that -ffast-math leaves no -0 and no
 ///              flushing mode takes a denormal
 template <real T>
-[[nodiscard]] constexpr T saturate(T v, T far = T(1)) {
+[[nodiscard]] UMBRAGE_INLINE constexpr T saturate(T v, T far = T(1)) {
     using bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-    if (is_nan(v)) return far;
-    if (detail::bit_cast<bits>(v) >= detail::bit_cast<bits>(T(1))) return T(1);
-    return detail::bit_cast<bits>(v) > 0 ? v : T(0);
+    const auto own = detail::bit_cast<bits>(v), one = detail::bit_cast<bits>(T(1)), below = own < one ? own : one;
+    return detail::bit_cast<T>(is_nan(v) ? detail::bit_cast<bits>(far) : (below > 0 ? below : 0));
 }
 
 namespace glsl {

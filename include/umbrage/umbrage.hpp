@@ -16,6 +16,7 @@
 #include <umbrage/images/min_max.hpp>
 #include <umbrage/images/overlay.hpp>
 #include <umbrage/images/parallel.hpp>
+#include <umbrage/images/prefilter.hpp>
 #include <umbrage/images/quality.hpp>
 #include <umbrage/images/rasterize.hpp>
 #include <umbrage/images/stability.hpp>

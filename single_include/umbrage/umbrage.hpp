@@ -391,11 +391,10 @@ template <class Elements>
 /// @exactness   A: selects, never computes; by the order of the bits, so that -ffast-math leaves no -0 and no
 ///              flushing mode takes a denormal
 template <real T>
-[[nodiscard]] constexpr T saturate(T v, T far = T(1)) {
+[[nodiscard]] UMBRAGE_INLINE constexpr T saturate(T v, T far = T(1)) {
     using bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-    if (is_nan(v)) return far;
-    if (detail::bit_cast<bits>(v) >= detail::bit_cast<bits>(T(1))) return T(1);
-    return detail::bit_cast<bits>(v) > 0 ? v : T(0);
+    const auto own = detail::bit_cast<bits>(v), one = detail::bit_cast<bits>(T(1)), below = own < one ? own : one;
+    return detail::bit_cast<T>(is_nan(v) ? detail::bit_cast<bits>(far) : (below > 0 ? below : 0));
 }
 
 namespace glsl {
@@ -6160,6 +6159,1628 @@ inline constexpr std::array<window, 9> window::values{
 }  // namespace filters
 }  // namespace umbrage
 
+// ---- umbrage/filter/prefiltered/exp2.hpp
+// 2^y alike everywhere, which no language promises of its own exp2: what exponential shadow maps warp depth with.
+//
+//     float warped = umbrage::exp2_polynomial(40.0f * depth);  // as fine as the float
+//     float coarse = umbrage::exp2_steps(40.0f * depth);       // 12 bits, the same bits on every implementation
+//
+// Neither falls where y grows; both give powers of two at whole numbers. The square of a coarse one is exact, from
+// 2^-63 on.
+
+namespace umbrage {
+
+/// @param n       whole number, -64 to 63
+/// @return        2^n
+/// @exactness     A
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T power_of_two(T n) {
+    if constexpr (sizeof(T) == 4) return detail::bit_cast<T>((static_cast<std::int32_t>(n) + 127) << 23);
+    else return detail::bit_cast<T>((static_cast<std::int64_t>(n) + 1023) << 52);
+}
+
+namespace detail {
+
+/// c ? a : b on the bits, which compilers vectorise where they do not vectorise that.
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T pick(bool c, T a, T b) {
+    using bits = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+    const bits mask = -bits(c);
+    return detail::bit_cast<T>((detail::bit_cast<bits>(a) & mask) | (detail::bit_cast<bits>(b) & ~mask));
+}
+
+/// What the powers are taken of: NaN counts as -64.
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T clamp_exponent(T y) {
+    const T below = pick(y < T(63), y, T(63));
+    return pick(bool(int(below > T(-64)) & int(!is_nan(y))), below, T(-64));
+}
+
+/// floor of |v| < 2^31.
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T floor_small(T v) {
+    const auto toward_zero = static_cast<std::int32_t>(v);
+    return static_cast<T>(toward_zero - std::int32_t(static_cast<T>(toward_zero) > v));
+}
+
+}  // namespace detail
+
+/// @param y       outside of -64 to 63 the nearer end counts, of NaN -64
+/// @return        2^y: never falls where y grows; 2^y itself of whole numbers
+/// @formula       2^n (1 + c1 f + c2 f^2 + .. + c5 f^5) by Horner's scheme, n = floor(y), f = y - n; the polynomial is
+///                2 at f = 1
+/// @exactness     B;  off by at most 1.8e-7 of the power, over all f = k / 2^24
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T exp2_polynomial(T y) {
+    const T x = detail::clamp_exponent(y), n = detail::floor_small(x), f = x - n;
+    T p = T(16143224 * 0x1p-33) * f + T(9654007 * 0x1p-30);
+    p = p * f + T(14983712 * 0x1p-28);
+    p = p * f + T(16116816 * 0x1p-26);
+    p = p * f + T(11629156 * 0x1p-24);
+    p = p * f + T(1);
+    return p * power_of_two(n);
+}
+
+/// @param y       outside of -64 to 63 the nearer end counts, of NaN -64
+/// @return        2^y in steps: never falls where y grows; 2^y itself of whole numbers; a whole number below 2^12
+///                times a power of two
+/// @formula       m 2^(n - 11), x = floor(2048 y), n = floor(x / 2048), f = x - 2048 n, g = floor(f (2048 - f) / 256),
+///                r = 1251 + floor(314 f / 2048), m = 2048 + f - floor((g r + 2^14) / 2^15)
+/// @exactness     A;  off by at most 3.1e-4 of the power at the steps, over all of them; between two it stays with the
+///                lower one
+template <real T>
+[[nodiscard]] T exp2_steps(T y) {
+    const T x = std::floor(detail::clamp_exponent(y) * T(2048));
+    const T n = std::floor(x * T(0x1p-11)), f = x - n * T(2048);
+    const T g = std::floor(f * (T(2048) - f) * T(0x1p-8)), r = T(1251) + std::floor(f * T(314) * T(0x1p-11));
+    const T m = T(2048) + f - std::floor((g * r + T(16384)) * T(0x1p-15));
+    return m * T(0x1p-11) * power_of_two(n);
+}
+
+namespace glsl {
+
+inline constexpr snippet power_of_two{
+    .name = "power_of_two",
+    .summary = "2^n of whole numbers -64 to 63",
+    .exactness = tier::a,
+    .source = R"GLSL(
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
+#if __VERSION__ >= 300
+    UMBRAGE_HIGHP uint exponent = uint(n + 127.0);
+    return uintBitsToFloat(exponent << 23);
+#else
+    UMBRAGE_HIGHP float x = n < 0.0 ? n + 64.0 : n;
+    UMBRAGE_HIGHP float p = 1.0;
+    p = n < 0.0 ? p * (1.0 / 4294967296.0) * (1.0 / 4294967296.0) : p;
+    p = x >= 32.0 ? p * 4294967296.0 : p;
+    x = x >= 32.0 ? x - 32.0 : x;
+    p = x >= 16.0 ? p * 65536.0 : p;
+    x = x >= 16.0 ? x - 16.0 : x;
+    p = x >= 8.0 ? p * 256.0 : p;
+    x = x >= 8.0 ? x - 8.0 : x;
+    p = x >= 4.0 ? p * 16.0 : p;
+    x = x >= 4.0 ? x - 4.0 : x;
+    p = x >= 2.0 ? p * 4.0 : p;
+    x = x >= 2.0 ? x - 2.0 : x;
+    return x >= 1.0 ? p * 2.0 : p;
+#endif
+}
+)GLSL",
+};
+
+inline constexpr snippet exp2_polynomial{
+    .name = "exp2_polynomial",
+    .summary = "2^y to 1.8e-7 of it",
+    .exactness = tier::b,
+    .needs = list<&power_of_two>,
+    .source = R"GLSL(
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
+    UMBRAGE_HIGHP float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    UMBRAGE_HIGHP float n = floor(x);
+    UMBRAGE_HIGHP float f = x - n;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float p = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+)GLSL",
+};
+
+inline constexpr snippet exp2_steps{
+    .name = "exp2_steps",
+    .summary = "2^y in steps of 12 bits",
+    .exactness = tier::a,
+    .needs = list<&power_of_two>,
+    .source = R"GLSL(
+// umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
+    UMBRAGE_HIGHP float x = floor((y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0)) * 2048.0);
+    UMBRAGE_HIGHP float n = floor(x * (1.0 / 2048.0));
+    UMBRAGE_HIGHP float f = x - n * 2048.0;
+    UMBRAGE_HIGHP float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
+    UMBRAGE_HIGHP float r = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
+    UMBRAGE_HIGHP float m = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
+    return m * (1.0 / 2048.0) * umbrage_power_of_two(n);
+}
+)GLSL",
+};
+
+inline constexpr auto exp2_snippets = list<&power_of_two, &exp2_polynomial, &exp2_steps>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/prefiltered/chebyshev.hpp
+// What mean and variance of depths say of how many of them are lit: the one-sided inequality of Chebyshev, and how to
+// cut off the light that it lets through.
+//
+//     float lit = umbrage::chebyshev(moments, receiver, 1e-6f);
+//     lit = umbrage::bleed_cut(lit, 0.2f);
+//
+// Before the cut no receiver is darker than the share of depths that light it. Behind casters that lie behind each
+// other it is lighter: at a distance b behind the farther of two that are a apart by up to (a / (a + 2 b))^2.
+
+namespace umbrage {
+
+/// Depth that grows with the distance from the light, whichever way the map's does: prefiltered maps hold it.
+/// @param far       1, or 0 where depth is reversed
+/// @formula         1 - depth where depth is reversed, else depth
+/// @exactness       B
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T forward_depth(T depth, T far = T(1)) {
+    return detail::pick(far < T(0.5), T(1) - depth, depth);
+}
+
+/// Share of depths that may be as far as the receiver or farther, at most.
+///
+/// @param m              mean of the depths, mean of their squares
+/// @param receiver       on the same scale
+/// @param min_variance   >= 0, no NaN; what rounding leaves of the variance of equal depths must stay below it
+/// @return               visibility, 0 to 1; 0 where something is NaN, or where depths without variance lie before the
+///                       receiver and min_variance is 0
+/// @formula              receiver <= m.x ? 1 : v / (v + (receiver - m.x)^2), v = max(m.y - m.x^2, min_variance)
+/// @exactness            C, 1 ulp: a division; of depths up to 1 within (1 / (4 min_variance) + 4) 2^-24 of the formula
+///                       in reals
+/// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T chebyshev(glm::vec<2, T> m, T receiver, T min_variance) {
+    const T difference = m.y - m.x * m.x;
+    const T variance = detail::pick(difference > min_variance, difference, min_variance);
+    const T distance = receiver - m.x;
+    const T p = variance / (variance + distance * distance);
+    const T dark = detail::pick(bool(int(p > T(0)) & int(p <= T(1)) & int(!is_nan(p))), p, T(0));
+    return detail::pick(bool(int(receiver <= m.x) & int(!is_nan(receiver)) & int(!is_nan(m.x))), T(1), dark);
+}
+
+/// Visibility without its least values, stretched to 0 to 1: light that bleeds through is gone, shadows' edges are
+/// darker and harder.
+/// @param amount      what becomes 0, 0 to 1; 0.2 is usual
+/// @formula           visibility > amount ? (visibility - amount) / (1 - amount) : 0
+/// @exactness         C, 1 ulp: a division
+template <real T>
+[[nodiscard]] constexpr T bleed_cut(T visibility, T amount) {
+    const bool above = !is_nan(visibility) && !is_nan(amount) && visibility > amount;
+    return above ? (visibility - amount) / (T(1) - amount) : T(0);
+}
+
+namespace glsl {
+
+inline constexpr snippet forward_depth{
+    .name = "forward_depth",
+    .summary = "depth that grows with distance",
+    .exactness = tier::b,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+)GLSL",
+};
+
+inline constexpr snippet chebyshev{
+    .name = "chebyshev",
+    .summary = "most that mean and variance let be lit",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                      UMBRAGE_HIGHP float min_variance) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float difference = m.y - m.x * m.x;
+    UMBRAGE_HIGHP float variance = difference > min_variance ? difference : min_variance;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float distance = receiver - m.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = variance + distance * distance;
+    UMBRAGE_HIGHP float p = variance / sum;
+    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet bleed_cut{
+    .name = "bleed_cut",
+    .summary = "visibility without its least values",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
+// umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
+UMBRAGE_HIGHP float umbrage_bleed_cut(UMBRAGE_HIGHP float visibility, UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float stretched = (visibility - amount) / (1.0 - amount);
+    return visibility > amount ? stretched : 0.0;
+}
+)GLSL",
+};
+
+inline constexpr auto chebyshev_snippets = list<&forward_depth, &chebyshev, &bleed_cut>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/prefiltered/esm.hpp
+// Exponential shadow maps: a texel holds a power of depth, which may be blurred, halved and filtered by the sampler.
+//
+//     const auto esm = umbrage::make_esm({.exponent = 40.0f});  // throws where floats would overflow
+//     float texel = umbrage::encode_esm(depth, esm.exponent);
+//     float visibility = umbrage::decode_esm(blurred, receiver, esm.exponent);
+//
+// A receiver is as light as the mean of what its texels let through, 2^(2 exponent (depth - receiver)) each, at most 1:
+// a caster lets 1/100 through that is 3.3 / exponent nearer. One lit texel far behind the receiver outweighs all its
+// casters.
+
+namespace umbrage {
+
+/// What a prefiltered map's texels are stored in.
+enum class float_store { half, single };
+
+/// Depth on the scale of exponential shadow maps.
+/// @param depth      in [0, 1], growing with distance
+/// @param exponent   -63 to 63
+/// @return           2^-exponent to 2^exponent
+/// @formula          exp2_polynomial(exponent (2 depth - 1))
+/// @exactness        B
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T warp_depth(T depth, T exponent) {
+    return exp2_polynomial(exponent * (depth * T(2) - T(1)));
+}
+
+/// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: 2^exponent
+/// @param exponent  0 to 63
+/// @formula         warp_depth(forward_depth)
+/// @exactness       B
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T encode_esm(T depth, T exponent, T far = T(1)) {
+    return warp_depth(forward_depth(saturate(depth, far), far), exponent);
+}
+
+/// @param m         mean of texels; NaN is in shadow
+/// @param receiver  depth, biased; nearer than 0 is lit as 0 is; NaN is in shadow
+/// @return          visibility, 0 to 1, before bleed_cut: at least the lit share, less 2^-20
+/// @formula         min(m 2^(-exponent (2 d - 1)), 1), d = forward_depth(receiver)
+/// @exactness       B;  within 2^-20 of exact means of exact powers of the same rounded exponents: two powers, each off
+///                  by 1.8e-7 of it, and their product
+/// @cite            Annen et al.: Exponential shadow maps, Graphics Interface 2008
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T decode_esm(T m, T receiver, T exponent, T far = T(1)) {
+    const T d = forward_depth(receiver, far);
+    const T p = m * warp_depth(d, -exponent);
+    const T lit = detail::pick(p < T(1), p, T(1));
+    return detail::pick(bool(int(p > T(0)) & int(!is_nan(p)) & int(!is_nan(d))), lit, T(0));
+}
+
+/// Set-up of exponential shadow maps.
+struct esm_settings {
+    float exponent = 40.0f;  ///< of 2, at the far plane; twice that is the C of 2^(C depth)
+    float_store store = float_store::single;
+};
+
+/// @return   the settings
+/// @throws std::invalid_argument   exponent not above 0, or beyond what keeps the texels and their inverses normal
+///                                 numbers: 63 in 32 bits, 14 in 16
+[[nodiscard]] inline esm_settings make_esm(const esm_settings& settings) {
+    const float most = settings.store == float_store::single ? 63.0f : 14.0f;
+    if (!(settings.exponent > 0.0f && settings.exponent <= most))
+        detail::fail("umbrage::make_esm: exponent not above 0, or above 63, 14 in 16 bits");
+    return settings;
+}
+
+namespace glsl {
+
+inline constexpr snippet warp_depth{
+    .name = "warp_depth",
+    .summary = "depth on the scale of exponential shadow maps",
+    .exactness = tier::b,
+    .needs = list<&exp2_polynomial>,
+    .source = R"GLSL(
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+UMBRAGE_HIGHP float umbrage_warp_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+)GLSL",
+};
+
+inline constexpr snippet encode_esm{
+    .name = "encode_esm",
+    .summary = "depth to a texel of an exponential shadow map",
+    .exactness = tier::b,
+    .needs = list<&saturate, &forward_depth, &warp_depth>,
+    .source = R"GLSL(
+// umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP float umbrage_encode_esm(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+    return umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_esm{
+    .name = "decode_esm",
+    .summary = "mean of texels of an exponential shadow map to visibility",
+    .exactness = tier::b,
+    .needs = list<&forward_depth, &warp_depth>,
+    .source = R"GLSL(
+// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+UMBRAGE_HIGHP float umbrage_decode_esm(UMBRAGE_HIGHP float m, UMBRAGE_HIGHP float receiver,
+                                       UMBRAGE_HIGHP float exponent) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float p = m * umbrage_warp_depth(d, -exponent);
+    UMBRAGE_HIGHP float lit = p > 0.0 && p < 1.0 ? p : (p >= 1.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+)GLSL",
+};
+
+inline constexpr auto esm_snippets = list<&warp_depth, &encode_esm, &decode_esm>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/prefiltered/evsm.hpp
+// Exponential variance shadow maps: a texel holds a power of depth and its square, and with four components a negative
+// one besides. They let less light through than depth's own moments, which is where both powers let it.
+//
+//     const auto evsm = umbrage::make_evsm({.exponent = 40.0f});  // throws where floats would overflow
+//     glm::vec4 texel = umbrage::encode_evsm4(depth, evsm.exponents());
+//     float visibility = umbrage::decode_evsm4(blurred, receiver, evsm.exponents(), evsm.deviation);
+//
+
+namespace umbrage {
+
+/// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does
+/// @param exponent  0 to 55
+/// @formula         (w, w^2), w = warp_depth(forward_depth)
+/// @exactness       B
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_evsm2(T depth, T exponent, T far = T(1)) {
+    const T w = warp_depth(forward_depth(saturate(depth, far), far), exponent);
+    return {w, w * w};
+}
+
+/// @param depth      clamped to [0, 1]; NaN counts as far, as a cleared texel does
+/// @param exponents  of the growing power and of the falling one, 0 to 55
+/// @formula          (w, w^2, n, n^2), w = warp_depth(d, exponents.x), n = -warp_depth(d, -exponents.y)
+/// @exactness        B
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_evsm4(T depth, glm::vec<2, T> exponents, T far = T(1)) {
+    const T d = forward_depth(saturate(depth, far), far);
+    const T w = warp_depth(d, exponents.x), n = -warp_depth(d, -exponents.y);
+    return {w, w * w, n, n * n};
+}
+
+namespace detail {
+
+/// chebyshev of powers, whose least deviation is a part of the receiver's.
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T warped_chebyshev(glm::vec<2, T> m, T w, T deviation) {
+    const T least = deviation * w;
+    return chebyshev(m, w, least * least);
+}
+
+}  // namespace detail
+
+/// @param m          mean of texels
+/// @param receiver   depth, biased; NaN is in shadow
+/// @param deviation  least standard deviation, as a part of the receiver's power: a least deviation of depth times
+///                   2 ln(2) exponent, as make_evsm has it
+/// @return           visibility before bleed_cut: at least the lit share, less chebyshev's error
+/// @formula          chebyshev(m, w, (deviation w)^2), w = warp_depth(forward_depth(receiver))
+/// @exactness        C, 1 ulp: a division; within 2^-24 / deviation^2 + 2^-21 of the formula in reals of the same
+///                   powers
+/// @cite             Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm2(glm::vec<2, T> m, T receiver, T exponent, T deviation,
+                                                      T far = T(1)) {
+    const T d = forward_depth(receiver, far);
+    const T lit = detail::warped_chebyshev(m, warp_depth(d, exponent), deviation);
+    return detail::pick(is_nan(d), T(0), lit);
+}
+
+/// @param m           mean of texels
+/// @param exponents   as of the texels
+/// @param deviations  least standard deviations, as parts of the receiver's powers
+/// @return            visibility before bleed_cut: at least the lit share, less chebyshev's error
+/// @formula           the lesser of decode_evsm2's for either power
+/// @exactness         C, 1 ulp: a division
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm4(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
+                                                      glm::vec<2, T> deviations, T far = T(1)) {
+    const T d = forward_depth(receiver, far);
+    const T a = detail::warped_chebyshev(glm::vec<2, T>(m.x, m.y), warp_depth(d, exponents.x), deviations.x);
+    const T b = detail::warped_chebyshev(glm::vec<2, T>(m.z, m.w), -warp_depth(d, -exponents.y), deviations.y);
+    return detail::pick(is_nan(d), T(0), detail::pick(a < b, a, b));
+}
+
+/// Set-up of exponential variance shadow maps.
+struct evsm_settings {
+    float exponent = 40.0f;        ///< of 2, at the far plane: of the growing power
+    float falling = 8.0f;          ///< of 2, at the near plane: of the falling power
+    float least_deviation = 0.0f;  ///< of depth, what counts as a surface's own; 0: 1e-4, in 16 bits 1e-2
+    float_store store = float_store::single;
+};
+
+/// What shaders and functions are called with.
+struct evsm_parameters {
+    glm::vec2 exponents{};   ///< of the growing and of the falling power; of two components only the first counts
+    glm::vec2 deviations{};  ///< least deviations, as parts of the receiver's powers
+};
+
+/// @throws std::invalid_argument   an exponent not above 0, or beyond what keeps powers and squares finite and normal,
+///                                 55 in 32 bits, 7.99 in 16; a least deviation below 0, or one whose least variance
+///                                 is no normal number beside the least power, which hardware takes for 0
+/// @formula   deviations = 2 ln(2) exponents least_deviation, the derivative of the power over the power
+[[nodiscard]] inline evsm_parameters make_evsm(const evsm_settings& settings) {
+    const bool single = settings.store == float_store::single;
+    const float most = single ? 55.0f : 7.99f, usual = single ? 1e-4f : 1e-2f;
+    if (!(settings.least_deviation >= 0.0f)) detail::fail("umbrage::make_evsm: least deviation below 0");
+    const float least = settings.least_deviation > 0.0f ? settings.least_deviation : usual;
+    const auto deviation = [&](float exponent) {
+        if (!(exponent > 0.0f && exponent <= most))
+            detail::fail("umbrage::make_evsm: exponent not above 0, or above 55, 7.99 in 16 bits");
+        const float part = exponent * (1.38629436f * least);
+        if (part * exp2_polynomial(-exponent) < 0x1p-63f)
+            detail::fail("umbrage::make_evsm: least deviation too small for the exponent");
+        return part;
+    };
+    return {{settings.exponent, settings.falling}, {deviation(settings.exponent), deviation(settings.falling)}};
+}
+
+namespace glsl {
+
+inline constexpr snippet encode_evsm2{
+    .name = "encode_evsm2",
+    .summary = "depth to a texel of two components",
+    .exactness = tier::b,
+    .needs = list<&saturate, &forward_depth, &warp_depth>,
+    .source = R"GLSL(
+// umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_evsm2(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+    UMBRAGE_HIGHP float w = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return vec2(w, w * w);
+}
+)GLSL",
+};
+
+inline constexpr snippet encode_evsm4{
+    .name = "encode_evsm4",
+    .summary = "depth to a texel of four components",
+    .exactness = tier::b,
+    .needs = list<&saturate, &forward_depth, &warp_depth>,
+    .source = R"GLSL(
+// umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
+UMBRAGE_HIGHP vec4 umbrage_encode_evsm4(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec2 exponents) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(depth));
+    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
+    UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
+    return vec4(w, w * w, n, n * n);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_evsm2{
+    .name = "decode_evsm2",
+    .summary = "mean of texels of two components to visibility",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&chebyshev, &forward_depth, &warp_depth>,
+    .source = R"GLSL(
+// umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power
+UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                         UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponent);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float least = deviation * w;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float least_variance = least * least;
+    UMBRAGE_HIGHP float lit = umbrage_chebyshev(m, w, least_variance);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_evsm4{
+    .name = "decode_evsm4",
+    .summary = "mean of texels of four components to visibility",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&chebyshev, &forward_depth, &warp_depth>,
+    .source = R"GLSL(
+// umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers
+UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
+                                         UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
+    UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least_variance = least * least;
+    UMBRAGE_HIGHP float a = umbrage_chebyshev(vec2(m.x, m.y), w, least_variance.x);
+    UMBRAGE_HIGHP float b = umbrage_chebyshev(vec2(m.z, m.w), n, least_variance.y);
+    UMBRAGE_HIGHP float lit = a < b ? a : b;
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+)GLSL",
+};
+
+inline constexpr auto evsm_snippets = list<&encode_evsm2, &encode_evsm4, &decode_evsm2, &decode_evsm4>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/prefiltered/msm.hpp
+// Moment shadow maps: a texel holds the first four powers of depth on [-1, 1], of which means may be taken.
+//
+//     glm::vec4 texel = umbrage::encode_msm(depth);
+//     float visibility = umbrage::decode_msm(blurred, receiver, umbrage::msm_bias_32);
+//
+// Four channels of 16 bits hold them turned, so that each has its whole range:
+//
+//     glm::vec4 held = umbrage::turn_moments(texel);
+//     float visibility = umbrage::decode_msm(umbrage::turn_moments_back(held), receiver, umbrage::msm_bias_16);
+//
+// Of all distributions with the same moments the one that shadows the receiver least has three depths, one of which is
+// the receiver's: what of the other two lies before it is shadow.
+
+namespace umbrage {
+
+/// How far moments are moved, and towards which: (0, y, 0, y), so that rounding does not take them out of what any
+/// depths have. x is the share; shadows get lighter by up to it, and by the square root of it near their casters.
+inline const glm::vec2 msm_bias_32{3e-6f, 0.375f};  ///< of floats of 32 bits
+inline const glm::vec2 msm_bias_16{6e-5f, 0.628f};  ///< of four channels of 16 bits, turned
+
+/// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1, 1, 1)
+/// @param far       1, or 0 where depth is reversed
+/// @formula         (z, z^2, z^3, z^4), z = 2 forward_depth - 1
+/// @exactness       B
+/// @cite            Peters, Klein: Moment shadow mapping, I3D 2015; on [-1, 1]: Peters et al.: Improved moment shadow
+///                  maps for translucent occluders, soft shadows and single scattering, JCGT 2017
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_msm(T depth, T far = T(1)) {
+    const T z = forward_depth(saturate(depth, far), far) * T(2) - T(1);
+    const T square = z * z;
+    return {z, square, square * z, square * square};
+}
+
+/// Moments for four channels of 16 bits: each takes [0, 1] wholly. A mean of turned moments is the mean, turned.
+/// @formula         (1.5 b1 - 2 b3 + 1/2, 4 b2 - 4 b4, sqrt(3)/2 b1 - 2 sqrt(3)/9 b3 + 1/2, (b2 + b4) / 2)
+/// @exactness       B
+/// @cite            Peters et al., JCGT 2017
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> turn_moments(glm::vec<4, T> b) {
+    return {(b.x * T(0.75) - b.z) * T(2) + T(0.5), (b.y - b.w) * T(4), (b.x * T(2.25) - b.z) * T(0.384900182f) + T(0.5),
+            (b.y + b.w) * T(0.5)};
+}
+
+/// @formula         the inverse of turn_moments
+/// @exactness       B;  off by at most 2^-22 of what was turned, of rounding on both ways
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> turn_moments_back(glm::vec<4, T> o) {
+    const T x = o.x - T(0.5), z = o.z - T(0.5), eighth = o.y * T(0.125);
+    return {z * T(1.73205078f) - x * T(0.333333343f), o.w + eighth, z * T(1.29903817f) - x * T(0.75), o.w - eighth};
+}
+
+namespace detail {
+
+/// moment_atoms up to the root of `square`, and from there on.
+template <real T>
+struct atom_equation {
+    T D, E, h, a, B, c, square;
+
+    UMBRAGE_INLINE atom_equation(glm::vec<4, T> b, T x) : D(b.y - b.x * b.x) {
+        const T L = b.z - b.x * b.y, l = L / D;
+        E = (b.w - b.y * b.y) - L * l, h = b.x * T(2) - l;
+        a = D * at(x), B = x * E + h * a, c = D * (E - a);
+        const T under = B * B - T(4) * a * c;
+        square = pick(under > T(0), under, T(0));
+    }
+    UMBRAGE_INLINE atom_equation() = default;
+
+    [[nodiscard]] UMBRAGE_INLINE T at(T t) const { return (t + h) * t - D; }
+    [[nodiscard]] UMBRAGE_INLINE glm::vec<4, T> atoms(T root) const {
+        const T w = pick(B < T(0), root - B, -(B + root)) * T(0.5), s = w / a, t = c / w;
+        return {s, t, share(s), share(t)};
+    }
+    [[nodiscard]] UMBRAGE_INLINE T share(T t) const {
+        const T height = at(t), least = D * E;
+        return least / (least + (t * t * E + height * height * D));
+    }
+};
+
+/// Whether moment_atoms found any.
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE inline bool are_shares(const glm::vec<4, T>& atoms) {
+    const T sum = atoms.z + atoms.w;
+    return bool(int(!is_nan(sum)) & int(std::abs(sum) <= T(4294967296)));
+}
+
+/// decode_msm of moment_atoms.
+/// @param d   the receiver's depth, growing with distance
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE inline T lit_by_atoms(const glm::vec<4, T>& atoms, T x, T d) {
+    const T lit = T(1) - (pick(atoms.x < x, atoms.z, T(0)) + pick(atoms.y < x, atoms.w, T(0)));
+    const T within = pick(lit > T(0), pick(lit < T(1), lit, T(1)), T(0));
+    const T known = pick(are_shares(atoms), within, pick(x <= T(0), T(1), T(0)));
+    return pick(bool(int(is_nan(d)) | int(is_nan(x))), T(0), known);
+}
+
+/// Depth on [-1, 1]; NaN is near.
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE inline T moment_depth(T d) {
+    return pick(d > T(0), pick(d < T(1), d, T(1)), T(0)) * T(2) - T(1);
+}
+
+}  // namespace detail
+
+/// The two depths that, beside the receiver's, make the distribution with the same moments.
+///
+/// @param b         moments, biased
+/// @param x         the receiver's depth on [-1, 1] less b.x
+/// @return          the depths less b.x, their shares; NaN where moments are those of fewer than three depths
+/// @formula         D = b2 - b1^2, L = b3 - b1 b2, E = b4 - b2^2 - L l, l = L / D, h = 2 b1 - l, q(t) = (t + h) t - D;
+///                  t the roots of a t^2 + B t + c, a = D q(x), B = x E + h a, c = D (E - a); the share at t is
+///                  D E / (D E + t^2 E + q(t)^2 D)
+/// @exactness       C: five divisions and a root
+template <real T>
+[[nodiscard]] glm::vec<4, T> moment_atoms(glm::vec<4, T> b, T x) {
+    const detail::atom_equation<T> equation(b, x);
+    return equation.atoms(std::sqrt(equation.square));
+}
+
+/// Moments as moment_atoms takes them.
+/// @param bias      msm_bias_32, msm_bias_16
+/// @exactness       B
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> bias_moments(glm::vec<4, T> b, glm::vec<2, T> bias) {
+    return {b.x - b.x * bias.x, b.y + (bias.y - b.y) * bias.x, b.z - b.z * bias.x, b.w + (bias.y - b.w) * bias.x};
+}
+
+/// @param b         mean of texels
+/// @param receiver  depth, biased; outside [0, 1] the nearer end counts; NaN is in shadow
+/// @param bias      msm_bias_32, msm_bias_16
+/// @return          visibility, 0 to 1: at least the lit share, less bias.x and the error below. Where moments are
+///                  those of fewer than three depths, and of NaN: 1 where the receiver is no farther than their mean,
+///                  else 0
+/// @formula         1 - sum of the shares of moment_atoms before the receiver
+/// @exactness       C: within 1/64 in a shader. Rounding in binary32 does to first order as much as moments do that are
+///                  off by (0, 1, 3, 7) 2^-24, which is at most 9 2^-24 / (bias.x e), e the least eigenvalue of the
+///                  matrix of (0, y, 0, y), 0.199 of 0.375 and 0.159 of 0.628: 0.057 with msm_bias_16, 0.027 with a
+///                  share of 1e-4 towards 0.375, 0.9 with msm_bias_32, of which it says little
+/// @cite            Peters, Klein: Moment shadow mapping, I3D 2015
+template <real T>
+[[nodiscard]] T decode_msm(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T far = T(1)) {
+    const T d = forward_depth(receiver, far);
+    const glm::vec<4, T> m = bias_moments(b, bias);
+    const T x = detail::moment_depth(d) - m.x;
+    return detail::lit_by_atoms(moment_atoms(m, x), x, d);
+}
+
+namespace glsl {
+
+inline constexpr snippet encode_msm{
+    .name = "encode_msm",
+    .summary = "depth to its first four powers on [-1, 1]",
+    .exactness = tier::b,
+    .needs = list<&saturate, &forward_depth>,
+    .source = R"GLSL(
+// umbrage_encode_msm: first four powers of depth on -1.0 to 1.0, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP vec4 umbrage_encode_msm(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = umbrage_forward_depth(umbrage_saturate(depth)) * 2.0 - 1.0;
+    UMBRAGE_HIGHP float square = z * z;
+    return vec4(z, square, square * z, square * square);
+}
+)GLSL",
+};
+
+inline constexpr snippet turn_moments{
+    .name = "turn_moments",
+    .summary = "four moments to four channels of 16 bits",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_turn_moments: four moments so that each takes 0.0 to 1.0 wholly, for four channels of 16 bits
+UMBRAGE_HIGHP vec4 umbrage_turn_moments(UMBRAGE_HIGHP vec4 b) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = (b.x * 0.75 - b.z) * 2.0 + 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = (b.y - b.w) * 4.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (b.y + b.w) * 0.5;
+    return vec4(x, y, z, w);
+}
+)GLSL",
+};
+
+inline constexpr snippet turn_moments_back{
+    .name = "turn_moments_back",
+    .summary = "four channels of 16 bits to four moments",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
+UMBRAGE_HIGHP vec4 umbrage_turn_moments_back(UMBRAGE_HIGHP vec4 o) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = o.x - 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = o.z - 0.5;
+    UMBRAGE_HIGHP float eighth = o.y * 0.125;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b1 = z * 1.73205078 - x * 0.333333343;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b2 = o.w + eighth;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b3 = z * 1.29903817 - x * 0.75;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b4 = o.w - eighth;
+    return vec4(b1, b2, b3, b4);
+}
+)GLSL",
+};
+
+inline constexpr snippet moment_atoms{
+    .name = "moment_atoms",
+    .summary = "the two depths that make four moments beside a receiver's",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .source = R"GLSL(
+// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
+//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float x) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = b.y - b.x * b.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;
+    UMBRAGE_HIGHP float l = third / d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float e = (b.w - b.y * b.y) - third * l;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float h = b.x * 2.0 - l;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float a = d * ((x + h) * x - d);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float m = x * e + h * a;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float c = d * (e - a);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = m * m - 4.0 * a * c;
+    UMBRAGE_HIGHP float root = sqrt(square > 0.0 ? square : 0.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
+    UMBRAGE_HIGHP vec2 t = vec2(w / a, c / w);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 q = (t + h) * t - d;
+    UMBRAGE_HIGHP float least = d * e;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 sum = least + (t * t * e + q * q * d);
+    return vec4(t.x, t.y, least / sum.x, least / sum.y);
+}
+)GLSL",
+};
+
+inline constexpr snippet bias_moments{
+    .name = "bias_moments",
+    .summary = "four moments, moved a little towards those of spread depths",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+UMBRAGE_HIGHP vec4 umbrage_bias_moments(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP vec2 bias) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = b.x - b.x * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = b.y + (bias.y - b.y) * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = b.z - b.z * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = b.w + (bias.y - b.w) * bias.x;
+    return vec4(x, y, z, w);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_msm{
+    .name = "decode_msm",
+    .summary = "mean of four moments to visibility",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .needs = list<&bias_moments, &forward_depth, &moment_atoms>,
+    .source = R"GLSL(
+// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased
+//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
+    UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
+    UMBRAGE_HIGHP float first = atoms.x < x ? atoms.z : 0.0;
+    UMBRAGE_HIGHP float second = atoms.y < x ? atoms.w : 0.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float lit = 1.0 - (first + second);
+    bool known = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+)GLSL",
+};
+
+inline constexpr auto msm_snippets =
+    list<&encode_msm, &turn_moments, &turn_moments_back, &moment_atoms, &bias_moments, &decode_msm>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/prefiltered/hausdorff.hpp
+// Four moments of depths that are known to lie in [-1, 1]: what decode_msm takes for outside of it goes to its end, and
+// less light bleeds through. For floats of 32 bits.
+//
+//     float visibility = umbrage::decode_msm_hausdorff(blurred, receiver, umbrage::msm_bias_32);
+//
+
+namespace umbrage {
+
+/// Share of depths before the receiver where one of moment_atoms lies outside [-1, 1]: the least that depths of [-1, 1]
+/// have, with one of them at the near end, one at the far end, one at the receiver's, and one more.
+///
+/// @param b         moments, biased
+/// @param z         the receiver's depth on [-1, 1]
+/// @formula         d = b3 - b1 - z (b2 - 1), f = (b4 - b2 - z (b3 - b1)) / d, s = z + f, p = z f; the share at -1 is
+///                  (b3 - (1 + s) b2 + (s + p) b1 - p) / (-2 (1 + z) (1 + f)), that at f, where it lies before the
+///                  receiver, d / ((f^2 - 1) (f - z))
+/// @exactness       C: divisions
+template <real T>
+[[nodiscard]] T hausdorff_share(glm::vec<4, T> b, T z) {
+    const T d = (b.z - b.x) - z * (b.y - T(1));
+    const T f = ((b.w - b.y) - z * (b.z - b.x)) / d;
+    const T s = z + f, p = z * f;
+    const T end = ((b.z - (T(1) + s) * b.y) + ((s + p) * b.x - p)) / (T(-2) * ((T(1) + z) * (T(1) + f)));
+    const T other = d / ((f * f - T(1)) * (f - z));
+    return end + (f < z ? other : T(0));
+}
+
+/// @param b         mean of texels
+/// @param receiver  depth, biased; outside [0, 1] the nearer end counts, the near end is lit; NaN is in shadow
+/// @param bias      msm_bias_32
+/// @return          visibility, 0 to 1, no more than decode_msm's but for rounding: at least the lit share, less bias.x
+///                  and rounding, of whose quotients no bound is known. Where moments are those of fewer than three
+///                  depths, and of NaN: as decode_msm
+/// @formula         decode_msm where both of moment_atoms lie in [-1, 1], else 1 - hausdorff_share
+/// @exactness       C: within 1/64 in a shader
+/// @cite            Peters, Klein: Moment shadow mapping, I3D 2015
+template <real T>
+[[nodiscard]] T decode_msm_hausdorff(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T far = T(1)) {
+    const T d = forward_depth(receiver, far), plain = decode_msm(b, receiver, bias, far);
+    const T z = detail::moment_depth(d);
+    const glm::vec<4, T> m = bias_moments(b, bias);
+    const glm::vec<4, T> atoms = moment_atoms(m, z - m.x);
+    const bool outside = std::abs(atoms.x + m.x) > T(1) || std::abs(atoms.y + m.x) > T(1);
+    const T lit = z > T(-1) ? T(1) - hausdorff_share(m, z) : T(1);
+    if (is_nan(d) || is_nan(lit) || std::abs(lit) > T(4294967296) || !detail::are_shares(atoms) || !outside)
+        return plain;
+    return lit > T(0) ? (lit < T(1) ? lit : T(1)) : T(0);
+}
+
+namespace glsl {
+
+inline constexpr snippet hausdorff_share{
+    .name = "hausdorff_share",
+    .summary = "least share of depths before a receiver, of depths on [-1, 1]",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .source = R"GLSL(
+// umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
+//   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+UMBRAGE_HIGHP float umbrage_hausdorff_share(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float z) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = (b.z - b.x) - z * (b.y - 1.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float n = (b.w - b.y) - z * (b.z - b.x);
+    UMBRAGE_HIGHP float f = n / d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float s = z + f;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float p = z * f;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float above = (b.z - (1.0 + s) * b.y) + ((s + p) * b.x - p);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float below = -2.0 * ((1.0 + z) * (1.0 + f));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float between = (f * f - 1.0) * (f - z);
+    UMBRAGE_HIGHP float end = above / below;
+    UMBRAGE_HIGHP float other = d / between;
+    return end + (f < z ? other : 0.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_msm_hausdorff{
+    .name = "decode_msm_hausdorff",
+    .summary = "mean of four moments of depths on [-1, 1] to visibility",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .needs = list<&bias_moments, &decode_msm, &forward_depth, &hausdorff_share, &moment_atoms>,
+    .source = R"GLSL(
+// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
+UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver,
+                                                 UMBRAGE_HIGHP vec2 bias) {
+    UMBRAGE_HIGHP float plain = umbrage_decode_msm(b, receiver, bias);
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
+    UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = z - m.x;
+    UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
+    bool outside = abs(atoms.x + m.x) > 1.0 || abs(atoms.y + m.x) > 1.0;
+    UMBRAGE_HIGHP float share = umbrage_hausdorff_share(m, z);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float lit = z > -1.0 ? 1.0 - share : 1.0;
+    bool known = outside && abs(atoms.z + atoms.w) <= 4294967296.0 && abs(lit) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : plain;
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+)GLSL",
+};
+
+inline constexpr auto hausdorff_snippets = list<&hausdorff_share, &decode_msm_hausdorff>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/prefiltered/vsm.hpp
+// Variance shadow maps: a texel holds depth and its square, which may be blurred, halved and filtered by the sampler.
+//
+//     glm::vec2 texel = umbrage::encode_vsm(depth);  // blur and so on are means of texels
+//     float visibility = umbrage::decode_vsm(blurred, receiver, 1e-6f);
+//
+// Needs floats of 32 bits. For targets of 16 bits, or of four times 8, hold mean and deviation instead: of depth and
+// its square too little is left there to take a variance from.
+//
+//     glm::vec2 held = umbrage::encode_deviation(blurred);  // each 0 to 1: two channels of 16 bits, or encode_rg<16>
+//     glm::vec2 moments = umbrage::decode_deviation(held);
+//
+// A mean of held values is no mean of depths: decode, blur, encode.
+
+namespace umbrage {
+
+/// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1)
+/// @param far       1, or 0 where depth is reversed
+/// @formula         (d, d^2), d = forward_depth
+/// @exactness       B
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_vsm(T depth, T far = T(1)) {
+    const T d = forward_depth(saturate(depth, far), far);
+    return {d, d * d};
+}
+
+/// @param m              mean of texels
+/// @param receiver       depth, biased; NaN is in shadow
+/// @param min_variance   >= 0; 1e-6 for floats of 32 bits: variance that a slope or rounding brings, without which
+///                       surfaces shadow themselves
+/// @return               visibility before bleed_cut: at least the lit share, less chebyshev's error
+/// @formula              chebyshev(m, forward_depth(receiver), min_variance)
+/// @exactness            C, 1 ulp: a division
+/// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T decode_vsm(glm::vec<2, T> m, T receiver, T min_variance, T far = T(1)) {
+    return chebyshev(m, forward_depth(receiver, far), min_variance);
+}
+
+/// @param m         mean of the depths, mean of their squares
+/// @return          mean and twice the standard deviation, for depths in [0, 1] each 0 to 1; the latter 0 for NaN
+/// @formula         (m.x, 2 sqrt(max(m.y - m.x^2, 0)))
+/// @exactness       C, 1 ulp: a root
+template <real T>
+[[nodiscard]] glm::vec<2, T> encode_deviation(glm::vec<2, T> m) {
+    const T variance = m.y - m.x * m.x;
+    return {m.x, T(2) * std::sqrt(!is_nan(variance) && variance > T(0) ? variance : T(0))};
+}
+
+/// @param held      mean and twice the standard deviation, as stored
+/// @return          mean of the depths, mean of their squares
+/// @formula         (mean, mean^2 + (deviation / 2)^2)
+/// @exactness       B
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> decode_deviation(glm::vec<2, T> held) {
+    const T half = held.y * T(0.5);
+    return {held.x, held.x * held.x + half * half};
+}
+
+/// Mean and deviation of four channels of 8 bits, each as encode_rg<16> has it.
+/// @param c         as sampled, k / 255
+/// @return          the mean of the depths, the mean of their squares: mean and deviation of the upper edges of their
+///                  codes, so that nothing gets darker by being stored
+/// @formula         decode_deviation(decode_rg<16>(c.xy), decode_rg<16>(c.zw))
+/// @exactness       B
+template <real T>
+[[nodiscard]] glm::vec<2, T> decode_deviation_rgba8(glm::vec<4, T> c) {
+    return decode_deviation(
+        glm::vec<2, T>(decode_rg<16>(glm::vec<2, T>(c.x, c.y), T(1)), decode_rg<16>(glm::vec<2, T>(c.z, c.w), T(1))));
+}
+
+namespace glsl {
+
+inline constexpr snippet encode_vsm{
+    .name = "encode_vsm",
+    .summary = "depth to a texel of a variance shadow map",
+    .exactness = tier::b,
+    .needs = list<&saturate, &forward_depth>,
+    .source = R"GLSL(
+// umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_vsm(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(depth));
+    return vec2(d, d * d);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_vsm{
+    .name = "decode_vsm",
+    .summary = "mean of texels of a variance shadow map to visibility",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&chebyshev, &forward_depth>,
+    .source = R"GLSL(
+// umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
+UMBRAGE_HIGHP float umbrage_decode_vsm(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                       UMBRAGE_HIGHP float min_variance) {
+    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+}
+)GLSL",
+};
+
+inline constexpr snippet encode_deviation{
+    .name = "encode_deviation",
+    .summary = "depth's two moments to mean and deviation",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
+// umbrage_encode_deviation: mean and mean square of depths to mean and twice the standard deviation, each 0.0 to 1.0
+UMBRAGE_HIGHP vec2 umbrage_encode_deviation(UMBRAGE_HIGHP vec2 m) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float variance = m.y - m.x * m.x;
+    return vec2(m.x, 2.0 * sqrt(variance > 0.0 ? variance : 0.0));
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_deviation{
+    .name = "decode_deviation",
+    .summary = "mean and deviation to depth's two moments",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
+UMBRAGE_HIGHP vec2 umbrage_decode_deviation(UMBRAGE_HIGHP vec2 held) {
+    UMBRAGE_HIGHP float half_of_it = held.y * 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = held.x * held.x + half_of_it * half_of_it;
+    return vec2(held.x, square);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_deviation_rgba8{
+    .name = "decode_deviation_rgba8",
+    .summary = "mean and deviation in four channels to depth's two moments",
+    .exactness = tier::b,
+    .needs = list<&decode_deviation, &decode_rg<16>>,
+    .source = R"GLSL(
+// umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
+UMBRAGE_HIGHP vec2 umbrage_decode_deviation_rgba8(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_HIGHP float mean = umbrage_decode_rg16(vec2(c.x, c.y), 1.0);
+    UMBRAGE_HIGHP float deviation = umbrage_decode_rg16(vec2(c.z, c.w), 1.0);
+    return umbrage_decode_deviation(vec2(mean, deviation));
+}
+)GLSL",
+};
+
+inline constexpr auto vsm_snippets =
+    list<&encode_vsm, &decode_vsm, &encode_deviation, &decode_deviation, &decode_deviation_rgba8>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/prefiltered/look_up.hpp
+// Prefiltered maps from a shader or for one receiver: four texels, weighed, and what they say of visibility.
+//
+//     float visibility = umbrage::vsm(umbrage::clamped(moments), coord, depth - bias, 1e-6f);
+//
+// In a shader bind the snippet to the map of moments; texels are read one by one and weighed in steps of 1/256, so that
+// any texture of floats will do. Where the sampler filters such a texture, or takes a level of its mip chain, ask it
+// and call the decoder: umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6); its weights are the hardware's.
+
+namespace umbrage {
+
+/// Mean of the four texels around a point.
+/// @param fetch     ivec2 texel -> float or vector; called four times, texels may lie one outside the map
+/// @param coord     in texels, the first texel's centre is (0.5, 0.5); inside texel space
+/// @return          as fetch
+/// @formula         ((a (256 - s) + b s) (256 - t) + (c (256 - s) + d s) t) / 65536, s and t whole numbers below 256;
+///                  of texels below 2^111
+/// @exactness       B;  A where texels are multiples of 2^-8 below 1
+template <real T, class Fetch>
+[[nodiscard]] auto fetch_bilinear(Fetch&& fetch, glm::vec<2, T> coord) {
+    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);
+    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
+    const glm::vec<2, T> hi = x - texel * T(256), lo = T(256) - hi;
+    const glm::ivec2 at(texel);
+    const auto a = fetch(at), b = fetch(at + glm::ivec2(1, 0));
+    const auto c = fetch(at + glm::ivec2(0, 1)), d = fetch(at + glm::ivec2(1, 1));
+    const auto low = a * lo.x + b * hi.x, high = c * lo.x + d * hi.x;
+    return (low * lo.y + high * hi.y) * T(1.0 / 65536.0);
+}
+
+namespace detail {
+
+/// What look-ups share: who is not compared is lit.
+template <real T, class Fetch, class Decode>
+[[nodiscard]] T look_up(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T far, const Decode& decode) {
+    const comparison is_lit{far < T(0.5) ? depth_direction::reversed : depth_direction::forward};
+    return is_compared(coord, receiver, is_lit) ? decode(fetch_bilinear(fetch, coord)) : T(1);
+}
+
+}  // namespace detail
+
+/// @param fetch      ivec2 texel -> texel of encode_vsm, blurred
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @formula          decode_vsm of fetch_bilinear
+/// @exactness        C, 1 ulp: a division
+template <real T, class Fetch>
+[[nodiscard]] T vsm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T min_variance, T far = T(1)) {
+    return detail::look_up(fetch, coord, receiver, far,
+                           [&](glm::vec<2, T> m) { return decode_vsm(m, receiver, min_variance, far); });
+}
+
+/// As vsm, of texels of encode_esm.
+/// @exactness        B
+template <real T, class Fetch>
+[[nodiscard]] T esm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T far = T(1)) {
+    return detail::look_up(fetch, coord, receiver, far, [&](T m) { return decode_esm(m, receiver, exponent, far); });
+}
+
+/// As vsm, of texels of encode_evsm2.
+/// @exactness        C, 1 ulp: a division
+template <real T, class Fetch>
+[[nodiscard]] T evsm2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T deviation, T far = T(1)) {
+    return detail::look_up(fetch, coord, receiver, far,
+                           [&](glm::vec<2, T> m) { return decode_evsm2(m, receiver, exponent, deviation, far); });
+}
+
+/// As vsm, of texels of encode_evsm4.
+/// @exactness        C, 1 ulp: a division
+template <real T, class Fetch>
+[[nodiscard]] T evsm4(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> exponents,
+                      glm::vec<2, T> deviations, T far = T(1)) {
+    return detail::look_up(fetch, coord, receiver, far,
+                           [&](glm::vec<4, T> m) { return decode_evsm4(m, receiver, exponents, deviations, far); });
+}
+
+/// As vsm, of texels of encode_msm.
+/// @exactness        C: within 1/64 in a shader
+template <real T, class Fetch>
+[[nodiscard]] T msm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
+    return detail::look_up(fetch, coord, receiver, far,
+                           [&](glm::vec<4, T> b) { return decode_msm(b, receiver, bias, far); });
+}
+
+/// As vsm, of texels of turn_moments(encode_msm).
+/// @exactness        C: within 1/64 in a shader
+template <real T, class Fetch>
+[[nodiscard]] T msm_turned(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
+    return detail::look_up(fetch, coord, receiver, far,
+                           [&](glm::vec<4, T> o) { return decode_msm(turn_moments_back(o), receiver, bias, far); });
+}
+
+/// As vsm, of texels of encode_msm, by decode_msm_hausdorff.
+/// @exactness        C: within 1/64 in a shader
+template <real T, class Fetch>
+[[nodiscard]] T msm_hausdorff(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
+    return detail::look_up(fetch, coord, receiver, far,
+                           [&](glm::vec<4, T> b) { return decode_msm_hausdorff(b, receiver, bias, far); });
+}
+
+namespace glsl {
+
+inline constexpr snippet fetch_bilinear{
+    .name = "fetch_bilinear",
+    .summary = "mean of the four texels around a point",
+    .exactness = tier::b,
+    .needs = list<&fetch_clamped>,
+    .source = R"GLSL(
+// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
+//   coord  in texels, first centre at (0.5, 0.5)
+UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+    UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, texel);
+    UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 0.0));
+    UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, texel + vec2(0.0, 1.0));
+    UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 1.0));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 low = a * lo.x + b * hi.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 high = c * lo.x + d * hi.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet vsm{
+    .name = "vsm",
+    .summary = "visibility from a map of encode_vsm's texels",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&is_compared, &fetch_bilinear, &decode_vsm>,
+    .source = R"GLSL(
+// umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   min_variance  0.0 or more
+UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float min_variance) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_vsm(vec2(m.x, m.y), receiver, min_variance);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet esm{
+    .name = "esm",
+    .summary = "visibility from a map of encode_esm's texels",
+    .exactness = tier::b,
+    .needs = list<&is_compared, &fetch_bilinear, &decode_esm>,
+    .source = R"GLSL(
+// umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponent  as of the texels
+UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_esm(m.x, receiver, exponent);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet evsm2{
+    .name = "evsm2",
+    .summary = "visibility from a map of encode_evsm2's texels",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&is_compared, &fetch_bilinear, &decode_evsm2>,
+    .source = R"GLSL(
+// umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
+UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                  UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent,
+                                  UMBRAGE_HIGHP float deviation) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_evsm2(vec2(m.x, m.y), receiver, exponent, deviation);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet evsm4{
+    .name = "evsm4",
+    .summary = "visibility from a map of encode_evsm4's texels",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&is_compared, &fetch_bilinear, &decode_evsm4>,
+    .source = R"GLSL(
+// umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
+UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                  UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 exponents,
+                                  UMBRAGE_HIGHP vec2 deviations) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet msm{
+    .name = "msm",
+    .summary = "visibility from a map of encode_msm's texels",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .needs = list<&is_compared, &fetch_bilinear, &decode_msm>,
+    .source = R"GLSL(
+// umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(m, receiver, bias);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet msm_turned{
+    .name = "msm_turned",
+    .summary = "visibility from a map of turned moments",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .needs = list<&is_compared, &fetch_bilinear, &decode_msm, &turn_moments_back>,
+    .source = R"GLSL(
+// umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+UMBRAGE_HIGHP float umbrage_msm_turned(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_turn_moments_back(m), receiver, bias);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet msm_hausdorff{
+    .name = "msm_hausdorff",
+    .summary = "visibility from a map of encode_msm's texels",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .needs = list<&is_compared, &fetch_bilinear, &decode_msm_hausdorff>,
+    .source = R"GLSL(
+// umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                          UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr auto look_up_snippets =
+    list<&fetch_bilinear, &vsm, &esm, &evsm2, &evsm4, &msm, &msm_turned, &msm_hausdorff>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/prefiltered/prefilters.hpp
+// Prefiltered maps as values: what a texel is, how depth becomes one, what a mean of texels says. One list, which
+// functions over images, tools and tables walk.
+//
+//     umbrage::prefilters::evsm4 filter{umbrage::make_evsm({.exponent = 30.0f})};
+//     glm::vec4 texel = filter.encode(depth);
+//     float visibility = filter.decode(blurred, receiver);
+//
+
+namespace umbrage::prefilters {
+
+/// Depth and its square: two floats of 32 bits. Light bleeds through behind casters that lie behind each other.
+struct vsm {
+    using texel = glm::vec2;
+    static constexpr std::string_view name = "vsm";
+    static constexpr const glsl::snippet *writer = &glsl::encode_vsm, *snippet = &glsl::vsm;
+
+    float min_variance = 1e-6f;
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_vsm(depth, cleared_depth(direction)); }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
+        return decode_vsm(m, receiver, min_variance, cleared_depth(direction));
+    }
+};
+
+/// One power of depth. Light bleeds through where a lit surface lies behind the receiver in the same window.
+struct esm {
+    using texel = float;
+    static constexpr std::string_view name = "esm";
+    static constexpr const glsl::snippet *writer = &glsl::encode_esm, *snippet = &glsl::esm;
+
+    esm_settings settings{};
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
+        return encode_esm(depth, settings.exponent, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
+        return decode_esm(m, receiver, settings.exponent, cleared_depth(direction));
+    }
+};
+
+/// A power of depth and its square.
+struct evsm2 {
+    using texel = glm::vec2;
+    static constexpr std::string_view name = "evsm2";
+    static constexpr const glsl::snippet *writer = &glsl::encode_evsm2, *snippet = &glsl::evsm2;
+
+    evsm_parameters parameters = make_evsm({});
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
+        return encode_evsm2(depth, parameters.exponents.x, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
+        return decode_evsm2(m, receiver, parameters.exponents.x, parameters.deviations.x, cleared_depth(direction));
+    }
+};
+
+/// A growing and a falling power, and their squares: the least light of those with moments of two depths.
+struct evsm4 {
+    using texel = glm::vec4;
+    static constexpr std::string_view name = "evsm4";
+    static constexpr const glsl::snippet *writer = &glsl::encode_evsm4, *snippet = &glsl::evsm4;
+
+    evsm_parameters parameters = make_evsm({});
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
+        return encode_evsm4(depth, parameters.exponents, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
+        return decode_evsm4(m, receiver, parameters.exponents, parameters.deviations, cleared_depth(direction));
+    }
+};
+
+/// Four moments in floats of 32 bits.
+struct msm {
+    using texel = glm::vec4;
+    static constexpr std::string_view name = "msm";
+    static constexpr const glsl::snippet *writer = &glsl::encode_msm, *snippet = &glsl::msm;
+
+    glm::vec2 bias = msm_bias_32;
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
+        return decode_msm(b, receiver, bias, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel b) const { return bias_moments(b, bias); }
+};
+
+/// Four moments for channels of 16 bits.
+struct msm_turned {
+    using texel = glm::vec4;
+    static constexpr std::string_view name = "msm_turned";
+    static constexpr const glsl::snippet *writer = &glsl::turn_moments, *snippet = &glsl::msm_turned;
+
+    glm::vec2 bias = msm_bias_16;
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
+        return turn_moments(encode_msm(depth, cleared_depth(direction)));
+    }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel o, float receiver) const {
+        return decode_msm(turn_moments_back(o), receiver, bias, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel o) const { return bias_moments(turn_moments_back(o), bias); }
+};
+
+/// Four moments in floats of 32 bits, of depths known to lie in [0, 1].
+struct msm_hausdorff {
+    using texel = glm::vec4;
+    static constexpr std::string_view name = "msm_hausdorff";
+    static constexpr const glsl::snippet *writer = &glsl::encode_msm, *snippet = &glsl::msm_hausdorff;
+
+    glm::vec2 bias = msm_bias_32;
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
+        return decode_msm_hausdorff(b, receiver, bias, cleared_depth(direction));
+    }
+};
+
+using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff>;
+
+}  // namespace umbrage::prefilters
+
+// ---- umbrage/filter/prefiltered/reduce.hpp
+// Blur and mip chain of prefiltered maps, for passes of shaders: texels of the map that a pass reads make one of the
+// map that it writes. Over images: blur() and make_mip_chain(), which give the same bits.
+//
+//     out_texel = umbrage_blur_row5(map, size, texel, vec2(0.0, 1.0));  // first along y into a map of its own,
+//     out_texel = umbrage_blur_row5(map, size, texel, vec2(1.0, 0.0));  // then that along x
+//
+
+namespace umbrage {
+namespace detail {
+
+/// Row Taps - 1 of Pascal's triangle, from the middle on.
+template <int Taps>
+[[nodiscard]] constexpr int binomial_weight(int distance) {
+    int weight = 1;
+    for (int i = 0; i < Taps / 2 - distance; ++i) weight = weight * (Taps - 1 - i) / (i + 1);
+    return weight;
+}
+
+}  // namespace detail
+
+/// Mean of texels in a row, weighed by a row of Pascal's triangle.
+/// @param fetch     ivec2 texel -> float or vector; called Taps times, texels may lie outside the map
+/// @param step      (1, 0) along x, (0, 1) along y
+/// @formula         w0 c + w1 (before1 + after1) + ..., in this order,
+///                  w_i = C(Taps - 1, (Taps - 1) / 2 + i) / 2^(Taps - 1)
+/// @exactness       B;  A for 5 taps both ways over multiples of 2^-16 below 1
+template <int Taps, class Fetch>
+[[nodiscard]] auto blur_row(Fetch&& fetch, glm::ivec2 texel, glm::ivec2 step) {
+    static_assert(Taps == 3 || Taps == 5 || Taps == 7);
+    const auto weight = [](int i) {
+        return static_cast<float>(detail::binomial_weight<Taps>(i)) / static_cast<float>(1 << (Taps - 1));
+    };
+    auto sum = fetch(texel) * weight(0);
+    for (int i = 1; i <= Taps / 2; ++i) sum = sum + (fetch(texel - step * i) + fetch(texel + step * i)) * weight(i);
+    return sum;
+}
+
+/// Mean of the 2x2 texels that one of the next level of a mip chain is made of.
+/// @param texel     of the next level; where a level's size is odd, its last column or row counts twice
+/// @formula         ((a + b) + (c + d)) / 4
+/// @exactness       B;  A for multiples of 2^-22 below 1
+template <class Fetch>
+[[nodiscard]] auto halve_texels(Fetch&& fetch, glm::ivec2 texel) {
+    const glm::ivec2 at = texel * 2;
+    const auto a = fetch(at), b = fetch(at + glm::ivec2(1, 0));
+    const auto c = fetch(at + glm::ivec2(0, 1)), d = fetch(at + glm::ivec2(1, 1));
+    return ((a + b) + (c + d)) * 0.25f;
+}
+
+namespace glsl {
+
+template <int Taps>
+inline constexpr auto blur_row_name = detail::fill<16>("blur_row$n", {{'n', Taps}});
+template <int Taps>
+inline constexpr auto blur_row_text = [] {
+    detail::filled_text<1536> out =
+        detail::fill<1536>(R"GLSL(
+// umbrage_blur_row$n: mean of $n texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+UMBRAGE_HIGHP vec4 umbrage_blur_row$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                     UMBRAGE_HIGHP vec2 along) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * ($w.0 / $d.0);
+)GLSL",
+                           {{'n', Taps}, {'w', umbrage::detail::binomial_weight<Taps>(0)}, {'d', 1 << (Taps - 1)}});
+    for (int i = 1; i <= Taps / 2; ++i)
+        out.append(R"GLSL(    UMBRAGE_HIGHP vec4 before$i = umbrage_fetch_clamped(map, size, texel - along * $i.0);
+    UMBRAGE_HIGHP vec4 after$i = umbrage_fetch_clamped(map, size, texel + along * $i.0);
+    sum = sum + (before$i + after$i) * ($w.0 / $d.0);
+)GLSL",
+                   {{'i', i}, {'w', umbrage::detail::binomial_weight<Taps>(i)}, {'d', 1 << (Taps - 1)}});
+    out.append("    return sum;\n}\n");
+    return out;
+}();
+template <int Taps>
+inline constexpr snippet blur_row{.name = blur_row_name<Taps>.view(),
+                                  .summary = "mean of texels in a row",
+                                  .exactness = tier::b,
+                                  .needs = list<&fetch_clamped>,
+                                  .source = blur_row_text<Taps>.view()};
+
+inline constexpr snippet halve_texels{
+    .name = "halve_texels",
+    .summary = "mean of 2x2 texels",
+    .exactness = tier::b,
+    .needs = list<&fetch_clamped>,
+    .source = R"GLSL(
+// umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
+//   map, size  read from, and its size in texels;   texel  of the next level, whole numbers
+UMBRAGE_HIGHP vec4 umbrage_halve_texels(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP vec2 at = texel * 2.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, at);
+    UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, at + vec2(1.0, 0.0));
+    UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, at + vec2(0.0, 1.0));
+    UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, at + vec2(1.0, 1.0));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = (a + b) + (c + d);
+    return sum * 0.25;
+}
+)GLSL",
+};
+
+inline constexpr auto reduce_snippets = list<&blur_row<3>, &blur_row<5>, &blur_row<7>, &halve_texels>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/filter/table/summed_variance.hpp
 // Variance shadows from a summed-area table: a box of any size from four texels.
 //
@@ -10816,6 +12437,217 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
 
 }  // namespace umbrage
 
+// ---- umbrage/images/prefilter.hpp
+// Whole prefiltered maps: depth to moments, their mip chain, and what an image of receivers sees of them.
+//
+//     const umbrage::prefilters::vsm filter{.min_variance = 1e-5f};
+//     umbrage::image<glm::vec2> moments(depth.size()), blurred(depth.size());
+//     umbrage::encode_moments(depth, moments, filter);
+//     umbrage::blur(moments, blurred, umbrage::make_gaussian_kernel(7, 1.5f));
+//     umbrage::look_up(blurred, receivers, filter, visibility);
+//
+
+namespace umbrage {
+namespace detail {
+
+/// A block of texels, channel after channel: only so do loops over them vectorise.
+template <class Texel>
+struct texel_planes {
+    static constexpr int channels = static_cast<int>(sizeof(Texel) / sizeof(float));
+
+    alignas(64) float values[channels * block];
+
+    UMBRAGE_INLINE void set(int i, const Texel& t) {
+        if constexpr (channels == 1) values[i] = t;
+        else values[i] = t.x, values[block + i] = t.y;
+        if constexpr (channels == 4) values[2 * block + i] = t.z, values[3 * block + i] = t.w;
+    }
+    [[nodiscard]] UMBRAGE_INLINE Texel operator[](int i) const {
+        if constexpr (channels == 1) return values[i];
+        else if constexpr (channels == 2) return {values[i], values[block + i]};
+        else return {values[i], values[block + i], values[2 * block + i], values[3 * block + i]};
+    }
+    UMBRAGE_INLINE void copy_to(Texel* to) const {
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) to[i] = (*this)[i];
+    }
+};
+
+/// fetch_bilinear for a block of receivers, channel after channel; those that are not compared get some texel.
+template <class Texel>
+struct bilinear_block {
+    static constexpr int channels = texel_planes<Texel>::channels;
+
+    texel_planes<Texel> means;
+    alignas(64) std::int32_t compared[block], left[block], right[block], low[block], high[block];
+    alignas(64) float hi_x[block], hi_y[block];
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& r, glm::ivec2 size, bool forward) {
+        const auto axis = [](float coord, int highest, float& hi, std::int32_t& here, std::int32_t& next)
+                              UMBRAGE_INLINE {
+                                  const std::int32_t x = floor_int(coord * 256.0f) - 128;
+                                  here = clamp_int(x >> 8, highest);
+                                  next = clamp_int((x >> 8) + 1, highest);
+                                  hi = static_cast<float>(x & 255);
+                              };
+        const std::int32_t towards_far = forward ? -1 : 0;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const float x = r.x(i), y = r.y(i);
+            const std::int32_t beyond =
+                (beyond_far_mask<true>(r.z(i)) & towards_far) | (beyond_far_mask<false>(r.z(i)) & ~towards_far);
+            const std::int32_t inside = texel_space_mask(x, y);
+            compared[i] = inside & ~beyond;
+            axis(masked(x, inside), size.x - 1, hi_x[i], left[i], right[i]);
+            axis(masked(y, inside), size.y - 1, hi_y[i], low[i], high[i]);
+        }
+    }
+    UMBRAGE_INLINE void fetch(const image_view<const Texel>& texels) {
+        for (int i = 0; i < block; ++i) {
+            const auto row = [&](int y) UMBRAGE_INLINE {
+                return reinterpret_cast<const float*>(reinterpret_cast<const std::byte*>(texels.data) +
+                                                      y * texels.stride);
+            };
+            const float *const below = row(low[i]), *const above = row(high[i]);
+            const int l = left[i] * channels, h = right[i] * channels;
+            const float hx = hi_x[i], hy = hi_y[i], lx = 256.0f - hx, ly = 256.0f - hy;
+            float mean[channels];
+            for (int c = 0; c < channels; ++c) {
+                const float first = below[l + c] * lx + below[h + c] * hx;
+                const float second = above[l + c] * lx + above[h + c] * hx;
+                mean[c] = (first * ly + second * hy) * (1.0f / 65536.0f);
+            }
+            for (int c = 0; c < channels; ++c) means.values[c * block + i] = mean[c];
+        }
+    }
+};
+
+template <class Prefilter>
+UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_planes<typename Prefilter::texel>& means,
+                                        const float* depths, float* visibility) {
+    UMBRAGE_NO_OVERLAP
+    for (int i = 0; i < block; ++i) visibility[i] = filter.decode(means[i], depths[i]);
+}
+
+/// decode_msm in three loops: compilers vectorise none that takes a root, as it may set errno.
+template <class Prefilter>
+requires requires(const Prefilter& f, typename Prefilter::texel t) { f.moments(t); }
+UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_planes<typename Prefilter::texel>& means,
+                                        const float* depths, float* visibility) {
+    alignas(64) float x[block], d[block], D[block], E[block], h[block], a[block], B[block], c[block], roots[block];
+    const float far = cleared_depth(filter.direction);
+    for (int i = 0; i < block; ++i) {
+        const glm::vec4 m = filter.moments(means[i]);
+        d[i] = forward_depth(depths[i], far);
+        x[i] = moment_depth(d[i]) - m.x;
+        const atom_equation<float> e(m, x[i]);
+        D[i] = e.D, E[i] = e.E, h[i] = e.h, a[i] = e.a, B[i] = e.B, c[i] = e.c, roots[i] = e.square;
+    }
+    for (float& root : roots) root = std::sqrt(root);
+    UMBRAGE_NO_OVERLAP
+    for (int i = 0; i < block; ++i) {
+        atom_equation<float> e;
+        e.D = D[i], e.E = E[i], e.h = h[i], e.a = a[i], e.B = B[i], e.c = c[i];
+        visibility[i] = lit_by_atoms(e.atoms(roots[i]), x[i], d[i]);
+    }
+}
+
+}  // namespace detail
+
+/// @param depth      any values; clamped to [0, 1], NaN counts as far
+/// @param texels     same size
+/// @param filter     one of prefilters::, or a type like them: texel, encode
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ
+/// @exactness        the filter's encode, bit for bit
+template <class Prefilter, class ParallelFor = serial>
+void encode_moments(image_view<const float> depth, image_view<typename Prefilter::texel> texels,
+                    const Prefilter& filter, ParallelFor&& parallel = {}) {
+    using texel = typename Prefilter::texel;
+    if (depth.size != texels.size) detail::fail("umbrage::encode_moments: sizes differ");
+    if (depth.empty()) return;
+    parallel(depth.size.y, [&](int first, int last) {
+        detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+            const Prefilter own = filter;  // in registers
+            for (int y = first; y < last; ++y) {
+                detail::convert_row(depth.row(y), texels.row(y), depth.size.x,
+                                    [&](const float* from, texel* to) UMBRAGE_INLINE {
+                                        detail::texel_planes<texel> planes;
+                                        for (int i = 0; i < detail::block; ++i) planes.set(i, own.encode(from[i]));
+                                        planes.copy_to(to);
+                                    });
+            }
+        });
+    });
+}
+
+/// @param texels     of a prefiltered map: float, vec2, vec4
+/// @param levels     how many: the first has half the size, rounded up, each next one half of that
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @return           as many levels; a level of a single texel is followed by more of them
+/// @throws std::invalid_argument  empty map, or negative levels
+/// @exactness        halve_texels, bit for bit
+template <class Texel, class ParallelFor = serial>
+[[nodiscard]] std::vector<image<std::remove_const_t<Texel>>> make_mip_chain(image_view<Texel> texels, int levels,
+                                                                            ParallelFor&& parallel = {}) {
+    using texel = std::remove_const_t<Texel>;
+    if (texels.empty() || levels < 0) detail::fail("umbrage::make_mip_chain: empty map or negative levels");
+    std::vector<image<texel>> chain;
+    for (int level = 0; level < levels; ++level) {
+        const image_view<const texel> from =
+            level ? std::as_const(chain.back()).view() : image_view<const texel>(texels);
+        image<texel> next({(from.size.x + 1) / 2, (from.size.y + 1) / 2});
+        parallel(next.size().y, [&, to = next.view()](int first, int last) {
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < to.size.x; ++x) to.row(y)[x] = halve_texels(clamped(from), glm::ivec2(x, y));
+        });
+        chain.push_back(std::move(next));
+    }
+    return chain;
+}
+template <class Texel, class ParallelFor = serial>
+[[nodiscard]] std::vector<image<Texel>> make_mip_chain(const image<Texel>& texels, int levels,
+                                                       ParallelFor&& parallel = {}) {
+    return make_mip_chain(texels.view(), levels, parallel);
+}
+
+/// @param texels     a prefiltered map, blurred
+/// @param receivers  (x, y) in texels of the map, z depth, biased: an image of vec3, receiver_planes, depth_receivers
+/// @param filter     as encode_moments had it
+/// @param out        visibility, 1 lit; same size as receivers
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ, or the map is empty
+/// @exactness        the filter's decode of fetch_bilinear, bit for bit; who is not compared is lit
+template <class Prefilter, class Receivers, class ParallelFor = serial>
+void look_up(image_view<const typename Prefilter::texel> texels, const Receivers& receivers, const Prefilter& filter,
+             image_view<float> out, ParallelFor&& parallel = {}) {
+    if (detail::size_of(receivers) != out.size) detail::fail("umbrage::look_up: sizes differ");
+    if (texels.empty()) detail::fail("umbrage::look_up: empty map");
+    if (out.empty()) return;
+    const bool forward = filter.direction == depth_direction::forward;
+    parallel(out.size.y, [&](int first, int last) {
+        detail::on_best_isa_without_fma([&](auto set) UMBRAGE_INLINE {
+            detail::bilinear_block<typename Prefilter::texel> of_block;
+            alignas(64) float depths[detail::block], visibility[detail::block];
+            const Prefilter own = filter;  // in registers
+            for (detail::block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
+                detail::use_receivers(receivers, at, set, [&](const auto& r) UMBRAGE_INLINE {
+                    of_block.place(r, texels.size, forward);
+                    for (int i = 0; i < detail::block; ++i) depths[i] = r.z(i);
+                });
+                of_block.fetch(texels);
+                detail::decode_block(own, of_block.means, depths, visibility);
+                for (int i = 0; i < detail::block; ++i)
+                    visibility[i] = detail::select(of_block.compared[i], visibility[i], 1.0f);
+                detail::copy_floats(out.row(at.y) + at.x, visibility, at.count());
+            }
+        });
+    });
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/images/quality.hpp
 // How good a light's set-up is for a view: pixels that a texel's longer axis covers, 1 or less where the map resolves
 // what the screen does. As an image, and in five numbers.
@@ -13668,6 +15500,19 @@ struct token {
     }
 }
 
+/// Of "#if __VERSION__ >= ..." what stands before its #else: what languages take that have all of the newest GLSL.
+[[nodiscard]] inline std::vector<token> newest(std::vector<token> all) {
+    enum { outside, before, behind } place = outside;  // of #else
+    std::erase_if(all, [&](const token& t) {
+        if (t.kind != piece::directive) return place == behind;
+        if (t.text.starts_with("#if __VERSION__ >= ")) place = before;
+        else if (place == outside) return false;
+        else place = t == "#else" ? behind : outside;
+        return true;
+    });
+    return all;
+}
+
 /// The bracket that closes the one at all[i].
 /// @throws std::invalid_argument   where none does
 [[nodiscard]] inline std::size_t closing(std::span<const token> all, std::size_t i) {
@@ -13800,7 +15645,8 @@ struct near_language {
 /// Prints functions in a near language.
 class word_by_word {
 public:
-    word_by_word(const near_language& language, std::string_view text) : language_(language), all_(tokens(text)) {}
+    word_by_word(const near_language& language, std::string_view text)
+        : language_(language), all_(newest(tokens(text))) {}
 
     [[nodiscard]] std::string print() {
         std::string out = print(0, all_.size() - 1);
@@ -14281,11 +16127,14 @@ inline constexpr auto maps =
     collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
             filters, pcf_2x2_cube_snippets, pcf_2x2_hardware_snippets, window_hardware_snippets, bounds_lit_snippets,
             penumbra_snippets, pcss_snippets, dpcf_snippets, summed_variance_snippets);
+inline constexpr auto prefiltered =
+    collect(exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
+            hausdorff_snippets, look_up_snippets, reduce_snippets);
 inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
                                      kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);
 inline constexpr auto view = collect(false_colour_snippets, overlay_texel_snippets);
-inline constexpr auto everything = collect(light, kinds, codes, levels, maps, bias, shade, view);
+inline constexpr auto everything = collect(light, kinds, codes, levels, maps, prefiltered, bias, shade, view);
 
 }  // namespace detail
 
@@ -14395,7 +16244,7 @@ inline constexpr std::pair<std::string_view, std::string_view> words_of_maps[]{
 class expressions {
 public:
     expressions(std::string_view text, const signatures& functions)
-        : all_(glsl::detail::tokens(text)), functions_(functions) {}
+        : all_(glsl::detail::newest(glsl::detail::tokens(text))), functions_(functions) {}
 
     std::size_t at = 0;                                     ///< the next token
     std::map<std::string, std::string, std::less<>> types;  ///< of variables in scope
@@ -14613,7 +16462,7 @@ private:
 
 namespace umbrage::wgsl::detail {
 
-/// Prints a snippet's text, GLSL without lines of the preprocessor.
+/// Prints a snippet's text, GLSL whose only lines of the preprocessor are about its version.
 class printer : expressions {
     struct parameter {
         std::string type, name;

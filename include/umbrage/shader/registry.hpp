@@ -29,6 +29,15 @@
 #include <umbrage/filter/pcf/pcf_2x2_cube.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 #include <umbrage/filter/pcf/window_hardware.hpp>
+#include <umbrage/filter/prefiltered/chebyshev.hpp>
+#include <umbrage/filter/prefiltered/esm.hpp>
+#include <umbrage/filter/prefiltered/evsm.hpp>
+#include <umbrage/filter/prefiltered/exp2.hpp>
+#include <umbrage/filter/prefiltered/hausdorff.hpp>
+#include <umbrage/filter/prefiltered/look_up.hpp>
+#include <umbrage/filter/prefiltered/msm.hpp>
+#include <umbrage/filter/prefiltered/reduce.hpp>
+#include <umbrage/filter/prefiltered/vsm.hpp>
 #include <umbrage/filter/table/summed_variance.hpp>
 #include <umbrage/floor_divide.hpp>
 #include <umbrage/image.hpp>
@@ -111,11 +120,14 @@ inline constexpr auto maps =
     collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
             filters, pcf_2x2_cube_snippets, pcf_2x2_hardware_snippets, window_hardware_snippets, bounds_lit_snippets,
             penumbra_snippets, pcss_snippets, dpcf_snippets, summed_variance_snippets);
+inline constexpr auto prefiltered =
+    collect(exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
+            hausdorff_snippets, look_up_snippets, reduce_snippets);
 inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
                                      kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);
 inline constexpr auto view = collect(false_colour_snippets, overlay_texel_snippets);
-inline constexpr auto everything = collect(light, kinds, codes, levels, maps, bias, shade, view);
+inline constexpr auto everything = collect(light, kinds, codes, levels, maps, prefiltered, bias, shade, view);
 
 }  // namespace detail
 

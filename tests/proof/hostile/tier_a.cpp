@@ -24,6 +24,7 @@
 #include <umbrage/light/cube_map.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_cube.hpp>
+#include <umbrage/filter/prefiltered/exp2.hpp>
 #include <umbrage/view/overlay_texel.hpp>
 
 #include "soft_shadows.hpp"
@@ -107,6 +108,8 @@ void suite::all() const {
 
     rg<9>(), rg<10>(), rg<11>(), rg<12>(), rg<13>(), rg<14>(), rg<15>(), rg<16>();
 
+    run("power_of_two", inputs, depth, [](float d) { return power_of_two(float(int(saturate(d) * 127.0f)) - 64.0f); });
+    run("exp2_steps", inputs, any, [](float y) { return exp2_steps(y); });
     run("encode_rgb24", inputs, depth, [](float d) { return encode_rgb24(d); });
     run(
         "decode_rgb24", inputs,

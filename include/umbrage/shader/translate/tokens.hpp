@@ -82,6 +82,19 @@ struct token {
     }
 }
 
+/// Of "#if __VERSION__ >= ..." what stands before its #else: what languages take that have all of the newest GLSL.
+[[nodiscard]] inline std::vector<token> newest(std::vector<token> all) {
+    enum { outside, before, behind } place = outside;  // of #else
+    std::erase_if(all, [&](const token& t) {
+        if (t.kind != piece::directive) return place == behind;
+        if (t.text.starts_with("#if __VERSION__ >= ")) place = before;
+        else if (place == outside) return false;
+        else place = t == "#else" ? behind : outside;
+        return true;
+    });
+    return all;
+}
+
 /// The bracket that closes the one at all[i].
 /// @throws std::invalid_argument   where none does
 [[nodiscard]] inline std::size_t closing(std::span<const token> all, std::size_t i) {

@@ -58,7 +58,7 @@ inline constexpr std::pair<std::string_view, std::string_view> words_of_maps[]{
 class expressions {
 public:
     expressions(std::string_view text, const signatures& functions)
-        : all_(glsl::detail::tokens(text)), functions_(functions) {}
+        : all_(glsl::detail::newest(glsl::detail::tokens(text))), functions_(functions) {}
 
     std::size_t at = 0;                                     ///< the next token
     std::map<std::string, std::string, std::less<>> types;  ///< of variables in scope

@@ -18,7 +18,7 @@
 
 namespace umbrage::wgsl::detail {
 
-/// Prints a snippet's text, GLSL without lines of the preprocessor.
+/// Prints a snippet's text, GLSL whose only lines of the preprocessor are about its version.
 class printer : expressions {
     struct parameter {
         std::string type, name;

@@ -31,7 +31,8 @@ struct near_language {
 /// Prints functions in a near language.
 class word_by_word {
 public:
-    word_by_word(const near_language& language, std::string_view text) : language_(language), all_(tokens(text)) {}
+    word_by_word(const near_language& language, std::string_view text)
+        : language_(language), all_(newest(tokens(text))) {}
 
     [[nodiscard]] std::string print() {
         std::string out = print(0, all_.size() - 1);

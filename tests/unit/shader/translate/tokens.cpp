@@ -39,6 +39,15 @@ TEST_CASE("tokens: comments and directives go to the end of their line") {
     CHECK((all[4].kind == piece::end && all[4].space == "\n\n"));
 }
 
+TEST_CASE("newest: what stands for the newest version, other directives stay") {
+    std::string text;
+    for (const detail::token& t :
+         detail::newest(detail::tokens("a;\n#ifdef A\n#endif\n#if __VERSION__ >= 300\n    b;\n#else\n    "
+                                       "c;\n#endif\n#if __VERSION__ >= 9\nd;\n#endif\ne;\n")))
+        (text += t.space) += t.text;
+    CHECK(text == "a;\n#ifdef A\n#endif\n    b;\nd;\ne;\n");
+}
+
 TEST_CASE("tokens: of every snippet, nothing is lost") {
     for (const glsl::snippet* s : glsl::registry) {
         CAPTURE(s->name);

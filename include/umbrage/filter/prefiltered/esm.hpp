@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// Exponential shadow maps: a texel holds a power of depth, which may be blurred, halved and filtered by the sampler.
+//
+//     const auto esm = umbrage::make_esm({.exponent = 40.0f});  // throws where floats would overflow
+//     float texel = umbrage::encode_esm(depth, esm.exponent);
+//     float visibility = umbrage::decode_esm(blurred, receiver, esm.exponent);
+//
+// A receiver is as light as the mean of what its texels let through, 2^(2 exponent (depth - receiver)) each, at most 1:
+// a caster lets 1/100 through that is 3.3 / exponent nearer. One lit texel far behind the receiver outweighs all its
+// casters.
+#pragma once
+
+#include <umbrage/filter/prefiltered/chebyshev.hpp>
+#include <umbrage/filter/prefiltered/exp2.hpp>
+
+namespace umbrage {
+
+/// What a prefiltered map's texels are stored in.
+enum class float_store { half, single };
+
+/// Depth on the scale of exponential shadow maps.
+/// @param depth      in [0, 1], growing with distance
+/// @param exponent   -63 to 63
+/// @return           2^-exponent to 2^exponent
+/// @formula          exp2_polynomial(exponent (2 depth - 1))
+/// @exactness        B
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T warp_depth(T depth, T exponent) {
+    return exp2_polynomial(exponent * (depth * T(2) - T(1)));
+}
+
+/// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: 2^exponent
+/// @param exponent  0 to 63
+/// @formula         warp_depth(forward_depth)
+/// @exactness       B
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T encode_esm(T depth, T exponent, T far = T(1)) {
+    return warp_depth(forward_depth(saturate(depth, far), far), exponent);
+}
+
+/// @param m         mean of texels; NaN is in shadow
+/// @param receiver  depth, biased; nearer than 0 is lit as 0 is; NaN is in shadow
+/// @return          visibility, 0 to 1, before bleed_cut: at least the lit share, less 2^-20
+/// @formula         min(m 2^(-exponent (2 d - 1)), 1), d = forward_depth(receiver)
+/// @exactness       B;  within 2^-20 of exact means of exact powers of the same rounded exponents: two powers, each off
+///                  by 1.8e-7 of it, and their product
+/// @cite            Annen et al.: Exponential shadow maps, Graphics Interface 2008
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T decode_esm(T m, T receiver, T exponent, T far = T(1)) {
+    const T d = forward_depth(receiver, far);
+    const T p = m * warp_depth(d, -exponent);
+    const T lit = detail::pick(p < T(1), p, T(1));
+    return detail::pick(bool(int(p > T(0)) & int(!is_nan(p)) & int(!is_nan(d))), lit, T(0));
+}
+
+/// Set-up of exponential shadow maps.
+struct esm_settings {
+    float exponent = 40.0f;  ///< of 2, at the far plane; twice that is the C of 2^(C depth)
+    float_store store = float_store::single;
+};
+
+/// @return   the settings
+/// @throws std::invalid_argument   exponent not above 0, or beyond what keeps the texels and their inverses normal
+///                                 numbers: 63 in 32 bits, 14 in 16
+[[nodiscard]] inline esm_settings make_esm(const esm_settings& settings) {
+    const float most = settings.store == float_store::single ? 63.0f : 14.0f;
+    if (!(settings.exponent > 0.0f && settings.exponent <= most))
+        detail::fail("umbrage::make_esm: exponent not above 0, or above 63, 14 in 16 bits");
+    return settings;
+}
+
+namespace glsl {
+
+inline constexpr snippet warp_depth{
+    .name = "warp_depth",
+    .summary = "depth on the scale of exponential shadow maps",
+    .exactness = tier::b,
+    .needs = list<&exp2_polynomial>,
+    .source = R"GLSL(
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+UMBRAGE_HIGHP float umbrage_warp_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+)GLSL",
+};
+
+inline constexpr snippet encode_esm{
+    .name = "encode_esm",
+    .summary = "depth to a texel of an exponential shadow map",
+    .exactness = tier::b,
+    .needs = list<&saturate, &forward_depth, &warp_depth>,
+    .source = R"GLSL(
+// umbrage_encode_esm: depth's power, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP float umbrage_encode_esm(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+    return umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_esm{
+    .name = "decode_esm",
+    .summary = "mean of texels of an exponential shadow map to visibility",
+    .exactness = tier::b,
+    .needs = list<&forward_depth, &warp_depth>,
+    .source = R"GLSL(
+// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+UMBRAGE_HIGHP float umbrage_decode_esm(UMBRAGE_HIGHP float m, UMBRAGE_HIGHP float receiver,
+                                       UMBRAGE_HIGHP float exponent) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float p = m * umbrage_warp_depth(d, -exponent);
+    UMBRAGE_HIGHP float lit = p > 0.0 && p < 1.0 ? p : (p >= 1.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+)GLSL",
+};
+
+inline constexpr auto esm_snippets = list<&warp_depth, &encode_esm, &decode_esm>;
+
+}  // namespace glsl
+}  // namespace umbrage

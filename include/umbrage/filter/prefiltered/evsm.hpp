@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+//
+// Exponential variance shadow maps: a texel holds a power of depth and its square, and with four components a negative
+// one besides. They let less light through than depth's own moments, which is where both powers let it.
+//
+//     const auto evsm = umbrage::make_evsm({.exponent = 40.0f});  // throws where floats would overflow
+//     glm::vec4 texel = umbrage::encode_evsm4(depth, evsm.exponents());
+//     float visibility = umbrage::decode_evsm4(blurred, receiver, evsm.exponents(), evsm.deviation);
+//
+#pragma once
+
+#include <cmath>
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/filter/prefiltered/chebyshev.hpp>
+#include <umbrage/filter/prefiltered/esm.hpp>
+
+namespace umbrage {
+
+/// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does
+/// @param exponent  0 to 55
+/// @formula         (w, w^2), w = warp_depth(forward_depth)
+/// @exactness       B
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_evsm2(T depth, T exponent, T far = T(1)) {
+    const T w = warp_depth(forward_depth(saturate(depth, far), far), exponent);
+    return {w, w * w};
+}
+
+/// @param depth      clamped to [0, 1]; NaN counts as far, as a cleared texel does
+/// @param exponents  of the growing power and of the falling one, 0 to 55
+/// @formula          (w, w^2, n, n^2), w = warp_depth(d, exponents.x), n = -warp_depth(d, -exponents.y)
+/// @exactness        B
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<4, T> encode_evsm4(T depth, glm::vec<2, T> exponents, T far = T(1)) {
+    const T d = forward_depth(saturate(depth, far), far);
+    const T w = warp_depth(d, exponents.x), n = -warp_depth(d, -exponents.y);
+    return {w, w * w, n, n * n};
+}
+
+namespace detail {
+
+/// chebyshev of powers, whose least deviation is a part of the receiver's.
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T warped_chebyshev(glm::vec<2, T> m, T w, T deviation) {
+    const T least = deviation * w;
+    return chebyshev(m, w, least * least);
+}
+
+}  // namespace detail
+
+/// @param m          mean of texels
+/// @param receiver   depth, biased; NaN is in shadow
+/// @param deviation  least standard deviation, as a part of the receiver's power: a least deviation of depth times
+///                   2 ln(2) exponent, as make_evsm has it
+/// @return           visibility before bleed_cut: at least the lit share, less chebyshev's error
+/// @formula          chebyshev(m, w, (deviation w)^2), w = warp_depth(forward_depth(receiver))
+/// @exactness        C, 1 ulp: a division; within 2^-24 / deviation^2 + 2^-21 of the formula in reals of the same
+///                   powers
+/// @cite             Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm2(glm::vec<2, T> m, T receiver, T exponent, T deviation,
+                                                      T far = T(1)) {
+    const T d = forward_depth(receiver, far);
+    const T lit = detail::warped_chebyshev(m, warp_depth(d, exponent), deviation);
+    return detail::pick(is_nan(d), T(0), lit);
+}
+
+/// @param m           mean of texels
+/// @param exponents   as of the texels
+/// @param deviations  least standard deviations, as parts of the receiver's powers
+/// @return            visibility before bleed_cut: at least the lit share, less chebyshev's error
+/// @formula           the lesser of decode_evsm2's for either power
+/// @exactness         C, 1 ulp: a division
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm4(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
+                                                      glm::vec<2, T> deviations, T far = T(1)) {
+    const T d = forward_depth(receiver, far);
+    const T a = detail::warped_chebyshev(glm::vec<2, T>(m.x, m.y), warp_depth(d, exponents.x), deviations.x);
+    const T b = detail::warped_chebyshev(glm::vec<2, T>(m.z, m.w), -warp_depth(d, -exponents.y), deviations.y);
+    return detail::pick(is_nan(d), T(0), detail::pick(a < b, a, b));
+}
+
+/// Set-up of exponential variance shadow maps.
+struct evsm_settings {
+    float exponent = 40.0f;        ///< of 2, at the far plane: of the growing power
+    float falling = 8.0f;          ///< of 2, at the near plane: of the falling power
+    float least_deviation = 0.0f;  ///< of depth, what counts as a surface's own; 0: 1e-4, in 16 bits 1e-2
+    float_store store = float_store::single;
+};
+
+/// What shaders and functions are called with.
+struct evsm_parameters {
+    glm::vec2 exponents{};   ///< of the growing and of the falling power; of two components only the first counts
+    glm::vec2 deviations{};  ///< least deviations, as parts of the receiver's powers
+};
+
+/// @throws std::invalid_argument   an exponent not above 0, or beyond what keeps powers and squares finite and normal,
+///                                 55 in 32 bits, 7.99 in 16; a least deviation below 0, or one whose least variance
+///                                 is no normal number beside the least power, which hardware takes for 0
+/// @formula   deviations = 2 ln(2) exponents least_deviation, the derivative of the power over the power
+[[nodiscard]] inline evsm_parameters make_evsm(const evsm_settings& settings) {
+    const bool single = settings.store == float_store::single;
+    const float most = single ? 55.0f : 7.99f, usual = single ? 1e-4f : 1e-2f;
+    if (!(settings.least_deviation >= 0.0f)) detail::fail("umbrage::make_evsm: least deviation below 0");
+    const float least = settings.least_deviation > 0.0f ? settings.least_deviation : usual;
+    const auto deviation = [&](float exponent) {
+        if (!(exponent > 0.0f && exponent <= most))
+            detail::fail("umbrage::make_evsm: exponent not above 0, or above 55, 7.99 in 16 bits");
+        const float part = exponent * (1.38629436f * least);
+        if (part * exp2_polynomial(-exponent) < 0x1p-63f)
+            detail::fail("umbrage::make_evsm: least deviation too small for the exponent");
+        return part;
+    };
+    return {{settings.exponent, settings.falling}, {deviation(settings.exponent), deviation(settings.falling)}};
+}
+
+namespace glsl {
+
+inline constexpr snippet encode_evsm2{
+    .name = "encode_evsm2",
+    .summary = "depth to a texel of two components",
+    .exactness = tier::b,
+    .needs = list<&saturate, &forward_depth, &warp_depth>,
+    .source = R"GLSL(
+// umbrage_encode_evsm2: depth's power and its square, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_evsm2(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+    UMBRAGE_HIGHP float w = umbrage_warp_depth(umbrage_forward_depth(umbrage_saturate(depth)), exponent);
+    return vec2(w, w * w);
+}
+)GLSL",
+};
+
+inline constexpr snippet encode_evsm4{
+    .name = "encode_evsm4",
+    .summary = "depth to a texel of four components",
+    .exactness = tier::b,
+    .needs = list<&saturate, &forward_depth, &warp_depth>,
+    .source = R"GLSL(
+// umbrage_encode_evsm4: depth's growing power, its square, the negative falling one, its square; NaN counts as far
+UMBRAGE_HIGHP vec4 umbrage_encode_evsm4(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP vec2 exponents) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(depth));
+    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
+    UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
+    return vec4(w, w * w, n, n * n);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_evsm2{
+    .name = "decode_evsm2",
+    .summary = "mean of texels of two components to visibility",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&chebyshev, &forward_depth, &warp_depth>,
+    .source = R"GLSL(
+// umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power
+UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                         UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponent);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float least = deviation * w;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float least_variance = least * least;
+    UMBRAGE_HIGHP float lit = umbrage_chebyshev(m, w, least_variance);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_evsm4{
+    .name = "decode_evsm4",
+    .summary = "mean of texels of four components to visibility",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&chebyshev, &forward_depth, &warp_depth>,
+    .source = R"GLSL(
+// umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers
+UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
+                                         UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
+    UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least_variance = least * least;
+    UMBRAGE_HIGHP float a = umbrage_chebyshev(vec2(m.x, m.y), w, least_variance.x);
+    UMBRAGE_HIGHP float b = umbrage_chebyshev(vec2(m.z, m.w), n, least_variance.y);
+    UMBRAGE_HIGHP float lit = a < b ? a : b;
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+)GLSL",
+};
+
+inline constexpr auto evsm_snippets = list<&encode_evsm2, &encode_evsm4, &decode_evsm2, &decode_evsm4>;
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+//
+// Prefiltered maps from a shader or for one receiver: four texels, weighed, and what they say of visibility.
+//
+//     float visibility = umbrage::vsm(umbrage::clamped(moments), coord, depth - bias, 1e-6f);
+//
+// In a shader bind the snippet to the map of moments; texels are read one by one and weighed in steps of 1/256, so that
+// any texture of floats will do. Where the sampler filters such a texture, or takes a level of its mip chain, ask it
+// and call the decoder: umbrage_decode_vsm(texture(map, uv).xy, receiver, 1e-6); its weights are the hardware's.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include <umbrage/filter/prefiltered/esm.hpp>
+#include <umbrage/filter/prefiltered/evsm.hpp>
+#include <umbrage/filter/prefiltered/hausdorff.hpp>
+#include <umbrage/filter/prefiltered/msm.hpp>
+#include <umbrage/filter/prefiltered/vsm.hpp>
+#include <umbrage/filter/texel_space.hpp>
+
+namespace umbrage {
+
+/// Mean of the four texels around a point.
+/// @param fetch     ivec2 texel -> float or vector; called four times, texels may lie one outside the map
+/// @param coord     in texels, the first texel's centre is (0.5, 0.5); inside texel space
+/// @return          as fetch
+/// @formula         ((a (256 - s) + b s) (256 - t) + (c (256 - s) + d s) t) / 65536, s and t whole numbers below 256;
+///                  of texels below 2^111
+/// @exactness       B;  A where texels are multiples of 2^-8 below 1
+template <real T, class Fetch>
+[[nodiscard]] auto fetch_bilinear(Fetch&& fetch, glm::vec<2, T> coord) {
+    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);
+    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
+    const glm::vec<2, T> hi = x - texel * T(256), lo = T(256) - hi;
+    const glm::ivec2 at(texel);
+    const auto a = fetch(at), b = fetch(at + glm::ivec2(1, 0));
+    const auto c = fetch(at + glm::ivec2(0, 1)), d = fetch(at + glm::ivec2(1, 1));
+    const auto low = a * lo.x + b * hi.x, high = c * lo.x + d * hi.x;
+    return (low * lo.y + high * hi.y) * T(1.0 / 65536.0);
+}
+
+namespace detail {
+
+/// What look-ups share: who is not compared is lit.
+template <real T, class Fetch, class Decode>
+[[nodiscard]] T look_up(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T far, const Decode& decode) {
+    const comparison is_lit{far < T(0.5) ? depth_direction::reversed : depth_direction::forward};
+    return is_compared(coord, receiver, is_lit) ? decode(fetch_bilinear(fetch, coord)) : T(1);
+}
+
+}  // namespace detail
+
+/// @param fetch      ivec2 texel -> texel of encode_vsm, blurred
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @formula          decode_vsm of fetch_bilinear
+/// @exactness        C, 1 ulp: a division
+template <real T, class Fetch>
+[[nodiscard]] T vsm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T min_variance, T far = T(1)) {
+    return detail::look_up(fetch, coord, receiver, far,
+                           [&](glm::vec<2, T> m) { return decode_vsm(m, receiver, min_variance, far); });
+}
+
+/// As vsm, of texels of encode_esm.
+/// @exactness        B
+template <real T, class Fetch>
+[[nodiscard]] T esm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T far = T(1)) {
+    return detail::look_up(fetch, coord, receiver, far, [&](T m) { return decode_esm(m, receiver, exponent, far); });
+}
+
+/// As vsm, of texels of encode_evsm2.
+/// @exactness        C, 1 ulp: a division
+template <real T, class Fetch>
+[[nodiscard]] T evsm2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T exponent, T deviation, T far = T(1)) {
+    return detail::look_up(fetch, coord, receiver, far,
+                           [&](glm::vec<2, T> m) { return decode_evsm2(m, receiver, exponent, deviation, far); });
+}
+
+/// As vsm, of texels of encode_evsm4.
+/// @exactness        C, 1 ulp: a division
+template <real T, class Fetch>
+[[nodiscard]] T evsm4(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> exponents,
+                      glm::vec<2, T> deviations, T far = T(1)) {
+    return detail::look_up(fetch, coord, receiver, far,
+                           [&](glm::vec<4, T> m) { return decode_evsm4(m, receiver, exponents, deviations, far); });
+}
+
+/// As vsm, of texels of encode_msm.
+/// @exactness        C: within 1/64 in a shader
+template <real T, class Fetch>
+[[nodiscard]] T msm(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
+    return detail::look_up(fetch, coord, receiver, far,
+                           [&](glm::vec<4, T> b) { return decode_msm(b, receiver, bias, far); });
+}
+
+/// As vsm, of texels of turn_moments(encode_msm).
+/// @exactness        C: within 1/64 in a shader
+template <real T, class Fetch>
+[[nodiscard]] T msm_turned(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
+    return detail::look_up(fetch, coord, receiver, far,
+                           [&](glm::vec<4, T> o) { return decode_msm(turn_moments_back(o), receiver, bias, far); });
+}
+
+/// As vsm, of texels of encode_msm, by decode_msm_hausdorff.
+/// @exactness        C: within 1/64 in a shader
+template <real T, class Fetch>
+[[nodiscard]] T msm_hausdorff(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
+    return detail::look_up(fetch, coord, receiver, far,
+                           [&](glm::vec<4, T> b) { return decode_msm_hausdorff(b, receiver, bias, far); });
+}
+
+namespace glsl {
+
+inline constexpr snippet fetch_bilinear{
+    .name = "fetch_bilinear",
+    .summary = "mean of the four texels around a point",
+    .exactness = tier::b,
+    .needs = list<&fetch_clamped>,
+    .source = R"GLSL(
+// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
+//   coord  in texels, first centre at (0.5, 0.5)
+UMBRAGE_HIGHP vec4 umbrage_fetch_bilinear(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord) {
+    UMBRAGE_HIGHP vec2 x = floor(coord * 256.0) - 128.0;
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, texel);
+    UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 0.0));
+    UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, texel + vec2(0.0, 1.0));
+    UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, texel + vec2(1.0, 1.0));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 low = a * lo.x + b * hi.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 high = c * lo.x + d * hi.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet vsm{
+    .name = "vsm",
+    .summary = "visibility from a map of encode_vsm's texels",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&is_compared, &fetch_bilinear, &decode_vsm>,
+    .source = R"GLSL(
+// umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   min_variance  0.0 or more
+UMBRAGE_HIGHP float umbrage_vsm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float min_variance) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_vsm(vec2(m.x, m.y), receiver, min_variance);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet esm{
+    .name = "esm",
+    .summary = "visibility from a map of encode_esm's texels",
+    .exactness = tier::b,
+    .needs = list<&is_compared, &fetch_bilinear, &decode_esm>,
+    .source = R"GLSL(
+// umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponent  as of the texels
+UMBRAGE_HIGHP float umbrage_esm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_esm(m.x, receiver, exponent);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet evsm2{
+    .name = "evsm2",
+    .summary = "visibility from a map of encode_evsm2's texels",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&is_compared, &fetch_bilinear, &decode_evsm2>,
+    .source = R"GLSL(
+// umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponent, deviation  as of decode_evsm2
+UMBRAGE_HIGHP float umbrage_evsm2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                  UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float exponent,
+                                  UMBRAGE_HIGHP float deviation) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_evsm2(vec2(m.x, m.y), receiver, exponent, deviation);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet evsm4{
+    .name = "evsm4",
+    .summary = "visibility from a map of encode_evsm4's texels",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&is_compared, &fetch_bilinear, &decode_evsm4>,
+    .source = R"GLSL(
+// umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
+UMBRAGE_HIGHP float umbrage_evsm4(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                  UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 exponents,
+                                  UMBRAGE_HIGHP vec2 deviations) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_evsm4(m, receiver, exponents, deviations);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet msm{
+    .name = "msm",
+    .summary = "visibility from a map of encode_msm's texels",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .needs = list<&is_compared, &fetch_bilinear, &decode_msm>,
+    .source = R"GLSL(
+// umbrage_msm: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+UMBRAGE_HIGHP float umbrage_msm(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(m, receiver, bias);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet msm_turned{
+    .name = "msm_turned",
+    .summary = "visibility from a map of turned moments",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .needs = list<&is_compared, &fetch_bilinear, &decode_msm, &turn_moments_back>,
+    .source = R"GLSL(
+// umbrage_msm_turned: visibility from a map of turned moments, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+UMBRAGE_HIGHP float umbrage_msm_turned(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                       UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_turn_moments_back(m), receiver, bias);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet msm_hausdorff{
+    .name = "msm_hausdorff",
+    .summary = "visibility from a map of encode_msm's texels",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .needs = list<&is_compared, &fetch_bilinear, &decode_msm_hausdorff>,
+    .source = R"GLSL(
+// umbrage_msm_hausdorff: visibility from a map of encode_msm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   bias  as of decode_msm
+UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                          UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_fetch_bilinear(map, size, compared ? coord : vec2(0.0, 0.0));
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm_hausdorff(m, receiver, bias);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr auto look_up_snippets =
+    list<&fetch_bilinear, &vsm, &esm, &evsm2, &evsm4, &msm, &msm_turned, &msm_hausdorff>;
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+//
+// Prefiltered maps as values: what a texel is, how depth becomes one, what a mean of texels says. One list, which
+// functions over images, tools and tables walk.
+//
+//     umbrage::prefilters::evsm4 filter{umbrage::make_evsm({.exponent = 30.0f})};
+//     glm::vec4 texel = filter.encode(depth);
+//     float visibility = filter.decode(blurred, receiver);
+//
+#pragma once
+
+#include <string_view>
+
+#include <umbrage/filter/prefiltered/look_up.hpp>
+#include <umbrage/list.hpp>
+
+namespace umbrage::prefilters {
+
+/// Depth and its square: two floats of 32 bits. Light bleeds through behind casters that lie behind each other.
+struct vsm {
+    using texel = glm::vec2;
+    static constexpr std::string_view name = "vsm";
+    static constexpr const glsl::snippet *writer = &glsl::encode_vsm, *snippet = &glsl::vsm;
+
+    float min_variance = 1e-6f;
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_vsm(depth, cleared_depth(direction)); }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
+        return decode_vsm(m, receiver, min_variance, cleared_depth(direction));
+    }
+};
+
+/// One power of depth. Light bleeds through where a lit surface lies behind the receiver in the same window.
+struct esm {
+    using texel = float;
+    static constexpr std::string_view name = "esm";
+    static constexpr const glsl::snippet *writer = &glsl::encode_esm, *snippet = &glsl::esm;
+
+    esm_settings settings{};
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
+        return encode_esm(depth, settings.exponent, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
+        return decode_esm(m, receiver, settings.exponent, cleared_depth(direction));
+    }
+};
+
+/// A power of depth and its square.
+struct evsm2 {
+    using texel = glm::vec2;
+    static constexpr std::string_view name = "evsm2";
+    static constexpr const glsl::snippet *writer = &glsl::encode_evsm2, *snippet = &glsl::evsm2;
+
+    evsm_parameters parameters = make_evsm({});
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
+        return encode_evsm2(depth, parameters.exponents.x, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
+        return decode_evsm2(m, receiver, parameters.exponents.x, parameters.deviations.x, cleared_depth(direction));
+    }
+};
+
+/// A growing and a falling power, and their squares: the least light of those with moments of two depths.
+struct evsm4 {
+    using texel = glm::vec4;
+    static constexpr std::string_view name = "evsm4";
+    static constexpr const glsl::snippet *writer = &glsl::encode_evsm4, *snippet = &glsl::evsm4;
+
+    evsm_parameters parameters = make_evsm({});
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
+        return encode_evsm4(depth, parameters.exponents, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel m, float receiver) const {
+        return decode_evsm4(m, receiver, parameters.exponents, parameters.deviations, cleared_depth(direction));
+    }
+};
+
+/// Four moments in floats of 32 bits.
+struct msm {
+    using texel = glm::vec4;
+    static constexpr std::string_view name = "msm";
+    static constexpr const glsl::snippet *writer = &glsl::encode_msm, *snippet = &glsl::msm;
+
+    glm::vec2 bias = msm_bias_32;
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
+        return decode_msm(b, receiver, bias, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel b) const { return bias_moments(b, bias); }
+};
+
+/// Four moments for channels of 16 bits.
+struct msm_turned {
+    using texel = glm::vec4;
+    static constexpr std::string_view name = "msm_turned";
+    static constexpr const glsl::snippet *writer = &glsl::turn_moments, *snippet = &glsl::msm_turned;
+
+    glm::vec2 bias = msm_bias_16;
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const {
+        return turn_moments(encode_msm(depth, cleared_depth(direction)));
+    }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel o, float receiver) const {
+        return decode_msm(turn_moments_back(o), receiver, bias, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel o) const { return bias_moments(turn_moments_back(o), bias); }
+};
+
+/// Four moments in floats of 32 bits, of depths known to lie in [0, 1].
+struct msm_hausdorff {
+    using texel = glm::vec4;
+    static constexpr std::string_view name = "msm_hausdorff";
+    static constexpr const glsl::snippet *writer = &glsl::encode_msm, *snippet = &glsl::msm_hausdorff;
+
+    glm::vec2 bias = msm_bias_32;
+    depth_direction direction = depth_direction::forward;
+
+    [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
+    [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
+        return decode_msm_hausdorff(b, receiver, bias, cleared_depth(direction));
+    }
+};
+
+using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff>;
+
+}  // namespace umbrage::prefilters

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+//
+// Blur and mip chain of prefiltered maps, for passes of shaders: texels of the map that a pass reads make one of the
+// map that it writes. Over images: blur() and make_mip_chain(), which give the same bits.
+//
+//     out_texel = umbrage_blur_row5(map, size, texel, vec2(0.0, 1.0));  // first along y into a map of its own,
+//     out_texel = umbrage_blur_row5(map, size, texel, vec2(1.0, 0.0));  // then that along x
+//
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/image.hpp>
+#include <umbrage/shader/snippet.hpp>
+
+namespace umbrage {
+namespace detail {
+
+/// Row Taps - 1 of Pascal's triangle, from the middle on.
+template <int Taps>
+[[nodiscard]] constexpr int binomial_weight(int distance) {
+    int weight = 1;
+    for (int i = 0; i < Taps / 2 - distance; ++i) weight = weight * (Taps - 1 - i) / (i + 1);
+    return weight;
+}
+
+}  // namespace detail
+
+/// Mean of texels in a row, weighed by a row of Pascal's triangle.
+/// @param fetch     ivec2 texel -> float or vector; called Taps times, texels may lie outside the map
+/// @param step      (1, 0) along x, (0, 1) along y
+/// @formula         w0 c + w1 (before1 + after1) + ..., in this order,
+///                  w_i = C(Taps - 1, (Taps - 1) / 2 + i) / 2^(Taps - 1)
+/// @exactness       B;  A for 5 taps both ways over multiples of 2^-16 below 1
+template <int Taps, class Fetch>
+[[nodiscard]] auto blur_row(Fetch&& fetch, glm::ivec2 texel, glm::ivec2 step) {
+    static_assert(Taps == 3 || Taps == 5 || Taps == 7);
+    const auto weight = [](int i) {
+        return static_cast<float>(detail::binomial_weight<Taps>(i)) / static_cast<float>(1 << (Taps - 1));
+    };
+    auto sum = fetch(texel) * weight(0);
+    for (int i = 1; i <= Taps / 2; ++i) sum = sum + (fetch(texel - step * i) + fetch(texel + step * i)) * weight(i);
+    return sum;
+}
+
+/// Mean of the 2x2 texels that one of the next level of a mip chain is made of.
+/// @param texel     of the next level; where a level's size is odd, its last column or row counts twice
+/// @formula         ((a + b) + (c + d)) / 4
+/// @exactness       B;  A for multiples of 2^-22 below 1
+template <class Fetch>
+[[nodiscard]] auto halve_texels(Fetch&& fetch, glm::ivec2 texel) {
+    const glm::ivec2 at = texel * 2;
+    const auto a = fetch(at), b = fetch(at + glm::ivec2(1, 0));
+    const auto c = fetch(at + glm::ivec2(0, 1)), d = fetch(at + glm::ivec2(1, 1));
+    return ((a + b) + (c + d)) * 0.25f;
+}
+
+namespace glsl {
+
+template <int Taps>
+inline constexpr auto blur_row_name = detail::fill<16>("blur_row$n", {{'n', Taps}});
+template <int Taps>
+inline constexpr auto blur_row_text = [] {
+    detail::filled_text<1536> out =
+        detail::fill<1536>(R"GLSL(
+// umbrage_blur_row$n: mean of $n texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+UMBRAGE_HIGHP vec4 umbrage_blur_row$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                     UMBRAGE_HIGHP vec2 along) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * ($w.0 / $d.0);
+)GLSL",
+                           {{'n', Taps}, {'w', umbrage::detail::binomial_weight<Taps>(0)}, {'d', 1 << (Taps - 1)}});
+    for (int i = 1; i <= Taps / 2; ++i)
+        out.append(R"GLSL(    UMBRAGE_HIGHP vec4 before$i = umbrage_fetch_clamped(map, size, texel - along * $i.0);
+    UMBRAGE_HIGHP vec4 after$i = umbrage_fetch_clamped(map, size, texel + along * $i.0);
+    sum = sum + (before$i + after$i) * ($w.0 / $d.0);
+)GLSL",
+                   {{'i', i}, {'w', umbrage::detail::binomial_weight<Taps>(i)}, {'d', 1 << (Taps - 1)}});
+    out.append("    return sum;\n}\n");
+    return out;
+}();
+template <int Taps>
+inline constexpr snippet blur_row{.name = blur_row_name<Taps>.view(),
+                                  .summary = "mean of texels in a row",
+                                  .exactness = tier::b,
+                                  .needs = list<&fetch_clamped>,
+                                  .source = blur_row_text<Taps>.view()};
+
+inline constexpr snippet halve_texels{
+    .name = "halve_texels",
+    .summary = "mean of 2x2 texels",
+    .exactness = tier::b,
+    .needs = list<&fetch_clamped>,
+    .source = R"GLSL(
+// umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
+//   map, size  read from, and its size in texels;   texel  of the next level, whole numbers
+UMBRAGE_HIGHP vec4 umbrage_halve_texels(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP vec2 at = texel * 2.0;
+    UMBRAGE_HIGHP vec4 a = umbrage_fetch_clamped(map, size, at);
+    UMBRAGE_HIGHP vec4 b = umbrage_fetch_clamped(map, size, at + vec2(1.0, 0.0));
+    UMBRAGE_HIGHP vec4 c = umbrage_fetch_clamped(map, size, at + vec2(0.0, 1.0));
+    UMBRAGE_HIGHP vec4 d = umbrage_fetch_clamped(map, size, at + vec2(1.0, 1.0));
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = (a + b) + (c + d);
+    return sum * 0.25;
+}
+)GLSL",
+};
+
+inline constexpr auto reduce_snippets = list<&blur_row<3>, &blur_row<5>, &blur_row<7>, &halve_texels>;
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,25 @@
+// umbrage 0.1.0, MIT License: bleed_cut
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_BLEED_CUT
+#define UMBRAGE_HAS_BLEED_CUT
+// umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
+UMBRAGE_HIGHP float umbrage_bleed_cut(UMBRAGE_HIGHP float visibility, UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float stretched = (visibility - amount) / (1.0 - amount);
+    return visibility > amount ? stretched : 0.0;
+}
+#endif

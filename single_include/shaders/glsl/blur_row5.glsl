@@ -1,0 +1,59 @@
+// umbrage 0.1.0, MIT License: blur_row5
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLUR_ROW5
+#define UMBRAGE_HAS_BLUR_ROW5
+// umbrage_blur_row5: mean of 5 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+UMBRAGE_HIGHP vec4 umbrage_blur_row5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                     UMBRAGE_HIGHP vec2 along) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * (6.0 / 16.0);
+    UMBRAGE_HIGHP vec4 before1 = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    UMBRAGE_HIGHP vec4 after1 = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (4.0 / 16.0);
+    UMBRAGE_HIGHP vec4 before2 = umbrage_fetch_clamped(map, size, texel - along * 2.0);
+    UMBRAGE_HIGHP vec4 after2 = umbrage_fetch_clamped(map, size, texel + along * 2.0);
+    sum = sum + (before2 + after2) * (1.0 / 16.0);
+    return sum;
+}
+#endif

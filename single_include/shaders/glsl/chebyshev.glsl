@@ -1,0 +1,31 @@
+// umbrage 0.1.0, MIT License: chebyshev
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CHEBYSHEV
+#define UMBRAGE_HAS_CHEBYSHEV
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                      UMBRAGE_HIGHP float min_variance) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float difference = m.y - m.x * m.x;
+    UMBRAGE_HIGHP float variance = difference > min_variance ? difference : min_variance;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float distance = receiver - m.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = variance + distance * distance;
+    UMBRAGE_HIGHP float p = variance / sum;
+    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+}
+#endif

@@ -1,0 +1,26 @@
+// umbrage 0.1.0, MIT License: decode_deviation
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_DEVIATION
+#define UMBRAGE_HAS_DECODE_DEVIATION
+// umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
+UMBRAGE_HIGHP vec2 umbrage_decode_deviation(UMBRAGE_HIGHP vec2 held) {
+    UMBRAGE_HIGHP float half_of_it = held.y * 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = held.x * held.x + half_of_it * half_of_it;
+    return vec2(held.x, square);
+}
+#endif

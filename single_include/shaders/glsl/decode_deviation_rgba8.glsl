@@ -1,0 +1,63 @@
+// umbrage 0.1.0, MIT License: decode_deviation_rgba8
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_DEVIATION
+#define UMBRAGE_HAS_DECODE_DEVIATION
+// umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
+UMBRAGE_HIGHP vec2 umbrage_decode_deviation(UMBRAGE_HIGHP vec2 held) {
+    UMBRAGE_HIGHP float half_of_it = held.y * 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = held.x * held.x + half_of_it * half_of_it;
+    return vec2(held.x, square);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FROM_UNORM
+#define UMBRAGE_HAS_FROM_UNORM
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 255.0 + 0.5);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_RG16
+#define UMBRAGE_HAS_DECODE_RG16
+// umbrage_decode_rg16: two channels of a 16-bit code, as sampled, to depth
+//   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
+UMBRAGE_HIGHP float umbrage_decode_rg16(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
+    UMBRAGE_HIGHP vec2 k = umbrage_from_unorm(c);
+    return (k.x + k.y * 256.0 + edge) * (1.0 / 65536.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_DEVIATION_RGBA8
+#define UMBRAGE_HAS_DECODE_DEVIATION_RGBA8
+// umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
+UMBRAGE_HIGHP vec2 umbrage_decode_deviation_rgba8(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_HIGHP float mean = umbrage_decode_rg16(vec2(c.x, c.y), 1.0);
+    UMBRAGE_HIGHP float deviation = umbrage_decode_rg16(vec2(c.z, c.w), 1.0);
+    return umbrage_decode_deviation(vec2(mean, deviation));
+}
+#endif

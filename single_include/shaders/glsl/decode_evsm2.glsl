@@ -1,0 +1,119 @@
+// umbrage 0.1.0, MIT License: decode_evsm2
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CHEBYSHEV
+#define UMBRAGE_HAS_CHEBYSHEV
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                      UMBRAGE_HIGHP float min_variance) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float difference = m.y - m.x * m.x;
+    UMBRAGE_HIGHP float variance = difference > min_variance ? difference : min_variance;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float distance = receiver - m.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = variance + distance * distance;
+    UMBRAGE_HIGHP float p = variance / sum;
+    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_POWER_OF_TWO
+#define UMBRAGE_HAS_POWER_OF_TWO
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
+#if __VERSION__ >= 300
+    UMBRAGE_HIGHP uint exponent = uint(n + 127.0);
+    return uintBitsToFloat(exponent << 23);
+#else
+    UMBRAGE_HIGHP float x = n < 0.0 ? n + 64.0 : n;
+    UMBRAGE_HIGHP float p = 1.0;
+    p = n < 0.0 ? p * (1.0 / 4294967296.0) * (1.0 / 4294967296.0) : p;
+    p = x >= 32.0 ? p * 4294967296.0 : p;
+    x = x >= 32.0 ? x - 32.0 : x;
+    p = x >= 16.0 ? p * 65536.0 : p;
+    x = x >= 16.0 ? x - 16.0 : x;
+    p = x >= 8.0 ? p * 256.0 : p;
+    x = x >= 8.0 ? x - 8.0 : x;
+    p = x >= 4.0 ? p * 16.0 : p;
+    x = x >= 4.0 ? x - 4.0 : x;
+    p = x >= 2.0 ? p * 4.0 : p;
+    x = x >= 2.0 ? x - 2.0 : x;
+    return x >= 1.0 ? p * 2.0 : p;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_EXP2_POLYNOMIAL
+#define UMBRAGE_HAS_EXP2_POLYNOMIAL
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
+    UMBRAGE_HIGHP float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    UMBRAGE_HIGHP float n = floor(x);
+    UMBRAGE_HIGHP float f = x - n;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float p = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WARP_DEPTH
+#define UMBRAGE_HAS_WARP_DEPTH
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+UMBRAGE_HIGHP float umbrage_warp_depth(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float exponent) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FORWARD_DEPTH
+#define UMBRAGE_HAS_FORWARD_DEPTH
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_EVSM2
+#define UMBRAGE_HAS_DECODE_EVSM2
+// umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power
+UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                         UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponent);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float least = deviation * w;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float least_variance = least * least;
+    UMBRAGE_HIGHP float lit = umbrage_chebyshev(m, w, least_variance);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+#endif

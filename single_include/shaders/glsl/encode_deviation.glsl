@@ -1,0 +1,25 @@
+// umbrage 0.1.0, MIT License: encode_deviation
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_ENCODE_DEVIATION
+#define UMBRAGE_HAS_ENCODE_DEVIATION
+// umbrage_encode_deviation: mean and mean square of depths to mean and twice the standard deviation, each 0.0 to 1.0
+UMBRAGE_HIGHP vec2 umbrage_encode_deviation(UMBRAGE_HIGHP vec2 m) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float variance = m.y - m.x * m.x;
+    return vec2(m.x, 2.0 * sqrt(variance > 0.0 ? variance : 0.0));
+}
+#endif

@@ -1,0 +1,36 @@
+// umbrage 0.1.0, MIT License: forward_depth
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FORWARD_DEPTH
+#define UMBRAGE_HAS_FORWARD_DEPTH
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+#endif

@@ -1,0 +1,13 @@
+// umbrage 0.1.0, MIT License: bias_moments
+
+#ifndef UMBRAGE_HAS_BIAS_MOMENTS
+#define UMBRAGE_HAS_BIAS_MOMENTS
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+float4 umbrage_bias_moments(float4 b, float2 bias) {
+    precise float x = b.x - b.x * bias.x;
+    precise float y = b.y + (bias.y - b.y) * bias.x;
+    precise float z = b.z - b.z * bias.x;
+    precise float w = b.w + (bias.y - b.w) * bias.x;
+    return float4(x, y, z, w);
+}
+#endif

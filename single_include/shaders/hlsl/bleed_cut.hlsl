@@ -1,0 +1,10 @@
+// umbrage 0.1.0, MIT License: bleed_cut
+
+#ifndef UMBRAGE_HAS_BLEED_CUT
+#define UMBRAGE_HAS_BLEED_CUT
+// umbrage_bleed_cut: visibility from amount to 1.0 stretched to 0.0 to 1.0, so that less light bleeds through
+float umbrage_bleed_cut(float visibility, float amount) {
+    float stretched = (visibility - amount) / (1.0 - amount);
+    return visibility > amount ? stretched : 0.0;
+}
+#endif

@@ -1,0 +1,15 @@
+// umbrage 0.1.0, MIT License: chebyshev
+
+#ifndef UMBRAGE_HAS_CHEBYSHEV
+#define UMBRAGE_HAS_CHEBYSHEV
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
+    precise float difference = m.y - m.x * m.x;
+    float variance = difference > min_variance ? difference : min_variance;
+    precise float distance = receiver - m.x;
+    precise float sum = variance + distance * distance;
+    float p = variance / sum;
+    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+}
+#endif

@@ -1,0 +1,111 @@
+// umbrage 0.1.0, MIT License: decode_msm_hausdorff
+
+#ifndef UMBRAGE_HAS_BIAS_MOMENTS
+#define UMBRAGE_HAS_BIAS_MOMENTS
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+float4 umbrage_bias_moments(float4 b, float2 bias) {
+    precise float x = b.x - b.x * bias.x;
+    precise float y = b.y + (bias.y - b.y) * bias.x;
+    precise float z = b.z - b.z * bias.x;
+    precise float w = b.w + (bias.y - b.w) * bias.x;
+    return float4(x, y, z, w);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_MOMENT_ATOMS
+#define UMBRAGE_HAS_MOMENT_ATOMS
+// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
+//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+float4 umbrage_moment_atoms(float4 b, float x) {
+    precise float d = b.y - b.x * b.x;
+    precise float third = b.z - b.x * b.y;
+    float l = third / d;
+    precise float e = (b.w - b.y * b.y) - third * l;
+    precise float h = b.x * 2.0 - l;
+    precise float a = d * ((x + h) * x - d);
+    precise float m = x * e + h * a;
+    precise float c = d * (e - a);
+    precise float square = m * m - 4.0 * a * c;
+    float root = sqrt(square > 0.0 ? square : 0.0);
+    precise float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
+    float2 t = float2(w / a, c / w);
+    precise float2 q = (t + h) * t - d;
+    float least = d * e;
+    precise float2 sum = least + (t * t * e + q * q * d);
+    return float4(t.x, t.y, least / sum.x, least / sum.y);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_HAUSDORFF_SHARE
+#define UMBRAGE_HAS_HAUSDORFF_SHARE
+// umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
+//   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+float umbrage_hausdorff_share(float4 b, float z) {
+    precise float d = (b.z - b.x) - z * (b.y - 1.0);
+    precise float n = (b.w - b.y) - z * (b.z - b.x);
+    float f = n / d;
+    precise float s = z + f;
+    precise float p = z * f;
+    precise float above = (b.z - (1.0 + s) * b.y) + ((s + p) * b.x - p);
+    precise float below = -2.0 * ((1.0 + z) * (1.0 + f));
+    precise float between = (f * f - 1.0) * (f - z);
+    float end = above / below;
+    float other = d / between;
+    return end + (f < z ? other : 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FORWARD_DEPTH
+#define UMBRAGE_HAS_FORWARD_DEPTH
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_forward_depth(float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_MSM
+#define UMBRAGE_HAS_DECODE_MSM
+// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased
+//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
+    float d = umbrage_forward_depth(receiver);
+    float4 m = umbrage_bias_moments(b, bias);
+    precise float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
+    float4 atoms = umbrage_moment_atoms(m, x);
+    float first = atoms.x < x ? atoms.z : 0.0;
+    float second = atoms.y < x ? atoms.w : 0.0;
+    precise float lit = 1.0 - (first + second);
+    bool known = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_MSM_HAUSDORFF
+#define UMBRAGE_HAS_DECODE_MSM_HAUSDORFF
+// umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
+float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
+    float plain = umbrage_decode_msm(b, receiver, bias);
+    float d = umbrage_forward_depth(receiver);
+    float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
+    float4 m = umbrage_bias_moments(b, bias);
+    precise float x = z - m.x;
+    float4 atoms = umbrage_moment_atoms(m, x);
+    bool outside = abs(atoms.x + m.x) > 1.0 || abs(atoms.y + m.x) > 1.0;
+    float share = umbrage_hausdorff_share(m, z);
+    precise float lit = z > -1.0 ? 1.0 - share : 1.0;
+    bool known = outside && abs(atoms.z + atoms.w) <= 4294967296.0 && abs(lit) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : plain;
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+#endif

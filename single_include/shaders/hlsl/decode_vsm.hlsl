@@ -1,0 +1,40 @@
+// umbrage 0.1.0, MIT License: decode_vsm
+
+#ifndef UMBRAGE_HAS_CHEBYSHEV
+#define UMBRAGE_HAS_CHEBYSHEV
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
+    precise float difference = m.y - m.x * m.x;
+    float variance = difference > min_variance ? difference : min_variance;
+    precise float distance = receiver - m.x;
+    precise float sum = variance + distance * distance;
+    float p = variance / sum;
+    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FORWARD_DEPTH
+#define UMBRAGE_HAS_FORWARD_DEPTH
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_forward_depth(float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_VSM
+#define UMBRAGE_HAS_DECODE_VSM
+// umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
+float umbrage_decode_vsm(float2 m, float receiver, float min_variance) {
+    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+}
+#endif

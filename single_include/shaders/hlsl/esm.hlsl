@@ -1,0 +1,139 @@
+// umbrage 0.1.0, MIT License: esm
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+precise bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_POWER_OF_TWO
+#define UMBRAGE_HAS_POWER_OF_TWO
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+float umbrage_power_of_two(float n) {
+    uint exponent = uint(n + 127.0);
+    return asfloat(exponent << 23);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_EXP2_POLYNOMIAL
+#define UMBRAGE_HAS_EXP2_POLYNOMIAL
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+float umbrage_exp2_polynomial(float y) {
+    float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    float n = floor(x);
+    float f = x - n;
+    precise float p = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WARP_DEPTH
+#define UMBRAGE_HAS_WARP_DEPTH
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+float umbrage_warp_depth(float depth, float exponent) {
+    precise float y = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// umbrage_beyond_far: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED
+#define UMBRAGE_HAS_IS_COMPARED
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+precise bool umbrage_is_compared(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
+    return map.Load(int3(int2(texel), 0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_BILINEAR
+#define UMBRAGE_HAS_FETCH_BILINEAR
+// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
+//   coord  in texels, first centre at (0.5, 0.5)
+float4 umbrage_fetch_bilinear(Texture2D<float4> map, float2 size, float2 coord) {
+    float2 x = floor(coord * 256.0) - 128.0;
+    float2 texel = floor(x * (1.0 / 256.0));
+    float2 hi = x - texel * 256.0;
+    float2 lo = 256.0 - hi;
+    float4 a = umbrage_fetch_clamped(map, size, texel);
+    float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
+    float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));
+    float4 d = umbrage_fetch_clamped(map, size, texel + float2(1.0, 1.0));
+    precise float4 low = a * lo.x + b * hi.x;
+    precise float4 high = c * lo.x + d * hi.x;
+    precise float4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FORWARD_DEPTH
+#define UMBRAGE_HAS_FORWARD_DEPTH
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_forward_depth(float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_ESM
+#define UMBRAGE_HAS_DECODE_ESM
+// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+float umbrage_decode_esm(float m, float receiver, float exponent) {
+    float d = umbrage_forward_depth(receiver);
+    float p = m * umbrage_warp_depth(d, -exponent);
+    float lit = p > 0.0 && p < 1.0 ? p : (p >= 1.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ESM
+#define UMBRAGE_HAS_ESM
+// umbrage_esm: visibility from a map of encode_esm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponent  as of the texels
+float umbrage_esm(Texture2D<float4> map, float2 size, float2 coord, float receiver, float exponent) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_esm(m.x, receiver, exponent);
+    return compared ? lit : 1.0;
+}
+#endif

@@ -1,0 +1,37 @@
+// umbrage 0.1.0, MIT License: fetch_bilinear
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
+    return map.Load(int3(int2(texel), 0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_BILINEAR
+#define UMBRAGE_HAS_FETCH_BILINEAR
+// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
+//   coord  in texels, first centre at (0.5, 0.5)
+float4 umbrage_fetch_bilinear(Texture2D<float4> map, float2 size, float2 coord) {
+    float2 x = floor(coord * 256.0) - 128.0;
+    float2 texel = floor(x * (1.0 / 256.0));
+    float2 hi = x - texel * 256.0;
+    float2 lo = 256.0 - hi;
+    float4 a = umbrage_fetch_clamped(map, size, texel);
+    float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
+    float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));
+    float4 d = umbrage_fetch_clamped(map, size, texel + float2(1.0, 1.0));
+    precise float4 low = a * lo.x + b * hi.x;
+    precise float4 high = c * lo.x + d * hi.x;
+    precise float4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
+}
+#endif

@@ -1,0 +1,17 @@
+// umbrage 0.1.0, MIT License: forward_depth
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FORWARD_DEPTH
+#define UMBRAGE_HAS_FORWARD_DEPTH
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_forward_depth(float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+#endif

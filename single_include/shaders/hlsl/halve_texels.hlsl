@@ -1,0 +1,32 @@
+// umbrage 0.1.0, MIT License: halve_texels
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
+    return map.Load(int3(int2(texel), 0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_HALVE_TEXELS
+#define UMBRAGE_HAS_HALVE_TEXELS
+// umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
+//   map, size  read from, and its size in texels;   texel  of the next level, whole numbers
+float4 umbrage_halve_texels(Texture2D<float4> map, float2 size, float2 texel) {
+    float2 at = texel * 2.0;
+    float4 a = umbrage_fetch_clamped(map, size, at);
+    float4 b = umbrage_fetch_clamped(map, size, at + float2(1.0, 0.0));
+    float4 c = umbrage_fetch_clamped(map, size, at + float2(0.0, 1.0));
+    float4 d = umbrage_fetch_clamped(map, size, at + float2(1.0, 1.0));
+    precise float4 sum = (a + b) + (c + d);
+    return sum * 0.25;
+}
+#endif

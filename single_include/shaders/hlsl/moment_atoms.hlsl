@@ -1,0 +1,25 @@
+// umbrage 0.1.0, MIT License: moment_atoms
+
+#ifndef UMBRAGE_HAS_MOMENT_ATOMS
+#define UMBRAGE_HAS_MOMENT_ATOMS
+// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
+//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+float4 umbrage_moment_atoms(float4 b, float x) {
+    precise float d = b.y - b.x * b.x;
+    precise float third = b.z - b.x * b.y;
+    float l = third / d;
+    precise float e = (b.w - b.y * b.y) - third * l;
+    precise float h = b.x * 2.0 - l;
+    precise float a = d * ((x + h) * x - d);
+    precise float m = x * e + h * a;
+    precise float c = d * (e - a);
+    precise float square = m * m - 4.0 * a * c;
+    float root = sqrt(square > 0.0 ? square : 0.0);
+    precise float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
+    float2 t = float2(w / a, c / w);
+    precise float2 q = (t + h) * t - d;
+    float least = d * e;
+    precise float2 sum = least + (t * t * e + q * q * d);
+    return float4(t.x, t.y, least / sum.x, least / sum.y);
+}
+#endif

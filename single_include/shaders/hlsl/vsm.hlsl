@@ -1,0 +1,115 @@
+// umbrage 0.1.0, MIT License: vsm
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+precise bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CHEBYSHEV
+#define UMBRAGE_HAS_CHEBYSHEV
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
+    precise float difference = m.y - m.x * m.x;
+    float variance = difference > min_variance ? difference : min_variance;
+    precise float distance = receiver - m.x;
+    precise float sum = variance + distance * distance;
+    float p = variance / sum;
+    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// umbrage_beyond_far: whether a receiver is behind the far plane
+precise bool umbrage_beyond_far(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED
+#define UMBRAGE_HAS_IS_COMPARED
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+precise bool umbrage_is_compared(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
+    return map.Load(int3(int2(texel), 0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+float4 umbrage_fetch_clamped(Texture2D<float4> map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_BILINEAR
+#define UMBRAGE_HAS_FETCH_BILINEAR
+// umbrage_fetch_bilinear: mean of the four texels around a point, weights in steps of 1/256
+//   coord  in texels, first centre at (0.5, 0.5)
+float4 umbrage_fetch_bilinear(Texture2D<float4> map, float2 size, float2 coord) {
+    float2 x = floor(coord * 256.0) - 128.0;
+    float2 texel = floor(x * (1.0 / 256.0));
+    float2 hi = x - texel * 256.0;
+    float2 lo = 256.0 - hi;
+    float4 a = umbrage_fetch_clamped(map, size, texel);
+    float4 b = umbrage_fetch_clamped(map, size, texel + float2(1.0, 0.0));
+    float4 c = umbrage_fetch_clamped(map, size, texel + float2(0.0, 1.0));
+    float4 d = umbrage_fetch_clamped(map, size, texel + float2(1.0, 1.0));
+    precise float4 low = a * lo.x + b * hi.x;
+    precise float4 high = c * lo.x + d * hi.x;
+    precise float4 sum = low * lo.y + high * hi.y;
+    return sum * (1.0 / 65536.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FORWARD_DEPTH
+#define UMBRAGE_HAS_FORWARD_DEPTH
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_forward_depth(float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_VSM
+#define UMBRAGE_HAS_DECODE_VSM
+// umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
+float umbrage_decode_vsm(float2 m, float receiver, float min_variance) {
+    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_VSM
+#define UMBRAGE_HAS_VSM
+// umbrage_vsm: visibility from a map of encode_vsm's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   min_variance  0.0 or more
+float umbrage_vsm(Texture2D<float4> map, float2 size, float2 coord, float receiver, float min_variance) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float4 m = umbrage_fetch_bilinear(map, size, compared ? coord : float2(0.0, 0.0));
+    float lit = umbrage_decode_vsm(float2(m.x, m.y), receiver, min_variance);
+    return compared ? lit : 1.0;
+}
+#endif

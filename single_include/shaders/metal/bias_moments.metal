@@ -1,0 +1,17 @@
+// umbrage 0.1.0, MIT License: bias_moments
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_BIAS_MOMENTS
+#define UMBRAGE_HAS_BIAS_MOMENTS
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+inline float4 umbrage_bias_moments(float4 b, float2 bias) {
+    float x = b.x - b.x * bias.x;
+    float y = b.y + (bias.y - b.y) * bias.x;
+    float z = b.z - b.z * bias.x;
+    float w = b.w + (bias.y - b.w) * bias.x;
+    return float4(x, y, z, w);
+}
+#endif

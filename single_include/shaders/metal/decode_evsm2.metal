@@ -1,0 +1,85 @@
+// umbrage 0.1.0, MIT License: decode_evsm2
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CHEBYSHEV
+#define UMBRAGE_HAS_CHEBYSHEV
+// umbrage_chebyshev: share of depths that may be as far as the receiver or farther, at most; 0.0 where something is NaN
+//   m  mean of the depths, mean of their squares;   receiver  on the same scale;   min_variance  0.0 or more
+inline float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
+    float difference = m.y - m.x * m.x;
+    float variance = difference > min_variance ? difference : min_variance;
+    float distance = receiver - m.x;
+    float sum = variance + distance * distance;
+    float p = variance / sum;
+    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_POWER_OF_TWO
+#define UMBRAGE_HAS_POWER_OF_TWO
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+inline float umbrage_power_of_two(float n) {
+    uint exponent = uint(n + 127.0);
+    return as_type<float>(exponent << 23);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_EXP2_POLYNOMIAL
+#define UMBRAGE_HAS_EXP2_POLYNOMIAL
+// umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+inline float umbrage_exp2_polynomial(float y) {
+    float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    float n = metal::floor(x);
+    float f = x - n;
+    float p = 0.00187931862 * f + 0.00899099465;
+    p = p * f + 0.0558186769;
+    p = p * f + 0.240159273;
+    p = p * f + 0.693151712;
+    p = p * f + 1.0;
+    return p * umbrage_power_of_two(n);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_WARP_DEPTH
+#define UMBRAGE_HAS_WARP_DEPTH
+// umbrage_warp_depth: 2^(exponent * (2.0 * depth - 1.0)) of a depth that grows with distance
+inline float umbrage_warp_depth(float depth, float exponent) {
+    float y = exponent * (depth * 2.0 - 1.0);
+    return umbrage_exp2_polynomial(y);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FORWARD_DEPTH
+#define UMBRAGE_HAS_FORWARD_DEPTH
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+inline float umbrage_forward_depth(float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_EVSM2
+#define UMBRAGE_HAS_DECODE_EVSM2
+// umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power
+inline float umbrage_decode_evsm2(float2 m, float receiver, float exponent, float deviation) {
+    float d = umbrage_forward_depth(receiver);
+    float w = umbrage_warp_depth(d, exponent);
+    float least = deviation * w;
+    float least_variance = least * least;
+    float lit = umbrage_chebyshev(m, w, least_variance);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+#endif

@@ -1,0 +1,39 @@
+// umbrage 0.1.0, MIT License: encode_vsm
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+inline float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FORWARD_DEPTH
+#define UMBRAGE_HAS_FORWARD_DEPTH
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+inline float umbrage_forward_depth(float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_ENCODE_VSM
+#define UMBRAGE_HAS_ENCODE_VSM
+// umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
+inline float2 umbrage_encode_vsm(float depth) {
+    float d = umbrage_forward_depth(umbrage_saturate(depth));
+    return float2(d, d * d);
+}
+#endif

@@ -1,0 +1,29 @@
+// umbrage 0.1.0, MIT License: exp2_steps
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_POWER_OF_TWO
+#define UMBRAGE_HAS_POWER_OF_TWO
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+inline float umbrage_power_of_two(float n) {
+    uint exponent = uint(n + 127.0);
+    return as_type<float>(exponent << 23);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_EXP2_STEPS
+#define UMBRAGE_HAS_EXP2_STEPS
+// umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
+//   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
+inline float umbrage_exp2_steps(float y) {
+    float x = metal::floor((y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0)) * 2048.0);
+    float n = metal::floor(x * (1.0 / 2048.0));
+    float f = x - n * 2048.0;
+    float g = metal::floor(f * (2048.0 - f) * (1.0 / 256.0));
+    float r = 1251.0 + metal::floor(f * 314.0 * (1.0 / 2048.0));
+    float m = 2048.0 + f - metal::floor((g * r + 16384.0) * (1.0 / 32768.0));
+    return m * (1.0 / 2048.0) * umbrage_power_of_two(n);
+}
+#endif

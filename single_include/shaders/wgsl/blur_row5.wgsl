@@ -1,0 +1,16 @@
+// umbrage 0.1.0, MIT License: blur_row5
+// Paste along: texel.wgsl, fetch_clamped.wgsl
+
+// umbrage_blur_row5: mean of 5 texels in a row, weighed by a row of Pascal's triangle
+//   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
+//   along      (1.0, 0.0) or (0.0, 1.0)
+fn umbrage_blur_row5(map: texture_2d<f32>, size: vec2f, texel: vec2f, along: vec2f) -> vec4f {
+    var sum: vec4f = umbrage_fetch_clamped(map, size, texel) * (6.0 / 16.0);
+    let before1: vec4f = umbrage_fetch_clamped(map, size, texel - along * 1.0);
+    let after1: vec4f = umbrage_fetch_clamped(map, size, texel + along * 1.0);
+    sum = sum + (before1 + after1) * (4.0 / 16.0);
+    let before2: vec4f = umbrage_fetch_clamped(map, size, texel - along * 2.0);
+    let after2: vec4f = umbrage_fetch_clamped(map, size, texel + along * 2.0);
+    sum = sum + (before2 + after2) * (1.0 / 16.0);
+    return sum;
+}

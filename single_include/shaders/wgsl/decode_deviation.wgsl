@@ -1,0 +1,8 @@
+// umbrage 0.1.0, MIT License: decode_deviation
+
+// umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
+fn umbrage_decode_deviation(held: vec2f) -> vec2f {
+    let half_of_it: f32 = held.y * 0.5;
+    let square: f32 = held.x * held.x + half_of_it * half_of_it;
+    return vec2f(held.x, square);
+}

@@ -1,0 +1,11 @@
+// umbrage 0.1.0, MIT License: decode_esm
+// Paste along: cleared_depth.wgsl, forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl, warp_depth.wgsl
+
+// umbrage_decode_esm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+fn umbrage_decode_esm(m: f32, receiver: f32, exponent: f32) -> f32 {
+    let d: f32 = umbrage_forward_depth(receiver);
+    let p: f32 = m * umbrage_warp_depth(d, -exponent);
+    let lit: f32 = select(select(0.0, 1.0, p >= 1.0), p, p > 0.0 && p < 1.0);
+    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
+}

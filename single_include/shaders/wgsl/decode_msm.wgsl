@@ -1,0 +1,18 @@
+// umbrage 0.1.0, MIT License: decode_msm
+// Paste along: bias_moments.wgsl, cleared_depth.wgsl, forward_depth.wgsl, moment_atoms.wgsl
+
+// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased
+//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
+    let d: f32 = umbrage_forward_depth(receiver);
+    let m: vec4f = umbrage_bias_moments(b, bias);
+    let x: f32 = (select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0) - m.x;
+    let atoms: vec4f = umbrage_moment_atoms(m, x);
+    let first: f32 = select(0.0, atoms.z, atoms.x < x);
+    let second: f32 = select(0.0, atoms.w, atoms.y < x);
+    var lit: f32 = 1.0 - (first + second);
+    let known: bool = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    lit = select(select(0.0, 1.0, x <= 0.0), select(0.0, select(1.0, lit, lit < 1.0), lit > 0.0), known);
+    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
+}

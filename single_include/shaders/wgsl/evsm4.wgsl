@@ -1,0 +1,13 @@
+// umbrage 0.1.0, MIT License: evsm4
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl, fetch_bilinear.wgsl, chebyshev.wgsl, cleared_depth.wgsl, forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl, warp_depth.wgsl, decode_evsm4.wgsl
+
+// umbrage_evsm4: visibility from a map of encode_evsm4's texels, blurred; 1.0 is lit
+//   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   exponents, deviations  as of decode_evsm4
+fn umbrage_evsm4(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, exponents: vec2f,
+                 deviations: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let m: vec4f = umbrage_fetch_bilinear(map, size, select(vec2f(0.0, 0.0), coord, compared));
+    let lit: f32 = umbrage_decode_evsm4(m, receiver, exponents, deviations);
+    return select(1.0, lit, compared);
+}

@@ -1,0 +1,14 @@
+// umbrage 0.1.0, MIT License: halve_texels
+// Paste along: texel.wgsl, fetch_clamped.wgsl
+
+// umbrage_halve_texels: mean of the 2x2 texels that a texel of the next level of a mip chain is made of
+//   map, size  read from, and its size in texels;   texel  of the next level, whole numbers
+fn umbrage_halve_texels(map: texture_2d<f32>, size: vec2f, texel: vec2f) -> vec4f {
+    let at: vec2f = texel * 2.0;
+    let a: vec4f = umbrage_fetch_clamped(map, size, at);
+    let b: vec4f = umbrage_fetch_clamped(map, size, at + vec2f(1.0, 0.0));
+    let c: vec4f = umbrage_fetch_clamped(map, size, at + vec2f(0.0, 1.0));
+    let d: vec4f = umbrage_fetch_clamped(map, size, at + vec2f(1.0, 1.0));
+    let sum: vec4f = (a + b) + (c + d);
+    return sum * 0.25;
+}
