@@ -8951,7 +8951,7 @@ template <real T>
 /// The direction from a cube's middle to the middle of that texel.
 /// @param texel, size   as for cube_atlas_texel
 /// @return              in half texels: its greatest component is size or -size
-/// @exactness           A: whole numbers
+/// @exactness           A: whole numbers; fast mathematics may change a zero's sign
 template <real T>
 [[nodiscard]] constexpr glm::vec<3, T> cube_atlas_direction(glm::vec<2, T> texel, T size) {
     const glm::vec<3, T> part = cube_atlas_texel(texel, size);
