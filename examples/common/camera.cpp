@@ -5,6 +5,11 @@
 
 namespace example {
 
+void draw_depths(umbrage::image_view<float> depths, const umbrage::mesh_view& m, std::span<const glm::mat4> places,
+                 const glm::mat4& world_to_clip) {
+    umbrage::rasterize_depth(depths, m, places, world_to_clip, picture_clip);
+}
+
 umbrage::image<std::uint32_t> camera_pass(const mesh& m, const camera& c, glm::ivec2 size) {
     umbrage::image<float> depth(size, umbrage::cleared_depth(picture_clip));
     umbrage::image<std::uint32_t> seen(size, nothing);

@@ -7,8 +7,10 @@
 //
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -18,6 +20,7 @@
 
 #include <umbrage/clip_space.hpp>
 #include <umbrage/image.hpp>
+#include <umbrage/images/mesh.hpp>
 #include <umbrage/light/bounds.hpp>
 
 #include "scene.hpp"
@@ -57,6 +60,11 @@ struct camera {
 }
 
 inline constexpr std::uint32_t nothing = ~std::uint32_t(0);
+
+/// The depth pass of instances of a mesh, or of a mesh `once`; compiled once for all who need no threads.
+void draw_depths(umbrage::image_view<float> depths, const umbrage::mesh_view& m, std::span<const glm::mat4> places,
+                 const glm::mat4& world_to_clip);
+inline const std::array once{glm::mat4(1)};
 
 /// Number of the triangle seen at each sample, or `nothing`.
 [[nodiscard]] umbrage::image<std::uint32_t> camera_pass(const mesh& m, const camera& c, glm::ivec2 size);

@@ -9,7 +9,6 @@
 #include <glm/vector_relational.hpp>
 
 #include <umbrage/images/depth_span.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
@@ -93,7 +92,7 @@ std::vector<set_up> all_set_ups() {
 lit_view make_lit_view(const scene& s, const camera& c, glm::ivec2 size, const placed_light& light, int map_size) {
     const float cleared = umbrage::cleared_depth(picture_clip);
     umbrage::image<float> depth(size, cleared);
-    umbrage::rasterize_depth(depth, view_of(s.geometry), c.world_to_clip, picture_clip, umbrage::cull_mode::none);
+    draw_depths(depth, view_of(s.geometry), once, c.world_to_clip);
     const glm::dvec2 range = umbrage::seen_range(umbrage::measure_depths(std::as_const(depth).view(), cleared),
                                                  c.frustum.z_near, c.frustum.z_far, picture_clip.direction);
     lit_view v{s, c, light, map_size, camera_pass(s.geometry, c, size), c.frustum, c.frustum};

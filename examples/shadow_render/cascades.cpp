@@ -15,7 +15,6 @@
 
 #include <umbrage/images/depth_span.hpp>
 #include <umbrage/images/instances.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/select.hpp>
@@ -46,7 +45,7 @@ using cascades = std::array<umbrage::cascade<float>, cascade_count>;
 cascades make_cascades(const options& o, const view& v, float reach) {
     const float cleared = umbrage::cleared_depth(example::picture_clip);
     umbrage::image<float> depths(glm::ivec2(o.width, o.height), cleared);
-    umbrage::rasterize_depth(depths, view_of(v.scene.geometry), v.camera.world_to_clip, example::picture_clip);
+    example::draw_depths(depths, view_of(v.scene.geometry), example::once, v.camera.world_to_clip);
     const glm::vec2 range = umbrage::seen_range(umbrage::measure_depths(std::as_const(depths).view(), cleared),
                                                 v.scene.z_near, v.scene.z_far, example::picture_clip.direction);
     const auto& f = v.camera.frustum;
@@ -76,7 +75,7 @@ drawn draw_depths(umbrage::image_view<float> map, const example::scene& scene, c
     const std::clock_t start = std::clock();
     drawn out;
     const auto draw = [&](const umbrage::mesh_view& shape, std::span<const glm::mat4> places) {
-        umbrage::rasterize_depth(map, shape, places, world_to_clip, light.clip);
+        example::draw_depths(map, shape, places, world_to_clip);
         out.instances += places.size();
         out.triangles += places.size() * shape.triangles.size();
     };
@@ -85,7 +84,7 @@ drawn draw_depths(umbrage::image_view<float> map, const example::scene& scene, c
         if (all) draw(shape, part.places);
         else draw(shape, umbrage::instances_in_map(umbrage::bounds_of(shape), part.places, world_to_clip, light.clip));
     }
-    if (const std::array once{glm::mat4(1)}; scene.parts.empty()) draw(view_of(scene.geometry), once);
+    if (scene.parts.empty()) draw(view_of(scene.geometry), example::once);
     out.ms = 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     return out;
 }
