@@ -44,7 +44,7 @@ TEST_CASE("chebyshev: never darker than the lit share, and within its bound of r
         const double bound = (0.25 / double(least) + 4) * 0x1p-24;
         double worst = 0, darker = 0;
         for (int i = 0; i < 100000; ++i) {
-            const window w(random);
+            const depth_window w(random);
             const glm::dvec2 m = w.mean([](float d) { return glm::dvec2(d, double(d) * d); });
             const double got = chebyshev(glm::vec2(m), w.receiver, least);
             const double variance = std::max(m.y - m.x * m.x, double(least)), distance = w.receiver - m.x;

@@ -41,7 +41,7 @@ TEST_CASE("esm: never darker than the lit share, and within its bound of reals")
     std::mt19937 random(9);
     double worst = 0, darker = 0;
     for (int i = 0; i < 100000; ++i) {
-        const window w(random);
+        const depth_window w(random);
         const float exponent = static_cast<float>(1 + random() % 63);
         const auto real = [&](float d) { return std::exp2(double(exponent * (d * 2.0f - 1.0f))); };
         const double m = w.mean([&](float d) { return double(encode_esm(d, exponent)); });

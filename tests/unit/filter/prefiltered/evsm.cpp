@@ -61,7 +61,7 @@ TEST_CASE(
     // of the decoder, and twice as much of rounding means to floats
     const double bound = 3 * (0x1p-24 / double(p.deviations.x * p.deviations.x) + 0x1p-21);
     for (int i = 0; i < 50000; ++i) {
-        const window w(random);
+        const depth_window w(random);
         const glm::vec4 m(w.mean([&](float d) { return glm::dvec4(encode_evsm4(d, p.exponents)); }));
         const double two = decode_evsm2(glm::vec2(m), w.receiver, p.exponents.x, p.deviations.x);
         const double four = decode_evsm4(m, w.receiver, p.exponents, p.deviations);

@@ -37,7 +37,7 @@ TEST_CASE("hausdorff: depths on [-1, 1] and shares that return the moments and s
     int taken = 0;
     double worst = 0, least = 1, darker = 0, lighter = 0, gained = 0, in_floats = 0;
     for (int i = 0; i < 20000; ++i) {
-        const window w(random);
+        const depth_window w(random);
         const glm::dvec4 unbiased = w.mean([](float d) { return encode_msm(double(d)); });
         const glm::dvec2 bias(1e-3, 0.375);
         const glm::dvec4 b = bias_moments(unbiased, bias);

@@ -14,7 +14,7 @@ using namespace umbrage;
 
 namespace {
 
-glm::dvec4 moments(const window& w) {
+glm::dvec4 moments(const depth_window& w) {
     return w.mean([](float d) { return encode_msm(double(d)); });
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("moment_atoms: depths and shares that return the moments, so that no b
     std::mt19937 random(13);
     double worst = 0, least = 1;
     for (int i = 0; i < 20000; ++i) {
-        const window w(random);
+        const depth_window w(random);
         const glm::dvec4 b = bias_moments(moments(w), glm::dvec2(1e-3, 0.375));
         const double z = 2 * double(w.receiver) - 1;
         const glm::dvec4 atoms = moment_atoms(b, z - b.x);
@@ -108,7 +108,7 @@ TEST_CASE("msm: no darker than the lit share but for the bias and rounding; in f
         double worst = 0, darker = 0;
         int outside = 0;
         for (int i = 0; i < 50000; ++i) {
-            const window w(random);
+            const depth_window w(random);
             glm::vec4 b(moments(w));
             if (s.short_store) {
                 glm::vec4 held = turn_moments(b);

@@ -36,7 +36,7 @@ TEST_CASE("vsm: mean and deviation in four channels make nothing darker") {
     const double bound = (0.25 / double(least) + 4) * 0x1p-24;
     double darker = 0, error = 0;
     for (int i = 0; i < 50000; ++i) {
-        const window w(random);
+        const depth_window w(random);
         const glm::vec2 m(w.mean([](float d) { return glm::dvec2(encode_vsm(double(d))); }));
         const glm::vec2 held = encode_deviation(m);
         const glm::u8vec2 mean = encode_rg<16>(held.x), deviation = encode_rg<16>(held.y);

@@ -8,11 +8,11 @@
 #include <vector>
 
 /// Depths k / 1024, 16 of them, so that floats hold their first two moments; the same surface, or up to three.
-struct window {
+struct depth_window {
     std::vector<float> depths;
     float receiver = 0;
 
-    explicit window(std::mt19937& random) {
+    explicit depth_window(std::mt19937& random) {
         const auto surfaces = 1 + random() % 3, slope = 1 + random() % 9;
         int base[3];
         for (int& b : base) b = static_cast<int>(random() % 1025);
