@@ -5015,6 +5015,13 @@ float umbrage_summed_variance(UMBRAGE_MAP map, float2 size, float2 coord, float 
     return compared ? (d <= 0.0 ? 1.0 : behind) : 1.0;
 }
 `,
+            "power_of_two": `
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+float umbrage_power_of_two(float n) {
+    uint exponent = uint(n + 127.0);
+    return asfloat(exponent << 23);
+}
+`,
             "exp2_polynomial": `
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
@@ -7693,6 +7700,13 @@ inline float umbrage_summed_variance(UMBRAGE_MAP map, float2 size, float2 coord,
     return compared ? (d <= 0.0 ? 1.0 : behind) : 1.0;
 }
 `,
+            "power_of_two": `
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+inline float umbrage_power_of_two(float n) {
+    uint exponent = uint(n + 127.0);
+    return as_type<float>(exponent << 23);
+}
+`,
             "exp2_polynomial": `
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
@@ -10365,6 +10379,13 @@ fn umbrage_summed_variance(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver:
     let d: f32 = (t - 1.0 - m.x) - share;
     let behind: f32 = select(0.0, variance / (variance + d * d), d > 0.0);
     return select(1.0, select(behind, 1.0, d <= 0.0), compared);
+}
+`,
+            "power_of_two": `
+// umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
+fn umbrage_power_of_two(n: f32) -> f32 {
+    let exponent: u32 = u32(n + 127.0);
+    return bitcast<f32>(exponent << 23);
 }
 `,
             "exp2_polynomial": `

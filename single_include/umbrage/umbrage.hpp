@@ -12247,7 +12247,7 @@ template <class Reach>
 [[nodiscard]] inline bool may_mark(const bounding_sphere<float>& bounds, const glm::mat4& to_clip, clip_space clip,
                                    near_plane at_near = near_plane::clips) {
     if (bounds.radius < 0.0f) return false;
-    const double radius = bounds.radius;
+    const auto radius = static_cast<double>(bounds.radius);
     const auto reach = [&](const glm::dvec3& normal) { return glm::length(normal) * radius; };
     return detail::may_mark(glm::dvec3(bounds.centre), glm::dvec3(radius), reach, to_clip, clip, at_near);
 }

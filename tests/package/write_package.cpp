@@ -117,7 +117,9 @@ std::string languages_of_module() {
             out += "            " + std::string(t.name) + ": " + words(l.words->texture(t.kind)) + ",\n";
         out += "        },\n        texts: {\n";
         for_each_snippet([&](const snippet& s) {
-            if (!l.words->macros && s.source.find("\n#") != s.source.npos) return;  // a hook that maps always choose
+            const bool asks_for_macros =
+                s.source.find("\n#ifdef ") != s.source.npos || s.source.find("\n#ifndef ") != s.source.npos;
+            if (asks_for_macros && !l.words->macros) return;  // a hook that maps always choose
             out += "            " + literal(id(s)) + ": `" + l.words->translate(s) + "`,\n";
         });
         out += "        },\n    },\n";

@@ -107,8 +107,9 @@ void suite::all() const {
         "from_unorm", inputs, [](source& s) { return s.read(); }, [](float c) { return from_unorm(c); });
 
     rg<9>(), rg<10>(), rg<11>(), rg<12>(), rg<13>(), rg<14>(), rg<15>(), rg<16>();
-
-    run("power_of_two", inputs, depth, [](float d) { return power_of_two(float(int(saturate(d) * 127.0f)) - 64.0f); });
+    run(
+        "power_of_two", inputs, [](source& s) { return float(s.below(128)) - 64.0f; },
+        [](float n) { return power_of_two(n); });
     run("exp2_steps", inputs, any, [](float y) { return exp2_steps(y); });
     run("encode_rgb24", inputs, depth, [](float d) { return encode_rgb24(d); });
     run(

@@ -41,9 +41,9 @@ TEST_CASE("tokens: comments and directives go to the end of their line") {
 
 TEST_CASE("newest: what stands for the newest version, other directives stay") {
     std::string text;
-    for (const detail::token& t :
-         detail::newest(detail::tokens("a;\n#ifdef A\n#endif\n#if __VERSION__ >= 300\n    b;\n#else\n    "
-                                       "c;\n#endif\n#if __VERSION__ >= 9\nd;\n#endif\ne;\n")))
+    for (const glsl::detail::token& t :
+         glsl::detail::newest(glsl::detail::tokens("a;\n#ifdef A\n#endif\n#if __VERSION__ >= 300\n    b;\n#else\n    "
+                                                   "c;\n#endif\n#if __VERSION__ >= 9\nd;\n#endif\ne;\n")))
         (text += t.space) += t.text;
     CHECK(text == "a;\n#ifdef A\n#endif\n    b;\nd;\ne;\n");
 }
