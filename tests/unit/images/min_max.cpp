@@ -24,13 +24,13 @@ struct last_row_first {
 }  // namespace
 
 TEST_CASE("make_min_max_pyramid: bounds of every square, any size of map") {
-    constexpr float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
     std::mt19937 engine(3);
     for (const glm::ivec2 size :
          {glm::ivec2(1, 1), glm::ivec2(2, 7), glm::ivec2(127, 5), glm::ivec2(128, 4), glm::ivec2(301, 66)}) {
         umbrage::image<float> map(size);
         for (float& d : map.texels()) {
-            const float odd[] = {nan, -nan, infinity, -infinity, -1.5f};
+            const float odd[] = {nan, -nan, inf, -inf, -1.5f};
             d = engine() % 9 == 0 ? odd[engine() % 5] : static_cast<float>(engine() % 4096) / 4096.0f + 0.25f;
         }
         const umbrage::detail::isa best = umbrage::detail::isa_in_use;
@@ -48,7 +48,7 @@ TEST_CASE("make_min_max_pyramid: bounds of every square, any size of map") {
                 int wrong = 0;
                 for (int y = 0; y < squares.y; ++y)
                     for (int x = 0; x < squares.x; ++x) {
-                        float least = infinity, greatest = -infinity;
+                        float least = inf, greatest = -inf;
                         int numbers = 0, others = 0;
                         for (int j = y * side; j < size.y && j < (y + 1) * side; ++j)
                             for (int i = x * side; i < size.x && i < (x + 1) * side; ++i) {

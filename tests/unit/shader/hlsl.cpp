@@ -59,8 +59,8 @@ TEST_CASE("hlsl: every snippet") {
     for (const glsl::snippet* s : glsl::registry) {
         CAPTURE(s->name);
         const std::string text = hlsl::text({*s});
-        for (const char* left : {"UMBRAGE_HIGHP", "UMBRAGE_MAP", "UMBRAGE_PRECISE", "vec2", "vec3", "vec4", "mat4"})
-            CHECK(text.find(left) == text.npos);
+        for (const char* word : {"UMBRAGE_HIGHP", "UMBRAGE_MAP", "UMBRAGE_PRECISE", "vec2", "vec3", "vec4", "mat4"})
+            CHECK(text.find(word) == text.npos);
     }
 }
 

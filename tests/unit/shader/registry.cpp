@@ -75,9 +75,9 @@ TEST_CASE("registry: lists every snippet of every header once, and nothing else"
         CHECK((f.family ? listed[f.name] >= 1 : listed[f.name] == 1));
         listed.erase(f.name);
     }
-    for (const auto& left : listed) {
-        CAPTURE(left.first);
-        CHECK(left.second == 0);  // listed, but in no header
+    for (const auto& unclaimed : listed) {
+        CAPTURE(unclaimed.first);
+        CHECK(unclaimed.second == 0);  // listed, but in no header
     }
 }
 

@@ -14,16 +14,16 @@ using namespace umbrage;
 
 namespace {
 
-constexpr int size = 8;
+constexpr int face_size = 8;
 
 image<double> random_atlas(std::mt19937& random) {
-    image<double> atlas({3 * size, 2 * size});
+    image<double> atlas({3 * face_size, 2 * face_size});
     for (double& texel : atlas.texels()) texel = static_cast<double>(random() % 1024) / 1024.0;
     return atlas;
 }
 
 double on_face(const image<double>& atlas, int face, glm::dvec2 st, double receiver) {
-    return pcf_2x2_cube(clamped(atlas), double(size), glm::dvec3(st, face), receiver);
+    return pcf_2x2_cube(clamped(atlas), double(face_size), glm::dvec3(st, face), receiver);
 }
 
 /// A point of a face's edge, from the direction to it, on each face that meets there.
@@ -34,8 +34,8 @@ std::vector<glm::dvec3> on_all_faces(glm::dvec3 direction) {
         const double m = glm::dot(forward, direction);
         if (m < 1) continue;
         const glm::dvec3 up(cube_faces[static_cast<std::size_t>(face)].up);
-        all.push_back({(glm::dot(glm::cross(forward, up), direction) + 1) * size / 2,
-                       (glm::dot(up, direction) + 1) * size / 2, face});
+        all.push_back({(glm::dot(glm::cross(forward, up), direction) + 1) * face_size / 2,
+                       (glm::dot(up, direction) + 1) * face_size / 2, face});
     }
     return all;
 }
@@ -53,7 +53,8 @@ TEST_CASE("pcf_2x2_cube: nothing jumps over any edge, nor at a corner") {
         for (glm::length_t axis = 0; axis < 3; ++axis) direction[axis] = random() % 2 ? 1 : -1;
         // now and then within a texel of a corner
         if (!corner)
-            direction[i % 3] = i % 5 ? unit(random) : std::copysign(1 - std::abs(unit(random)) / size, unit(random));
+            direction[i % 3] =
+                i % 5 ? unit(random) : std::copysign(1 - std::abs(unit(random)) / face_size, unit(random));
         const auto faces = on_all_faces(direction);
         CHECK(faces.size() == (corner ? 3 : 2));
         const double receiver = 0.25 + 0.5 * std::abs(unit(random));
@@ -68,43 +69,46 @@ TEST_CASE_TEMPLATE("pcf_2x2_cube: inside a face it is pcf_2x2, on the grid of it
     std::mt19937 random(2);
     const image<double> drawn = random_atlas(random);
     image<T> atlas(drawn.size());
-    for (int y = 0; y < 2 * size; ++y)
-        for (int x = 0; x < 3 * size; ++x) atlas[{x, y}] = T(drawn[{x, y}]);
+    for (int y = 0; y < 2 * face_size; ++y)
+        for (int x = 0; x < 3 * face_size; ++x) atlas[{x, y}] = T(drawn[{x, y}]);
     for (int face = 0; face < 6; ++face)
         for (int i = 0; i < 500; ++i) {
-            const auto inside = [&] { return T(0.5) + T(random() % (256 * (size - 1))) / T(256); };
+            const auto inside = [&] { return T(0.5) + T(random() % (256 * (face_size - 1))) / T(256); };
             const T s = inside(), t = inside(), receiver = T(random() % 512) / T(512);
-            const image_view<const T> tile = std::as_const(atlas).view().region(cube_tile(face, size), {size, size});
-            CHECK(pcf_2x2_cube(clamped(atlas), T(size), glm::vec<3, T>(s, t, T(face)), receiver) ==
+            const image_view<const T> tile =
+                std::as_const(atlas).view().region(cube_tile(face, face_size), {face_size, face_size});
+            CHECK(pcf_2x2_cube(clamped(atlas), T(face_size), glm::vec<3, T>(s, t, T(face)), receiver) ==
                   pcf_2x2(clamped(tile), glm::vec<2, T>(s, t), receiver));
         }
 }
 
 TEST_CASE("pcf_2x2_cube: wholly lit and wholly dark cubes show no line; what is nowhere is lit") {
     for (const float depth : {0.25f, 0.75f}) {
-        const image<float> atlas({3 * size, 2 * size}, depth);
+        const image<float> atlas({3 * face_size, 2 * face_size}, depth);
         for (int face = 0; face < 6; ++face)
             for (int i = 0; i <= 64; ++i)
-                for (const float edge : {0.0f, 0.3f, float(size) / 2, float(size)}) {
-                    const float along = static_cast<float>(i) / 64.0f * float(size);
+                for (const float edge : {0.0f, 0.3f, float(face_size) / 2, float(face_size)}) {
+                    const float along = static_cast<float>(i) / 64.0f * float(face_size);
                     const auto at = [&](float s, float t) {
-                        return pcf_2x2_cube(clamped(atlas), float(size), glm::vec3(s, t, face), 0.5f);
+                        return pcf_2x2_cube(clamped(atlas), float(face_size), glm::vec3(s, t, face), 0.5f);
                     };
                     CHECK(at(edge, along) == (depth > 0.5f ? 1.0f : 0.0f));
                     CHECK(at(along, edge) == (depth > 0.5f ? 1.0f : 0.0f));
                 }
         const float nan = std::nanf("");
-        CHECK(pcf_2x2_cube(clamped(atlas), float(size), glm::vec3(nan, 1, 2), 0.5f) == 1.0f);
-        CHECK(pcf_2x2_cube(clamped(atlas), float(size), glm::vec3(1, 1e9f, 2), 0.5f) == 1.0f);
-        CHECK(pcf_2x2_cube(clamped(atlas), float(size), glm::vec3(1, 1, 2), 1.5f) == 1.0f);
-        CHECK(pcf_2x2_cube(clamped(atlas), float(size), glm::vec3(1, 1, 2), nan) == 0.0f);
+        CHECK(pcf_2x2_cube(clamped(atlas), float(face_size), glm::vec3(nan, 1, 2), 0.5f) == 1.0f);
+        CHECK(pcf_2x2_cube(clamped(atlas), float(face_size), glm::vec3(1, 1e9f, 2), 0.5f) == 1.0f);
+        CHECK(pcf_2x2_cube(clamped(atlas), float(face_size), glm::vec3(1, 1, 2), 1.5f) == 1.0f);
+        CHECK(pcf_2x2_cube(clamped(atlas), float(face_size), glm::vec3(1, 1, 2), nan) == 0.0f);
     }
 }
 
 TEST_CASE("cube_lit: a texel of its face or of the next one, none beyond a corner") {
-    image<float> atlas({3 * size, 2 * size}, 0.0f);
-    atlas[cube_tile(5, size) + glm::ivec2(0, 3)] = 1.0f;  // beyond +x's last column
-    const auto of = [&](float s, float t) { return cube_lit(clamped(atlas), float(size), glm::vec3(s, t, 0), 0.5f); };
+    image<float> atlas({3 * face_size, 2 * face_size}, 0.0f);
+    atlas[cube_tile(5, face_size) + glm::ivec2(0, 3)] = 1.0f;  // beyond +x's last column
+    const auto of = [&](float s, float t) {
+        return cube_lit(clamped(atlas), float(face_size), glm::vec3(s, t, 0), 0.5f);
+    };
     CHECK(of(8, 3) == glm::vec2(1, 1));
     CHECK(of(8, 4) == glm::vec2(0, 1));
     CHECK(of(7, 3) == glm::vec2(0, 1));
