@@ -3,9 +3,10 @@
 
 #include <utility>
 
-#include <umbrage/images/parallel.hpp>
 #include <umbrage/images/rasterize.hpp>
 
+#include <progress.hpp>
+#include <receivers.hpp>
 #include <view.hpp>
 
 #include "data.hpp"
@@ -24,8 +25,8 @@ shadowed_scene default_scene(int radius) {
     umbrage::image<float> map(map_size, umbrage::cleared_depth(view.lamp.space.clip));
     umbrage::rasterize_depth(map, example::view_of(scene.geometry), view.lamp.world_to_clip(), view.lamp.space.clip);
     for (float& depth : map.texels()) depth = view.lamp.even_depth(depth);
-    const float bias = shadow_render::automatic_bias(static_cast<float>(radius) + 0.5f);
-    const auto planes = receivers_of(view, o.map_size, bias, 0.0f, umbrage::serial{});
+    example::progress progress(1, true);
+    const auto planes = receivers_of(view, o, static_cast<float>(radius) + 0.5f, 0.0f, progress);
     umbrage::image<glm::vec3> receivers(screen);
     for (int y = 0; y < screen.y; ++y)
         for (int x = 0; x < screen.x; ++x) {
