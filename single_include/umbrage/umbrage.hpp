@@ -6547,8 +6547,8 @@ inline constexpr auto esm_snippets = list<&warp_depth, &encode_esm, &decode_esm>
 // one besides. They let less light through than depth's own moments, which is where both powers let it.
 //
 //     const auto evsm = umbrage::make_evsm({.exponent = 40.0f});  // throws where floats would overflow
-//     glm::vec4 texel = umbrage::encode_evsm4(depth, evsm.exponents());
-//     float visibility = umbrage::decode_evsm4(blurred, receiver, evsm.exponents(), evsm.deviation);
+//     glm::vec4 texel = umbrage::encode_evsm4(depth, evsm.exponents);
+//     float visibility = umbrage::decode_evsm4(blurred, receiver, evsm.exponents, evsm.deviations);
 //
 
 namespace umbrage {
@@ -7364,7 +7364,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_msm, by decode_msm_hausdorff.
-/// @exactness        C: within 1/64 in a shader
+/// @exactness        C: as decode_msm_hausdorff
 template <real T, class Fetch>
 [[nodiscard]] T msm_hausdorff(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
     return detail::look_up(fetch, coord, receiver, far,
@@ -14318,7 +14318,7 @@ template <class ParallelFor = serial>
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param radius      of the box, at most the table's
 /// @param out         visibility, 1 lit; same size as receivers
-/// @throws std::invalid_argument  sizes differ, a table without texels, or a radius that is not the table's
+/// @throws std::invalid_argument  sizes differ, a table without texels, or a radius below 0 or above the table's
 template <class ParallelFor = serial>
 void summed_visibility(image_view<const glm::u16vec4> table, const variance_table& of,
                        image_view<const glm::vec3> receivers, int radius, image_view<float> out,

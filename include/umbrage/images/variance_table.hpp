@@ -82,7 +82,7 @@ template <class ParallelFor = serial>
 /// @param receivers   (x, y) in texels of the map, z depth, biased
 /// @param radius      of the box, at most the table's
 /// @param out         visibility, 1 lit; same size as receivers
-/// @throws std::invalid_argument  sizes differ, a table without texels, or a radius that is not the table's
+/// @throws std::invalid_argument  sizes differ, a table without texels, or a radius below 0 or above the table's
 template <class ParallelFor = serial>
 void summed_visibility(image_view<const glm::u16vec4> table, const variance_table& of,
                        image_view<const glm::vec3> receivers, int radius, image_view<float> out,

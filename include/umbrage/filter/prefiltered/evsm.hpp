@@ -4,8 +4,8 @@
 // one besides. They let less light through than depth's own moments, which is where both powers let it.
 //
 //     const auto evsm = umbrage::make_evsm({.exponent = 40.0f});  // throws where floats would overflow
-//     glm::vec4 texel = umbrage::encode_evsm4(depth, evsm.exponents());
-//     float visibility = umbrage::decode_evsm4(blurred, receiver, evsm.exponents(), evsm.deviation);
+//     glm::vec4 texel = umbrage::encode_evsm4(depth, evsm.exponents);
+//     float visibility = umbrage::decode_evsm4(blurred, receiver, evsm.exponents, evsm.deviations);
 //
 #pragma once
 

@@ -102,7 +102,7 @@ template <real T, class Fetch>
 }
 
 /// As vsm, of texels of encode_msm, by decode_msm_hausdorff.
-/// @exactness        C: within 1/64 in a shader
+/// @exactness        C: as decode_msm_hausdorff
 template <real T, class Fetch>
 [[nodiscard]] T msm_hausdorff(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<2, T> bias, T far = T(1)) {
     return detail::look_up(fetch, coord, receiver, far,
