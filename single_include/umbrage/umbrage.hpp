@@ -9284,6 +9284,133 @@ template <real T = float>
 
 }  // namespace umbrage
 
+// ---- umbrage/light/warp/warp_fit.hpp
+// What warps of a directional light's map share: what they are fitted to, what they give, and their last step, which
+// lays any projective map of the world around the receivers.
+//
+//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//     umbrage::warped_light<float> warped = umbrage::fit_light_space_perspective(fit);
+//     draw_depths(warped.light);
+//
+// A warp gives what the camera sees close by more texels, and what it sees from afar fewer. Look-ups are those of a
+// spot light, by shadow_coordinate and project_coordinate; w is above 0 and depth grows along the light.
+
+namespace umbrage {
+
+template <real T = float>
+struct warp_fit {
+    frustum<T> camera{};                          ///< that the map is for
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
+    hull receivers = bounding_box<T>{};           ///< what the camera sees of the scene
+    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
+    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' extent in the
+                                                  ///< map, >= 0
+    clip_space clip{};
+};
+
+template <real T>
+struct warped_light {
+    light_space<T> light;  ///< for depth pass and texture_matrix; w is 1 at the least receiver
+    T strength = T(0);     ///< 1 - least w / greatest w of the receivers: 0 uniform, towards 1 ever more warped
+};
+
+namespace detail {
+
+/// Complains of what fits of all warps need.
+template <real T>
+void require_warp_fit(const warp_fit<T>& fit, const char* function) {
+    require_receivers(fit.receivers, function);
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+    if (fit.casters) (void)corners(*fit.casters);
+}
+
+/// The light's view that maps are drawn in: y goes the way the camera looks, or up as it has it where it looks along
+/// the light.
+template <real T>
+[[nodiscard]] glm::dmat4 view_of(const warp_fit<T>& fit, const char* function) {
+    const glm::dmat3 camera = axes(fit.camera);
+    const glm::dvec3 direction(fit.direction);
+    const bool along = !(glm::length(glm::cross(camera[2], unit(direction))) > 1e-3);
+    return look_along(glm::dvec3(0), direction, camera[along ? 1 : 2], fit.clip.hand, function, "");
+}
+
+/// Points whose hull holds all receivers: in place of a ball the corners of its box.
+[[nodiscard]] inline std::vector<glm::dvec3> corners_of(const hull& receivers) {
+    if (!(receivers.radius > 0.0)) return receivers.points;
+    std::vector<glm::dvec3> all;
+    for (const glm::dvec3& p : receivers.points)
+        for (const glm::dvec3& c : corners(bounding_box<double>{p - receivers.radius, p + receivers.radius}))
+            all.push_back(c);
+    return all;
+}
+
+/// A map's x and y laid around the receivers, its depth around them and what of the casters they sweep towards the
+/// light, as the clip space has it; turned over where it would mirror what it sees.
+/// @param to_map   world to x, y, depth and w, in double; keeps x / w and y / w along the light, where depth z / w
+///                 grows; of any scale
+/// @return         nothing where w <= 0 at a receiver, where the map has no extent, and where it overflows
+template <real T>
+[[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
+                                                   const char* function) {
+    std::vector<glm::dvec3> receivers;
+    double least_w = std::numeric_limits<double>::infinity(), greatest_w = 0.0;
+    for (const glm::dvec3& p : corners_of(fit.receivers)) {
+        const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
+        if (!(h.w > 0.0 && all_finite(h))) return {};
+        receivers.push_back(glm::dvec3(h) / h.w);
+        least_w = glm::min(least_w, h.w), greatest_w = glm::max(greatest_w, h.w);
+    }
+    auto [low, high] = extent_of(receivers);
+    const glm::dvec3 size = high - low;
+    constexpr double flat = 0x1p-8;  // receivers seen edge on have some margin too
+    const glm::dvec2 around = double(fit.margin) * glm::max(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
+    if (fit.casters) {
+        // the hull's cone over the map, of which the other half, behind w = 0, is no part
+        auto within = sweep(receivers, glm::max(around.x, around.y));
+        for (glm::dvec4& plane : within) plane = glm::transpose(to_map) * plane;
+        const polyhedron casters(*fit.casters);
+        for (const polyhedron::face& face : casters.faces()) {
+            std::vector<glm::dvec3> polygon = face.corners;
+            for (const glm::dvec4& plane : within) polygon = clipped(polygon, plane);
+            for (const glm::dvec3& p : polygon) {
+                const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
+                if (!(h.w > 0.0)) return {};
+                low.z = glm::min(low.z, h.z / h.w);
+            }
+        }
+    }
+    const double deep = double(fit.margin) * glm::length(high - low);
+    low -= glm::dvec3(around, deep), high += glm::dvec3(around, deep);
+
+    const auto [at_near, at_far] = ends<double>(fit.clip);
+    const bool mirrors = (glm::determinant(to_map) < 0.0) != (fit.clip.hand == handedness::right);
+    const glm::dvec3 first(mirrors ? 1.0 : -1.0, -1.0, at_near), last(-first.x, 1.0, at_far);
+    const glm::dvec3 scale = (last - first) / (high - low), offset = first - low * scale;
+    glm::dmat4 placed(1.0);
+    for (glm::length_t i = 0; i < 3; ++i) placed[i][i] = scale[i], placed[3][i] = offset[i];
+
+    const glm::dmat4 view = view_of(fit, function);
+    const glm::dmat4 projection = placed * to_map * glm::transpose(view) / least_w;
+    const light_space<T> light{glm::mat<4, 4, T>(view), glm::mat<4, 4, T>(projection), fit.clip};
+    if (!all_finite(light.projection) || !all_finite(light.projection * light.view)) return {};
+    const glm::mat<4, 4, T> rows = glm::transpose(light.projection);
+    for (glm::length_t i = 0; i < 3; ++i)
+        if (!is_normal(glm::length(glm::vec<3, T>(rows[i])))) return {};
+    return warped_light<T>{light, T(1.0 - least_w / greatest_w)};
+}
+
+/// No warp: the map as fit_directional_light lays it, but with the margin and the way up of warps.
+template <real T>
+[[nodiscard]] warped_light<T> unwarped(const warp_fit<T>& fit, const char* function) {
+    const auto light = refit(light_frame(view_of(fit, function), fit.clip.hand), fit, function);
+    require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a box");
+    return *light;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
 // ---- umbrage/shade/lighting.hpp
 // The lighting of the DirectX SDK's ShadowMap sample: a spot cone, diffuse plus ambient. Enough for whole pictures.
 //
