@@ -74,6 +74,8 @@
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/light/warp/trapezoidal.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
 #include <umbrage/list.hpp>
 #include <umbrage/scalar.hpp>

@@ -9411,6 +9411,143 @@ template <real T>
 }  // namespace detail
 }  // namespace umbrage
 
+// ---- umbrage/light/warp/light_space_perspective.hpp
+// Light-space perspective: a directional light's map, warped by a perspective across the light, whose centre lies some
+// way before what the camera sees. What lies side by side towards the light stays so: rays are texels.
+//
+//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//     auto warped = umbrage::fit_light_space_perspective(fit);
+//     auto milder = umbrage::fit_light_space_perspective(fit, umbrage::optimal_distance(fit));
+//
+
+namespace umbrage {
+namespace detail {
+
+/// A camera's receivers as the light sees them, y along the camera's view.
+struct along_view {
+    glm::dmat4 frame;  ///< world to x, y and depth
+    glm::dvec3 first;  ///< x of the camera, least y and middle depth of the receivers
+    double length;     ///< from their least y to the greatest
+    double camera_y;
+    double closest;  ///< least distance of receivers along the camera's view, no less than its near plane
+    double sine;     ///< of the angle between view and light
+};
+
+template <real T>
+[[nodiscard]] along_view make_along_view(const warp_fit<T>& fit, const char* function) {
+    require_warp_fit(fit, function);
+    along_view v;
+    v.frame = light_frame(view_of(fit, function), fit.clip.hand);
+    const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera)[2];
+    v.sine = glm::length(glm::cross(view, unit(glm::dvec3(fit.direction))));
+    const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
+    const auto [low, high] = extent_of(seen(v.frame, receivers));
+    const glm::dvec3 own(v.frame * glm::dvec4(eye, 1.0));
+    v.first = {own.x, low.y, (low.z + high.z) * 0.5};
+    v.length = high.y - low.y;
+    v.camera_y = own.y;
+    v.closest = std::numeric_limits<double>::infinity();
+    for (const glm::dvec3& p : receivers) v.closest = glm::min(v.closest, glm::dot(p - eye, view));
+    v.closest = glm::max(v.closest, double(fit.camera.z_near));
+    return v;
+}
+
+/// The wider the angle between view and light, the more of a warp there is: none below 0.02, all of it from 0.2 on.
+[[nodiscard]] inline double share_of_warp(double sine) { return glm::clamp((sine - 0.02) / 0.18, 0.0, 1.0); }
+
+/// A perspective along y whose centre lies n before the first receivers; in front of them it changes no length.
+/// @formula   (x, y, z) / (1 + y / n) about `first`
+template <real T>
+[[nodiscard]] warped_light<T> warped_along(const along_view& v, double n, const warp_fit<T>& fit,
+                                           const char* function) {
+    const double nearest = v.length * 0x1p-14;  // float holds no more
+    const double bend = share_of_warp(v.sine) / glm::max(n, nearest);
+    glm::dmat4 warp(1.0);
+    warp[3] = glm::dvec4(-v.first, 1.0 - bend * v.first.y);
+    warp[1][3] = bend;
+    const auto warped = bend > 0.0 && is_finite(bend) ? refit(warp * v.frame, fit, function) : std::nullopt;
+    return warped ? *warped : unwarped(fit, function);
+}
+
+}  // namespace detail
+
+/// How far before the receivers the centre of a light-space perspective has to lie so that the greatest error over the
+/// camera's frustum is least: the mildest warp that is of use.
+/// @return      world units along the camera's view, across the light; infinite where camera and light look one way
+/// @formula     (z0 + sqrt(z0 z1)) / sin t, z1 = z0 + d sin t: z0 the receivers' least distance along the camera's
+///              view, d their extent along it across the light, t the angle between view and light
+/// @throws std::invalid_argument  as fit_light_space_perspective does
+/// @cite        Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
+template <real T = float>
+[[nodiscard]] T optimal_distance(const warp_fit<T>& fit) {
+    const detail::along_view v = detail::make_along_view(fit, "optimal_distance");
+    const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
+    return v.sine > 0.0 ? T(n) : std::numeric_limits<T>::infinity();
+}
+
+/// The map of a directional light, warped along the camera's view.
+///
+/// @param distance   n, from the warp's centre to the receivers next to it, world units along the camera's view across
+///                   the light, > 0, infinite for no warp; the smaller, the more texels go to what is close, down to
+///                   2^-14 of the receivers' extent, which stands for what is less. By default
+///                   sqrt(z0 optimal_distance), z0 the receivers' least distance along the camera's view: on a ground,
+///                   whose depth on the screen is foreshortened, it is near the best
+/// @return           strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
+///                   from there to 0.2 the warp grows, without a jump
+/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
+///                                casters that are no box, a negative margin, distance not above 0, and what gives
+///                                matrices that are not finite
+/// @formula          (x, y, depth) / (1 + y / n) about the camera's x and the receivers' least y, y along the view; then
+///                   around the receivers
+/// @cite             Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
+template <real T = float>
+[[nodiscard]] warped_light<T> fit_light_space_perspective(const warp_fit<T>& fit, std::optional<T> distance = {}) {
+    constexpr auto function = "fit_light_space_perspective";
+    const detail::along_view v = detail::make_along_view(fit, function);
+    detail::require(!distance || *distance > T(0), function, "distance", "must be above 0");
+    const double n = distance ? double(*distance) : std::sqrt(v.closest * double(optimal_distance(fit)));
+    return detail::warped_along(v, n, fit, function);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/warp/trapezoidal.hpp
+// Trapezoidal shadow maps: a directional light's map from the trapezoid around what the camera sees, which is warped so
+// that up to a chosen distance the camera gets four fifths of the map.
+//
+//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//     auto warped = umbrage::fit_trapezoidal(fit, 20.0f);
+//
+
+namespace umbrage {
+
+/// The map of a directional light, warped along the camera's view with the focus on what is close.
+///
+/// @param focus   distance along the camera's view up to which four fifths of the map are for, world units, >= 0;
+///                receivers that begin behind it get the strongest warp there is, and where four fifths of the receivers
+///                lie before it there is no warp
+/// @return        strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
+///                from there to 0.2 the warp grows, without a jump
+/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
+///                                casters that are no box, a negative margin, focus negative or not finite, and what
+///                                gives matrices that are not finite
+/// @formula       the trapezoid's top and base cross the light's image of the camera's axis at the receivers' ends,
+///                l apart; with the focus f behind the top the legs meet 0.4 l f / (1.6 l - 2 f) before it
+/// @cite          Martin, Tan: Anti-aliasing and Continuity with Trapezoidal Shadow Maps, EGSR 2004
+template <real T = float>
+[[nodiscard]] warped_light<T> fit_trapezoidal(const warp_fit<T>& fit, T focus) {
+    constexpr auto function = "fit_trapezoidal";
+    const detail::along_view v = detail::make_along_view(fit, function);
+    detail::require(is_finite(focus) && focus >= T(0), function, "focus", "must be finite and not below 0");
+    const double f = glm::max(v.camera_y + double(focus) * v.sine - v.first.y, 0.0), rest = 1.6 * v.length - 2.0 * f;
+    if (!(rest > 0.0)) return detail::unwarped(fit, function);
+    return detail::warped_along(v, 0.4 * v.length * f / rest, fit, function);
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/shade/lighting.hpp
 // The lighting of the DirectX SDK's ShadowMap sample: a spot cone, diffuse plus ambient. Enough for whole pictures.
 //

@@ -17,60 +17,10 @@
 
 #include "../light/bodies.hpp"
 #include "../light/clip_spaces.hpp"
+#include "../light/reference_view.hpp"
 
 using namespace umbrage;
-
-namespace {
-
-const glm::ivec2 screen(1280, 720);
-constexpr glm::ivec2 map_size(2048, 2048);
-
-/// A camera's matrices over pixels, and the frustum that it sees.
-struct view {
-    frustum<double> seen;
-    glm::dmat4 to_pixels;
-
-    explicit view(const frustum<double>& f) : seen(f) {
-        to_pixels = texture_matrix<double>({look_along(f.position, f.direction, f.up, handedness::right),
-                                            perspective(f.tan_half_x, f.tan_half_y, f.z_near, f.z_far, {}),
-                                            {}},
-                                           screen);
-    }
-};
-
-/// Ground at y = 0 that a camera two units above sees, and a scene's box around both.
-const double tan_half_y = std::tan(std::numbers::pi / 6);
-const view reference({.position = {0, 2, 0},
-                      .direction = {0, 0, -1},
-                      .tan_half_x = tan_half_y * 1280 / 720,
-                      .tan_half_y = tan_half_y,
-                      .z_near = 0.5,
-                      .z_far = 1000});
-const bounding_box<double> reference_scene{{-600, 0, -1000}, {600, 10, 200}};
-
-/// The way of light from a sun ahead of the camera for azimuth 0, behind it for 180.
-glm::dvec3 sun(double elevation, double azimuth) {
-    const double e = elevation * std::numbers::pi / 180, a = azimuth * std::numbers::pi / 180;
-    return {-std::sin(a) * std::cos(e), -std::sin(e), std::cos(a) * std::cos(e)};
-}
-
-/// @param to_texels   the map's, or the cascades', which meet at ends
-quality_report on_ground(const std::vector<glm::dmat4>& to_texels, glm::ivec2 size = map_size, glm::dvec3 ends = {}) {
-    const glm::dmat4 back = glm::inverse(reference.to_pixels);
-    const measured_view view{.screen = screen, .map_size = size, .maps = int(to_texels.size()), .step = 4};
-    return measure_quality(view, [&](glm::ivec2 i) {
-        const glm::dvec2 pixel = glm::dvec2(i) + 0.5;
-        const glm::dvec4 h = back * glm::dvec4(pixel, 0.5, 1);
-        const glm::dvec3 way = glm::dvec3(h) / h.w - reference.seen.position;
-        const double share = -reference.seen.position.y / way.y;
-        if (!(share > 0) || -way.z * share > 1000) return glm::dmat2(0);
-        const double number = to_texels.size() > 1 ? cascade_by_depth(-way.z * share, ends) : 0;
-        return pixels_per_texel(to_texels[std::size_t(number)], reference.to_pixels,
-                                reference.seen.position + share * way, glm::dvec3(0, 1, 0));
-    });
-}
-
-}  // namespace
+using namespace reference_view;
 
 TEST_CASE("longest_extent: of turned and stretched squares, and against a search over directions") {
     CHECK(longest_extent(glm::mat2(3, 0, 0, 2)) == 3);

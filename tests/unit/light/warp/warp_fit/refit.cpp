@@ -9,8 +9,8 @@
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
 
-#include "../bodies.hpp"
-#include "../clip_spaces.hpp"
+#include "../../bodies.hpp"
+#include "../../clip_spaces.hpp"
 
 using namespace umbrage;
 
