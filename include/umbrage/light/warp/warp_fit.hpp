@@ -77,14 +77,56 @@ template <real T>
     return all;
 }
 
-/// A map's x and y laid around the receivers, its depth around them and what of the casters they sweep towards the
-/// light, as the clip space has it; turned over where it would mirror what it sees.
-/// @param to_map   world to x, y, depth and w, in double; keeps x / w and y / w along the light, where depth z / w
-///                 grows; of any scale
-/// @return         nothing where w <= 0 at a receiver, where the map has no extent, and where it overflows
+/// What a map sees of a body within planes of the map's space.
+/// @return   nothing where some of it does not lie before w = 0
+[[nodiscard]] inline std::optional<extent> seen_within(const glm::dmat4& to_map, const polyhedron& body,
+                                                       std::vector<glm::dvec4> planes) {
+    for (glm::dvec4& plane : planes) plane = glm::transpose(to_map) * plane;
+    extent all;
+    for (const polyhedron::face& face : body.faces()) {
+        std::vector<glm::dvec3> polygon = face.corners;
+        for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
+        for (const glm::dvec3& p : polygon) {
+            const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
+            if (!(h.w > 0.0)) return {};
+            all.low = glm::min(all.low, glm::dvec3(h) / h.w), all.high = glm::max(all.high, glm::dvec3(h) / h.w);
+        }
+    }
+    return all;
+}
+
+/// A projective map of which a box becomes the clip space's cube; turned over where it would mirror what it sees.
+/// @param to_map           world to x, y, depth and w, in double; keeps x / w and y / w along the light, where depth
+///                         z / w grows; of any scale
+/// @param least, greatest  w of receivers
+/// @return                 nothing where the box has no extent, and where the map overflows
+template <real T>
+[[nodiscard]] std::optional<warped_light<T>> laid(const glm::dmat4& to_map, const extent& box, double least,
+                                                  double greatest, const warp_fit<T>& fit, const char* function) {
+    const auto [at_near, at_far] = ends<double>(fit.clip);
+    const bool mirrors = (glm::determinant(to_map) < 0.0) != (fit.clip.hand == handedness::right);
+    const glm::dvec3 first(mirrors ? 1.0 : -1.0, -1.0, at_near), last(-first.x, 1.0, at_far);
+    const glm::dvec3 scale = (last - first) / (box.high - box.low), offset = first - box.low * scale;
+    glm::dmat4 placed(1.0);
+    for (glm::length_t i = 0; i < 3; ++i) placed[i][i] = scale[i], placed[3][i] = offset[i];
+
+    const glm::dmat4 view = view_of(fit, function);
+    const glm::dmat4 projection = placed * to_map * glm::transpose(view) / least;
+    const light_space<T> light{glm::mat<4, 4, T>(view), glm::mat<4, 4, T>(projection), fit.clip};
+    if (!all_finite(light.projection) || !all_finite(light.projection * light.view)) return {};
+    const glm::mat<4, 4, T> rows = glm::transpose(light.projection);
+    for (glm::length_t i = 0; i < 3; ++i)
+        if (!is_normal(glm::length(glm::vec<3, T>(rows[i])))) return {};
+    return warped_light<T>{light, T(1.0 - least / greatest)};
+}
+
+/// A map laid around the receivers in x and y, in depth around them and what of the casters they sweep towards the
+/// light.
+/// @param to_map   as for laid
+/// @return         nothing where w <= 0 at a receiver or a caster, and as laid does
 template <real T>
 [[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
-                                                   const char* function) {
+                                                   const polyhedron& casters, const char* function) {
     std::vector<glm::dvec3> receivers;
     double least_w = std::numeric_limits<double>::infinity(), greatest_w = 0.0;
     for (const glm::dvec3& p : corners_of(fit.receivers)) {
@@ -93,43 +135,23 @@ template <real T>
         receivers.push_back(glm::dvec3(h) / h.w);
         least_w = glm::min(least_w, h.w), greatest_w = glm::max(greatest_w, h.w);
     }
-    auto [low, high] = extent_of(receivers);
-    const glm::dvec3 size = high - low;
+    extent box = extent_of(receivers);
+    const glm::dvec3 size = box.high - box.low;
     constexpr double flat = 0x1p-8;  // receivers seen edge on have some margin too
     const glm::dvec2 around = double(fit.margin) * glm::max(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
-    if (fit.casters) {
-        // the hull's cone over the map, of which the other half, behind w = 0, is no part
-        auto within = sweep(receivers, glm::max(around.x, around.y));
-        for (glm::dvec4& plane : within) plane = glm::transpose(to_map) * plane;
-        const polyhedron casters(*fit.casters);
-        for (const polyhedron::face& face : casters.faces()) {
-            std::vector<glm::dvec3> polygon = face.corners;
-            for (const glm::dvec4& plane : within) polygon = clipped(polygon, plane);
-            for (const glm::dvec3& p : polygon) {
-                const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
-                if (!(h.w > 0.0)) return {};
-                low.z = glm::min(low.z, h.z / h.w);
-            }
-        }
-    }
-    const double deep = double(fit.margin) * glm::length(high - low);
-    low -= glm::dvec3(around, deep), high += glm::dvec3(around, deep);
+    // the hull's cone over the map, of which the other half, behind w = 0, is no part
+    const auto swept = seen_within(to_map, casters, sweep(receivers, glm::max(around.x, around.y)));
+    if (!swept) return {};
+    box.low.z = glm::min(box.low.z, swept->low.z);
+    const double deep = double(fit.margin) * glm::length(box.high - box.low);
+    box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
+    return laid(to_map, box, least_w, greatest_w, fit, function);
+}
 
-    const auto [at_near, at_far] = ends<double>(fit.clip);
-    const bool mirrors = (glm::determinant(to_map) < 0.0) != (fit.clip.hand == handedness::right);
-    const glm::dvec3 first(mirrors ? 1.0 : -1.0, -1.0, at_near), last(-first.x, 1.0, at_far);
-    const glm::dvec3 scale = (last - first) / (high - low), offset = first - low * scale;
-    glm::dmat4 placed(1.0);
-    for (glm::length_t i = 0; i < 3; ++i) placed[i][i] = scale[i], placed[3][i] = offset[i];
-
-    const glm::dmat4 view = view_of(fit, function);
-    const glm::dmat4 projection = placed * to_map * glm::transpose(view) / least_w;
-    const light_space<T> light{glm::mat<4, 4, T>(view), glm::mat<4, 4, T>(projection), fit.clip};
-    if (!all_finite(light.projection) || !all_finite(light.projection * light.view)) return {};
-    const glm::mat<4, 4, T> rows = glm::transpose(light.projection);
-    for (glm::length_t i = 0; i < 3; ++i)
-        if (!is_normal(glm::length(glm::vec<3, T>(rows[i])))) return {};
-    return warped_light<T>{light, T(1.0 - least_w / greatest_w)};
+template <real T>
+[[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
+                                                   const char* function) {
+    return refit(to_map, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), function);
 }
 
 /// No warp: the map as fit_directional_light lays it, but with the margin and the way up of warps.
