@@ -63,6 +63,7 @@
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
+#include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/cube_atlas.hpp>
 #include <umbrage/light/cube_map.hpp>
 #include <umbrage/light/directional_fit.hpp>

@@ -8565,25 +8565,52 @@ template <real T>
     return c;
 }
 
-/// A cascade for each part, of light(frustum) in double.
-template <std::size_t Count, real T, class Light>
-[[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
-                                                          const std::array<T, Count + 1>& splits, const char* function,
-                                                          Light&& light) {
+/// The camera's parts between splits, with what they overlap.
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<frustum<double>, Count> camera_parts(const cascade_fit<T>& fit,
+                                                              const std::array<T, Count + 1>& splits,
+                                                              const char* function) {
     require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits", "must not begin below 0");
     for (std::size_t i = 0; i < Count; ++i)
         require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits", "must be in order");
     require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
     require(double(fit.map_size) - 2 * double(fit.margin) > 1, function, "map_size", "must be above 2 margin + 1");
     require(fit.overlap >= T(0) && fit.overlap <= T(1), function, "overlap", "must lie between 0 and 1");
-    frustum<double> part{glm::dvec3(fit.camera.position), glm::dvec3(fit.camera.direction), glm::dvec3(fit.camera.up),
-                         double(fit.camera.tan_half_x), double(fit.camera.tan_half_y)};
-    std::array<cascade<T>, Count> all;
+    std::array<frustum<double>, Count> parts;
     for (std::size_t i = 0; i < Count; ++i) {
         const double before = i > 0 ? double(splits[i]) - double(splits[i - 1]) : 0;
-        part.z_near = double(splits[i]) - double(fit.overlap) * before;
-        part.z_far = double(splits[i + 1]);
-        all[i] = as_cascade<T>(light(part), fit.map_size, function);
+        parts[i] = {glm::dvec3(fit.camera.position),
+                    glm::dvec3(fit.camera.direction),
+                    glm::dvec3(fit.camera.up),
+                    double(fit.camera.tan_half_x),
+                    double(fit.camera.tan_half_y),
+                    double(splits[i]) - double(fit.overlap) * before,
+                    double(splits[i + 1])};
+    }
+    return parts;
+}
+
+/// What a part sees of a scene; where that is nothing, all of the part.
+[[nodiscard]] inline hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
+    const polyhedron seen = intersection(part, scene);
+    return seen.empty() ? hull(part) : hull(seen);
+}
+
+/// A margin in texels as a share of what a map holds within it.
+template <real T>
+[[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
+    return double(fit.margin) / (fit.map_size - 2 * double(fit.margin));
+}
+
+/// A cascade for each part, of light(frustum) in double.
+template <std::size_t Count, real T, class Light>
+[[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
+                                                          const std::array<T, Count + 1>& splits, const char* function,
+                                                          Light&& light) {
+    const auto parts = camera_parts<Count>(fit, splits, function);
+    std::array<cascade<T>, Count> all;
+    for (std::size_t i = 0; i < Count; ++i) {
+        all[i] = as_cascade<T>(light(parts[i]), fit.map_size, function);
         all[i].begin = splits[i];
         all[i].end = splits[i + 1];
     }
@@ -8631,12 +8658,11 @@ template <std::size_t Count, real T>
                                                                 const std::array<T, Count + 1>& splits) {
     return detail::make_cascades<Count>(fit, splits, "make_tight_cascades", [&](const frustum<double>& part) {
         const bounding_box<double> scene{fit.scene.low, fit.scene.high};
-        const polyhedron seen = intersection(part, scene);
         return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
                                               .up = glm::dvec3(fit.up),
-                                              .receivers = seen.empty() ? hull(part) : hull(seen),
+                                              .receivers = detail::receivers_of(part, scene),
                                               .casters = scene,
-                                              .margin = double(fit.margin) / (fit.map_size - 2 * double(fit.margin)),
+                                              .margin = detail::margin_share(fit),
                                               .clip = fit.clip});
     });
 }
@@ -8926,6 +8952,201 @@ template <real T, std::size_t Size>
     std::array<T, Size> shares;
     for (std::size_t i = 0; i < Size; ++i) shares[i] = (splits[i] - splits.front()) / (splits.back() - splits.front());
     return shares;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/warp/warp_fit.hpp
+// What warps of a directional light's map share: what they are fitted to, what they give, and their last step, which
+// lays any projective map of the world around the receivers.
+//
+//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//     umbrage::warped_light<float> warped = umbrage::fit_light_space_perspective(fit);
+//     draw_depths(warped.light);
+//
+// A warp gives what the camera sees close by more texels, and what it sees from afar fewer. Look-ups are those of a
+// spot light, by shadow_coordinate and project_coordinate; w is above 0 and depth grows along the light.
+
+namespace umbrage {
+
+template <real T = float>
+struct warp_fit {
+    frustum<T> camera{};                          ///< that the map is for
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
+    hull receivers = bounding_box<T>{};           ///< what the camera sees of the scene
+    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
+    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' extent in the
+                                                  ///< map, >= 0
+    clip_space clip{};
+};
+
+template <real T>
+struct warped_light {
+    light_space<T> light;  ///< for depth pass and texture_matrix; w is 1 at the least receiver
+    T strength = T(0);     ///< 1 - least w / greatest w of the receivers: 0 uniform, towards 1 ever more warped
+};
+
+namespace detail {
+
+/// Complains of what fits of all warps need.
+template <real T>
+void require_warp_fit(const warp_fit<T>& fit, const char* function) {
+    require_receivers(fit.receivers, function);
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+    if (fit.casters) (void)corners(*fit.casters);
+}
+
+/// The light's view that maps are drawn in: y goes the way the camera looks, or up as it has it where it looks along
+/// the light.
+template <real T>
+[[nodiscard]] glm::dmat4 view_of(const warp_fit<T>& fit, const char* function) {
+    const glm::dmat3 camera = axes(fit.camera);
+    const glm::dvec3 direction(fit.direction);
+    const bool along = !(glm::length(glm::cross(camera[2], unit(direction))) > 1e-3);
+    return look_along(glm::dvec3(0), direction, camera[along ? 1 : 2], fit.clip.hand, function, "");
+}
+
+/// Points whose hull holds all receivers: in place of a ball the corners of its box.
+[[nodiscard]] inline std::vector<glm::dvec3> corners_of(const hull& receivers) {
+    if (!(receivers.radius > 0.0)) return receivers.points;
+    std::vector<glm::dvec3> all;
+    for (const glm::dvec3& p : receivers.points)
+        for (const glm::dvec3& c : corners(bounding_box<double>{p - receivers.radius, p + receivers.radius}))
+            all.push_back(c);
+    return all;
+}
+
+/// What a map sees of a body within planes of the map's space.
+/// @return   nothing where some of it does not lie before w = 0
+[[nodiscard]] inline std::optional<extent> seen_within(const glm::dmat4& to_map, const polyhedron& body,
+                                                       std::vector<glm::dvec4> planes) {
+    for (glm::dvec4& plane : planes) plane = glm::transpose(to_map) * plane;
+    extent all;
+    for (const polyhedron::face& face : body.faces()) {
+        std::vector<glm::dvec3> polygon = face.corners;
+        for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
+        for (const glm::dvec3& p : polygon) {
+            const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
+            if (!(h.w > 0.0)) return {};
+            all.low = glm::min(all.low, glm::dvec3(h) / h.w), all.high = glm::max(all.high, glm::dvec3(h) / h.w);
+        }
+    }
+    return all;
+}
+
+/// A projective map of which a box becomes the clip space's cube; turned over where it would mirror what it sees.
+/// @param to_map           world to x, y, depth and w, in double; keeps x / w and y / w along the light, where depth
+///                         z / w grows; of any scale
+/// @param least, greatest  w of receivers
+/// @return                 nothing where the box has no extent, and where the map overflows
+template <real T>
+[[nodiscard]] std::optional<warped_light<T>> laid(const glm::dmat4& to_map, const extent& box, double least,
+                                                  double greatest, const warp_fit<T>& fit, const char* function) {
+    const auto [at_near, at_far] = ends<double>(fit.clip);
+    const bool mirrors = (glm::determinant(to_map) < 0.0) != (fit.clip.hand == handedness::right);
+    const glm::dvec3 first(mirrors ? 1.0 : -1.0, -1.0, at_near), last(-first.x, 1.0, at_far);
+    const glm::dvec3 scale = (last - first) / (box.high - box.low), offset = first - box.low * scale;
+    glm::dmat4 placed(1.0);
+    for (glm::length_t i = 0; i < 3; ++i) placed[i][i] = scale[i], placed[3][i] = offset[i];
+
+    const glm::dmat4 view = view_of(fit, function);
+    const glm::dmat4 projection = placed * to_map * glm::transpose(view) / least;
+    const light_space<T> light{glm::mat<4, 4, T>(view), glm::mat<4, 4, T>(projection), fit.clip};
+    if (!all_finite(light.projection) || !all_finite(light.projection * light.view)) return {};
+    const glm::mat<4, 4, T> rows = glm::transpose(light.projection);
+    for (glm::length_t i = 0; i < 3; ++i)
+        if (!is_normal(glm::length(glm::vec<3, T>(rows[i])))) return {};
+    return warped_light<T>{light, T(1.0 - least / greatest)};
+}
+
+/// A map laid around the receivers in x and y, in depth around them and what of the casters they sweep towards the
+/// light.
+/// @param to_map   as for laid
+/// @return         nothing where w <= 0 at a receiver or a caster, and as laid does
+template <real T>
+[[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
+                                                   const polyhedron& casters, const char* function) {
+    std::vector<glm::dvec3> receivers;
+    double least_w = std::numeric_limits<double>::infinity(), greatest_w = 0.0;
+    for (const glm::dvec3& p : corners_of(fit.receivers)) {
+        const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
+        if (!(h.w > 0.0 && all_finite(h))) return {};
+        receivers.push_back(glm::dvec3(h) / h.w);
+        least_w = glm::min(least_w, h.w), greatest_w = glm::max(greatest_w, h.w);
+    }
+    extent box = extent_of(receivers);
+    const glm::dvec3 size = box.high - box.low;
+    constexpr double flat = 0x1p-8;  // receivers seen edge on have some margin too
+    const glm::dvec2 around = double(fit.margin) * glm::max(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
+    // the hull's cone over the map, of which the other half, behind w = 0, is no part
+    const auto swept = seen_within(to_map, casters, sweep(receivers, glm::max(around.x, around.y)));
+    if (!swept) return {};
+    box.low.z = glm::min(box.low.z, swept->low.z);
+    const double deep = double(fit.margin) * glm::length(box.high - box.low);
+    box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
+    return laid(to_map, box, least_w, greatest_w, fit, function);
+}
+
+template <real T>
+[[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
+                                                   const char* function) {
+    return refit(to_map, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), function);
+}
+
+/// No warp: the map as fit_directional_light lays it, but with the margin and the way up of warps.
+template <real T>
+[[nodiscard]] warped_light<T> unwarped(const warp_fit<T>& fit, const char* function) {
+    const auto light = refit(light_frame(view_of(fit, function), fit.clip.hand), fit, function);
+    require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a box");
+    return *light;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/light/cascades/warped.hpp
+// Cascades each of which is warped: the parts of a camera's range share out what one warp cannot reach.
+//
+//     const auto cascades = umbrage::make_warped_cascades<4>(
+//         fit, splits, [](const auto& part) { return umbrage::fit_light_space_perspective(part); });
+//     draw_depths(cascades[i].light);
+//     glm::mat4 to_texels = umbrage::texture_matrix(cascades[i].light, map_size);  // of each, for shaders
+//
+// A pixel takes the cascade that cascade_by_depth names: their maps are turned and bent each in its own way, so that
+// there is no common rotation for cascade_by_projection.
+
+namespace umbrage {
+
+/// A warped map for each part of the camera's range, around what that has in common with the scene; where that is
+/// nothing, around the part.
+///
+/// @param fit      but for up: warps take the camera's direction
+/// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
+/// @param warp     (const warp_fit<double>& part) -> warped_light<double>, whose margin is as many texels as fit's
+/// @return         the nearest first
+/// @throws std::invalid_argument  splits out of order, map_size, margin or overlap out of range, what warp complains
+///                                of, and what gives matrices that are not finite
+template <std::size_t Count, real T, class Warp>
+[[nodiscard]] std::array<warped_light<T>, Count> make_warped_cascades(const cascade_fit<T>& fit,
+                                                                      const std::array<T, Count + 1>& splits,
+                                                                      Warp&& warp) {
+    constexpr auto function = "make_warped_cascades";
+    const bounding_box<double> scene{fit.scene.low, fit.scene.high};
+    const auto parts = detail::camera_parts<Count>(fit, splits, function);
+    std::array<warped_light<T>, Count> all;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const warped_light<double> own = warp(warp_fit<double>{.camera = parts[i],
+                                                               .direction = glm::dvec3(fit.direction),
+                                                               .receivers = detail::receivers_of(parts[i], scene),
+                                                               .casters = scene,
+                                                               .margin = detail::margin_share(fit),
+                                                               .clip = fit.clip});
+        const light_space<T> light{glm::mat<4, 4, T>(own.light.view), glm::mat<4, 4, T>(own.light.projection),
+                                   own.light.clip};
+        all[i] = {detail::checked(light, function, "camera, splits and scene"), T(own.strength)};
+    }
+    return all;
 }
 
 }  // namespace umbrage
@@ -9282,155 +9503,6 @@ template <real T = float>
         function, "position, outer_angle_radians, z_near and z_far");
 }
 
-}  // namespace umbrage
-
-// ---- umbrage/light/warp/warp_fit.hpp
-// What warps of a directional light's map share: what they are fitted to, what they give, and their last step, which
-// lays any projective map of the world around the receivers.
-//
-//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
-//     umbrage::warped_light<float> warped = umbrage::fit_light_space_perspective(fit);
-//     draw_depths(warped.light);
-//
-// A warp gives what the camera sees close by more texels, and what it sees from afar fewer. Look-ups are those of a
-// spot light, by shadow_coordinate and project_coordinate; w is above 0 and depth grows along the light.
-
-namespace umbrage {
-
-template <real T = float>
-struct warp_fit {
-    frustum<T> camera{};                          ///< that the map is for
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    hull receivers = bounding_box<T>{};           ///< what the camera sees of the scene
-    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
-    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' extent in the
-                                                  ///< map, >= 0
-    clip_space clip{};
-};
-
-template <real T>
-struct warped_light {
-    light_space<T> light;  ///< for depth pass and texture_matrix; w is 1 at the least receiver
-    T strength = T(0);     ///< 1 - least w / greatest w of the receivers: 0 uniform, towards 1 ever more warped
-};
-
-namespace detail {
-
-/// Complains of what fits of all warps need.
-template <real T>
-void require_warp_fit(const warp_fit<T>& fit, const char* function) {
-    require_receivers(fit.receivers, function);
-    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
-    if (fit.casters) (void)corners(*fit.casters);
-}
-
-/// The light's view that maps are drawn in: y goes the way the camera looks, or up as it has it where it looks along
-/// the light.
-template <real T>
-[[nodiscard]] glm::dmat4 view_of(const warp_fit<T>& fit, const char* function) {
-    const glm::dmat3 camera = axes(fit.camera);
-    const glm::dvec3 direction(fit.direction);
-    const bool along = !(glm::length(glm::cross(camera[2], unit(direction))) > 1e-3);
-    return look_along(glm::dvec3(0), direction, camera[along ? 1 : 2], fit.clip.hand, function, "");
-}
-
-/// Points whose hull holds all receivers: in place of a ball the corners of its box.
-[[nodiscard]] inline std::vector<glm::dvec3> corners_of(const hull& receivers) {
-    if (!(receivers.radius > 0.0)) return receivers.points;
-    std::vector<glm::dvec3> all;
-    for (const glm::dvec3& p : receivers.points)
-        for (const glm::dvec3& c : corners(bounding_box<double>{p - receivers.radius, p + receivers.radius}))
-            all.push_back(c);
-    return all;
-}
-
-/// What a map sees of a body within planes of the map's space.
-/// @return   nothing where some of it does not lie before w = 0
-[[nodiscard]] inline std::optional<extent> seen_within(const glm::dmat4& to_map, const polyhedron& body,
-                                                       std::vector<glm::dvec4> planes) {
-    for (glm::dvec4& plane : planes) plane = glm::transpose(to_map) * plane;
-    extent all;
-    for (const polyhedron::face& face : body.faces()) {
-        std::vector<glm::dvec3> polygon = face.corners;
-        for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
-        for (const glm::dvec3& p : polygon) {
-            const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
-            if (!(h.w > 0.0)) return {};
-            all.low = glm::min(all.low, glm::dvec3(h) / h.w), all.high = glm::max(all.high, glm::dvec3(h) / h.w);
-        }
-    }
-    return all;
-}
-
-/// A projective map of which a box becomes the clip space's cube; turned over where it would mirror what it sees.
-/// @param to_map           world to x, y, depth and w, in double; keeps x / w and y / w along the light, where depth
-///                         z / w grows; of any scale
-/// @param least, greatest  w of receivers
-/// @return                 nothing where the box has no extent, and where the map overflows
-template <real T>
-[[nodiscard]] std::optional<warped_light<T>> laid(const glm::dmat4& to_map, const extent& box, double least,
-                                                  double greatest, const warp_fit<T>& fit, const char* function) {
-    const auto [at_near, at_far] = ends<double>(fit.clip);
-    const bool mirrors = (glm::determinant(to_map) < 0.0) != (fit.clip.hand == handedness::right);
-    const glm::dvec3 first(mirrors ? 1.0 : -1.0, -1.0, at_near), last(-first.x, 1.0, at_far);
-    const glm::dvec3 scale = (last - first) / (box.high - box.low), offset = first - box.low * scale;
-    glm::dmat4 placed(1.0);
-    for (glm::length_t i = 0; i < 3; ++i) placed[i][i] = scale[i], placed[3][i] = offset[i];
-
-    const glm::dmat4 view = view_of(fit, function);
-    const glm::dmat4 projection = placed * to_map * glm::transpose(view) / least;
-    const light_space<T> light{glm::mat<4, 4, T>(view), glm::mat<4, 4, T>(projection), fit.clip};
-    if (!all_finite(light.projection) || !all_finite(light.projection * light.view)) return {};
-    const glm::mat<4, 4, T> rows = glm::transpose(light.projection);
-    for (glm::length_t i = 0; i < 3; ++i)
-        if (!is_normal(glm::length(glm::vec<3, T>(rows[i])))) return {};
-    return warped_light<T>{light, T(1.0 - least / greatest)};
-}
-
-/// A map laid around the receivers in x and y, in depth around them and what of the casters they sweep towards the
-/// light.
-/// @param to_map   as for laid
-/// @return         nothing where w <= 0 at a receiver or a caster, and as laid does
-template <real T>
-[[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
-                                                   const polyhedron& casters, const char* function) {
-    std::vector<glm::dvec3> receivers;
-    double least_w = std::numeric_limits<double>::infinity(), greatest_w = 0.0;
-    for (const glm::dvec3& p : corners_of(fit.receivers)) {
-        const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
-        if (!(h.w > 0.0 && all_finite(h))) return {};
-        receivers.push_back(glm::dvec3(h) / h.w);
-        least_w = glm::min(least_w, h.w), greatest_w = glm::max(greatest_w, h.w);
-    }
-    extent box = extent_of(receivers);
-    const glm::dvec3 size = box.high - box.low;
-    constexpr double flat = 0x1p-8;  // receivers seen edge on have some margin too
-    const glm::dvec2 around = double(fit.margin) * glm::max(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
-    // the hull's cone over the map, of which the other half, behind w = 0, is no part
-    const auto swept = seen_within(to_map, casters, sweep(receivers, glm::max(around.x, around.y)));
-    if (!swept) return {};
-    box.low.z = glm::min(box.low.z, swept->low.z);
-    const double deep = double(fit.margin) * glm::length(box.high - box.low);
-    box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
-    return laid(to_map, box, least_w, greatest_w, fit, function);
-}
-
-template <real T>
-[[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
-                                                   const char* function) {
-    return refit(to_map, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), function);
-}
-
-/// No warp: the map as fit_directional_light lays it, but with the margin and the way up of warps.
-template <real T>
-[[nodiscard]] warped_light<T> unwarped(const warp_fit<T>& fit, const char* function) {
-    const auto light = refit(light_frame(view_of(fit, function), fit.clip.hand), fit, function);
-    require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a box");
-    return *light;
-}
-
-}  // namespace detail
 }  // namespace umbrage
 
 // ---- umbrage/light/warp/light_space_perspective.hpp

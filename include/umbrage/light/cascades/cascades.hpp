@@ -63,25 +63,52 @@ template <real T>
     return c;
 }
 
-/// A cascade for each part, of light(frustum) in double.
-template <std::size_t Count, real T, class Light>
-[[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
-                                                          const std::array<T, Count + 1>& splits, const char* function,
-                                                          Light&& light) {
+/// The camera's parts between splits, with what they overlap.
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<frustum<double>, Count> camera_parts(const cascade_fit<T>& fit,
+                                                              const std::array<T, Count + 1>& splits,
+                                                              const char* function) {
     require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits", "must not begin below 0");
     for (std::size_t i = 0; i < Count; ++i)
         require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits", "must be in order");
     require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
     require(double(fit.map_size) - 2 * double(fit.margin) > 1, function, "map_size", "must be above 2 margin + 1");
     require(fit.overlap >= T(0) && fit.overlap <= T(1), function, "overlap", "must lie between 0 and 1");
-    frustum<double> part{glm::dvec3(fit.camera.position), glm::dvec3(fit.camera.direction), glm::dvec3(fit.camera.up),
-                         double(fit.camera.tan_half_x), double(fit.camera.tan_half_y)};
-    std::array<cascade<T>, Count> all;
+    std::array<frustum<double>, Count> parts;
     for (std::size_t i = 0; i < Count; ++i) {
         const double before = i > 0 ? double(splits[i]) - double(splits[i - 1]) : 0;
-        part.z_near = double(splits[i]) - double(fit.overlap) * before;
-        part.z_far = double(splits[i + 1]);
-        all[i] = as_cascade<T>(light(part), fit.map_size, function);
+        parts[i] = {glm::dvec3(fit.camera.position),
+                    glm::dvec3(fit.camera.direction),
+                    glm::dvec3(fit.camera.up),
+                    double(fit.camera.tan_half_x),
+                    double(fit.camera.tan_half_y),
+                    double(splits[i]) - double(fit.overlap) * before,
+                    double(splits[i + 1])};
+    }
+    return parts;
+}
+
+/// What a part sees of a scene; where that is nothing, all of the part.
+[[nodiscard]] inline hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
+    const polyhedron seen = intersection(part, scene);
+    return seen.empty() ? hull(part) : hull(seen);
+}
+
+/// A margin in texels as a share of what a map holds within it.
+template <real T>
+[[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
+    return double(fit.margin) / (fit.map_size - 2 * double(fit.margin));
+}
+
+/// A cascade for each part, of light(frustum) in double.
+template <std::size_t Count, real T, class Light>
+[[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
+                                                          const std::array<T, Count + 1>& splits, const char* function,
+                                                          Light&& light) {
+    const auto parts = camera_parts<Count>(fit, splits, function);
+    std::array<cascade<T>, Count> all;
+    for (std::size_t i = 0; i < Count; ++i) {
+        all[i] = as_cascade<T>(light(parts[i]), fit.map_size, function);
         all[i].begin = splits[i];
         all[i].end = splits[i + 1];
     }
@@ -129,12 +156,11 @@ template <std::size_t Count, real T>
                                                                 const std::array<T, Count + 1>& splits) {
     return detail::make_cascades<Count>(fit, splits, "make_tight_cascades", [&](const frustum<double>& part) {
         const bounding_box<double> scene{fit.scene.low, fit.scene.high};
-        const polyhedron seen = intersection(part, scene);
         return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
                                               .up = glm::dvec3(fit.up),
-                                              .receivers = seen.empty() ? hull(part) : hull(seen),
+                                              .receivers = detail::receivers_of(part, scene),
                                               .casters = scene,
-                                              .margin = double(fit.margin) / (fit.map_size - 2 * double(fit.margin)),
+                                              .margin = detail::margin_share(fit),
                                               .clip = fit.clip});
     });
 }

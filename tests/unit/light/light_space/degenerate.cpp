@@ -11,18 +11,22 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include <umbrage/light/cascades/cascades.hpp>
+#include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/point_light.hpp>
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/light/warp/trapezoidal.hpp>
 
 #include "../bodies.hpp"
 #include "../clip_spaces.hpp"
@@ -45,9 +49,18 @@ struct arguments {
     [[nodiscard]] frustum<T> camera() const { return {eye, ahead, up, tangent, T(0.5), z_near, z_far}; }
 };
 
-template <class T>
-std::vector<light_space<T>> spaces(const std::array<cascade<T>, 2>& cascades) {
+template <class Cascades>
+auto spaces(const Cascades& cascades) -> std::vector<std::decay_t<decltype(cascades[0].light)>> {
     return {cascades[0].light, cascades[1].light};
+}
+
+template <class T>
+warp_fit<T> warp_of(const arguments<T>& a) {
+    return {.camera = a.camera(),
+            .direction = a.direction,
+            .receivers = intersection(a.camera(), a.scene),
+            .casters = a.scene,
+            .clip = a.clip};
 }
 
 /// Every set-up function, by its name.
@@ -98,17 +111,33 @@ const std::map<std::string, std::function<std::vector<light_space<T>>(const argu
                  .camera = a.camera(), .direction = a.direction, .up = a.up, .scene = a.scene, .clip = a.clip},
              {a.z_near, (a.z_near + a.z_far) / T(2), a.z_far}));
      }},
-    {"make_tight_cascades", [](const arguments<T>& a) {
+    {"make_tight_cascades",
+     [](const arguments<T>& a) {
          return spaces(make_tight_cascades<2>(
              cascade_fit<T>{
                  .camera = a.camera(), .direction = a.direction, .up = a.up, .scene = a.scene, .clip = a.clip},
              {a.z_near, (a.z_near + a.z_far) / T(2), a.z_far}));
+     }},
+    {"fit_light_space_perspective",
+     [](const arguments<T>& a) -> std::vector<light_space<T>> {
+         return {fit_light_space_perspective(warp_of(a)).light};
+     }},
+    {"fit_trapezoidal",
+     [](const arguments<T>& a) -> std::vector<light_space<T>> { return {fit_trapezoidal(warp_of(a), T(2)).light}; }},
+    {"make_warped_cascades", [](const arguments<T>& a) {
+         return spaces(make_warped_cascades<2>(
+             cascade_fit<T>{
+                 .camera = a.camera(), .direction = a.direction, .up = a.up, .scene = a.scene, .clip = a.clip},
+             {a.z_near, (a.z_near + a.z_far) / T(2), a.z_far},
+             [](const auto& part) { return fit_light_space_perspective(part); }));
      }}};
 
-const std::vector<std::string> set_ups{"make_directional_light", "make_spot_light", "make_point_light",
-                                       "fit_directional_light",  "fit_spot_light",  "make_stable_cascades",
-                                       "make_tight_cascades"};
-const std::vector<std::string> of_camera{"fit_directional_light", "make_stable_cascades", "make_tight_cascades"};
+const std::vector<std::string> set_ups{
+    "make_directional_light", "make_spot_light",      "make_point_light",    "fit_directional_light",
+    "fit_spot_light",         "make_stable_cascades", "make_tight_cascades", "fit_light_space_perspective",
+    "fit_trapezoidal",        "make_warped_cascades"};
+const std::vector<std::string> of_camera{"fit_directional_light",       "make_stable_cascades", "make_tight_cascades",
+                                         "fit_light_space_perspective", "fit_trapezoidal",      "make_warped_cascades"};
 const std::vector<std::string> of_spots{"make_spot_light", "fit_spot_light"};
 
 /// In every convention: functions that complain of one of the arguments, each of which is followed by what it must be.
@@ -232,7 +261,7 @@ TEST_CASE_TEMPLATE(
             [&](auto& a) {
                 if (towards != T(0)) a.ahead = towards * a.direction;
             },
-            [&](const std::string& name, const auto& lights, const arguments<T>& a) {
+            [&](const std::string&, const auto& lights, const arguments<T>& a) {
                 const glm::dvec3 light = glm::normalize(glm::dvec3(a.direction)), low(a.scene.low), high(a.scene.high);
                 const glm::dmat4 view =
                     look_along(glm::dvec3(a.eye), glm::dvec3(a.ahead), glm::dvec3(a.up), handedness::right);
@@ -242,7 +271,7 @@ TEST_CASE_TEMPLATE(
                     const double z = -seen.z;
                     if (z < double(a.z_near) || std::abs(seen.x) > z * double(a.tangent) || std::abs(seen.y) > z * 0.5)
                         continue;
-                    const bool far = name != "fit_directional_light" && z > double(a.z_near + a.z_far) / 2;
+                    const bool far = lights.size() > 1 && z > double(a.z_near + a.z_far) / 2;
                     const light_space<T>& own = lights[far ? 1 : 0];
                     double out = 1e9;  // of the scene, towards the light
                     for (glm::length_t k = 0; k < 3; ++k)

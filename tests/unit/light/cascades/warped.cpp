@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <array>
+#include <vector>
+
+#include <umbrage/light/cascades/splits.hpp>
+#include <umbrage/light/cascades/warped.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/light/warp/light_space_perspective.hpp>
+
+#include "../clip_spaces.hpp"
+#include "../reference_view.hpp"
+
+using namespace umbrage;
+
+TEST_CASE("make_warped_cascades: four over a long ground, as measured apart") {
+    struct row {
+        double p95, greatest;
+    };
+    // of an implementation apart from this one, by finite differences
+    constexpr std::array rows{row{2.38, 2.60}, row{2.92, 3.29}, row{4.44, 4.90}, row{2.62, 2.79},
+                              row{4.86, 5.40}, row{3.68, 4.57}, row{5.88, 6.76}, row{15.1, 18.6}};
+    std::array<double, 5> splits = practical_splits<4>(1.0, 1000.0, 0.9);
+    splits[0] = 0.5;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        CAPTURE(i);
+        const auto [elevation, azimuth] = reference_view::suns[i];
+        const cascade_fit<double> fit{.camera = reference_view::reference.seen,
+                                      .direction = reference_view::sun(elevation, azimuth),
+                                      .scene = reference_view::reference_scene,
+                                      .margin = 0};
+        std::vector<glm::dmat4> to_texels;
+        for (const auto& c : make_warped_cascades<4>(fit, splits, [](const warp_fit<double>& part) {
+                 return fit_light_space_perspective<double>(part, optimal_distance(part));
+             }))
+            to_texels.push_back(texture_matrix(c.light, {1024, 1024}));
+        const auto report = reference_view::on_ground(to_texels, {1024, 1024}, {splits[1], splits[2], splits[3]});
+        CHECK(report.p95 == doctest::Approx(rows[i].p95).epsilon(0.01));
+        CHECK(report.greatest == doctest::Approx(rows[i].greatest).epsilon(0.01));
+        if (i > 0) continue;
+        CHECK(report.mean == doctest::Approx(1.85).epsilon(0.01));
+        CHECK(report.storage_factor == doctest::Approx(16).epsilon(0.05));
+    }
+}
+
+TEST_CASE_TEMPLATE("make_warped_cascades: each holds its part and overlap, with the margin, its own convention", T,
+                   float, double) {
+    for (const clip_space clip : all_clip_spaces()) {
+        const frustum<T> camera{.position = {1, 2, 0}, .direction = {T(0.3), T(-0.2), -1}};
+        const cascade_fit<T> fit{.camera = camera,
+                                 .direction = {1, -2, T(0.5)},
+                                 .scene = {glm::vec<3, T>(-30), glm::vec<3, T>(30)},
+                                 .map_size = 256,
+                                 .margin = 4,
+                                 .overlap = T(0.5),
+                                 .clip = clip};
+        const auto cascades = make_warped_cascades<3>(
+            fit, {T(1), T(4), T(10), T(20)}, [](const auto& part) { return fit_light_space_perspective(part); });
+        for (std::size_t i = 0; i < 3; ++i) {
+            CHECK(cascades[i].light.clip == clip);
+            CHECK(cascades[i].strength > 0);
+            frustum<T> part = camera;
+            part.z_near = std::array{T(1), T(2.5), T(7)}[i], part.z_far = std::array{T(4), T(10), T(20)}[i];
+            double least = 256;
+            for (const glm::dvec3& p : hull(intersection(part, fit.scene)).points) {
+                const glm::dvec3 at = through(texture_matrix(cascades[i].light, {256, 256}), p);
+                for (const double edge : {at.x, 256 - at.x, at.y, 256 - at.y}) least = std::min(least, edge);
+                CHECK((at.z >= 0 && at.z <= 1));
+            }
+            CHECK(least == doctest::Approx(4).epsilon(0.001));
+        }
+    }
+}
+
+TEST_CASE("make_warped_cascades: bad input") {
+    const std::string name = "umbrage::make_warped_cascades: ";
+    const auto with = [](auto change, std::array<double, 3> splits = {1, 2, 3}) {
+        return complaint([&] {
+            cascade_fit<double> fit;
+            change(fit);
+            (void)make_warped_cascades<2>(fit, splits,
+                                          [](const auto& part) { return fit_light_space_perspective(part); });
+        });
+    };
+    CHECK(with([](auto&) {}).empty());
+    CHECK(with([](auto&) {}, {1, 1, 3}).starts_with(name + "splits "));
+    CHECK(with([](auto& f) { f.map_size = 5; }).starts_with(name + "map_size "));
+    CHECK(with([](auto& f) { f.overlap = 2; }).starts_with(name + "overlap "));
+    CHECK(with([](auto& f) { f.margin = -1; }).starts_with(name + "margin "));
+    CHECK(with([](auto& f) { f.direction = {}; }).starts_with("umbrage::fit_light_space_perspective: direction "));
+}
