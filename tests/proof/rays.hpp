@@ -24,21 +24,21 @@
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/light/warp/trapezoidal.hpp>
 
 namespace proof {
 
 /// What a light is set up around, and how. Without casters of its own it clamps them onto its near plane.
 struct light_kind {
-    enum class fitted_to { cone, box, points, frustum, sphere };
+    enum class fitted_to { cone, box, points, frustum, sphere, perspective, trapezoid };
     const char* name;
     bool is_spot;
     fitted_to receivers;
     umbrage::near_plane at_near = umbrage::near_plane::clips;
     bool has_far_plane = true;
 
-    [[nodiscard]] constexpr bool sees_camera_only() const {
-        return receivers == fitted_to::frustum || receivers == fitted_to::sphere;
-    }
+    [[nodiscard]] constexpr bool sees_camera_only() const { return receivers >= fitted_to::frustum; }
 };
 inline constexpr std::array light_kinds{
     light_kind{"directional: box", false, light_kind::fitted_to::box},
@@ -46,6 +46,10 @@ inline constexpr std::array light_kinds{
     light_kind{"directional: frustum, casters apart", false, light_kind::fitted_to::frustum},
     light_kind{"directional: sphere, snapped", false, light_kind::fitted_to::sphere},
     light_kind{"directional: depth clamp", false, light_kind::fitted_to::frustum, umbrage::near_plane::clamps},
+    light_kind{"directional: light-space perspective", false, light_kind::fitted_to::perspective},
+    light_kind{"directional: trapezoidal", false, light_kind::fitted_to::trapezoid},
+    light_kind{"directional: trapezoidal, depth clamp", false, light_kind::fitted_to::trapezoid,
+               umbrage::near_plane::clamps},
     light_kind{"spot: cone", true, light_kind::fitted_to::cone},
     light_kind{"spot: receivers, casters apart", true, light_kind::fitted_to::frustum},
     light_kind{"spot: depth clamp", true, light_kind::fitted_to::frustum, umbrage::near_plane::clamps},
@@ -163,7 +167,11 @@ private:
         const polyhedron seen = intersection(camera_, box_);
         std::optional<bounding_box<float>> casters;
         if (kind_.at_near == near_plane::clips) casters = box_;
-        if (!kind_.is_spot) {
+        if (kind_.receivers >= fitted_to::perspective) {
+            const warp_fit<float> fit{camera_, direction_, seen, casters, 0.01f, clip_};
+            const bool is_trapezoid = kind_.receivers == fitted_to::trapezoid;
+            light_ = (is_trapezoid ? fit_trapezoidal(fit, real(0.5f, 4)) : fit_light_space_perspective(fit)).light;
+        } else if (!kind_.is_spot) {
             directional_fit<float> fit{.direction = direction_, .receivers = seen, .casters = casters, .clip = clip_};
             if (kind_.receivers == fitted_to::box) fit.receivers = box_;
             if (kind_.receivers == fitted_to::points) fit.receivers = positions_;
