@@ -76,6 +76,8 @@
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/light/warp/perspective.hpp>
+#include <umbrage/light/warp/plane_optimal.hpp>
 #include <umbrage/light/warp/trapezoidal.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
 #include <umbrage/list.hpp>

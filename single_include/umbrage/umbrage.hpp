@@ -43,8 +43,10 @@
 #include <glm/fwd.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat2x2.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -9055,8 +9057,9 @@ template <real T>
     const light_space<T> light{glm::mat<4, 4, T>(view), glm::mat<4, 4, T>(projection), fit.clip};
     if (!all_finite(light.projection) || !all_finite(light.projection * light.view)) return {};
     const glm::mat<4, 4, T> rows = glm::transpose(light.projection);
+    const T bend = glm::length(glm::vec<3, T>(rows[3]));  // a row that says w alone is one too
     for (glm::length_t i = 0; i < 3; ++i)
-        if (!is_normal(glm::length(glm::vec<3, T>(rows[i])))) return {};
+        if (!is_normal(glm::length(glm::vec<3, T>(rows[i])) + bend)) return {};
     return warped_light<T>{light, T(1.0 - least / greatest)};
 }
 
@@ -9602,6 +9605,257 @@ template <real T = float>
     detail::require(!distance || *distance > T(0), function, "distance", "must be above 0");
     const double n = distance ? double(*distance) : std::sqrt(v.closest * double(optimal_distance(fit)));
     return detail::warped_along(v, n, fit, function);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/warp/perspective.hpp
+// Perspective shadow maps: a light's map of the world as the camera's own perspective shrinks it, so that what is small
+// on the screen is small in the map. Whatever stands where, rays are texels: the light itself goes through the camera's
+// perspective, from which it comes out as a point that shines, as one that swallows the light, or infinitely far.
+//
+//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//     umbrage::perspective_light<float> warped = umbrage::fit_perspective(fit);
+//     if (warped.seen_as == umbrage::light_image::none) report("light-space perspective in its place");
+//
+
+namespace umbrage {
+
+/// What becomes of a light in the camera's perspective.
+enum class light_image {
+    source,    ///< a light before the camera: rays leave a point
+    sink,      ///< one behind it: they end in a point
+    parallel,  ///< one abreast of it: they stay parallel, or nearly
+    none       ///< a point amid the receivers, or too close to them: not warped so
+};
+
+template <real T>
+struct perspective_light : warped_light<T> {
+    light_image seen_as = light_image::none;  ///< none: what stands in its place
+};
+
+namespace detail {
+
+/// World to a camera's NDC, in double: the camera moved back, its planes around points.
+template <real T>
+[[nodiscard]] glm::dmat4 slid_back(const frustum<T>& camera, const std::vector<glm::dvec3>& points, double slide,
+                                   const char* function) {
+    const glm::dvec3 eye(camera.position), ahead = axes(camera)[2];
+    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    for (const glm::dvec3& p : points) {
+        const double z = glm::dot(p - eye, ahead);
+        least = glm::min(least, z), greatest = glm::max(greatest, z);
+    }
+    const double back = slide - glm::min(least, 0.0), z_near = least + back;
+    const double z_far = glm::max(greatest + back, z_near * (1.0 + 0x1p-8));
+    require(is_finite(z_far), function, "receivers", "lie too far from the camera");
+    const glm::dmat4 view =
+        look_along(eye - back * ahead, ahead, glm::dvec3(camera.up), handedness::right, function, "camera");
+    return perspective(double(camera.tan_half_x), double(camera.tan_half_y), z_near, z_far, opengl_clip_space,
+                       function) *
+           view;
+}
+
+/// The least and the greatest of angles at which a view sees points, in x and in y.
+struct angles {
+    glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+};
+/// @return   nothing where one of them is not before it
+[[nodiscard]] inline std::optional<angles> angles_of(const glm::dmat4& view, const std::vector<glm::dvec3>& points) {
+    angles a;
+    for (const glm::dvec3& p : seen(view, points)) {
+        if (!(p.z < 0.0)) return {};
+        const glm::dvec2 angle(std::atan2(p.x, -p.z), std::atan2(p.y, -p.z));
+        a.low = glm::min(a.low, angle), a.high = glm::max(a.high, angle);
+    }
+    return a;
+}
+
+/// From the camera's NDC to a map in which rays of the light are texels: x, y, depth and w.
+/// @param light       in NDC, homogeneous
+/// @param receivers   in NDC
+/// @return            nothing where the light sees them under more than 150 degrees
+[[nodiscard]] inline std::optional<glm::dmat4> along_rays(const glm::dvec4& light,
+                                                          const std::vector<glm::dvec3>& receivers, light_image seen_as,
+                                                          const char* function) {
+    const auto look = [&](glm::dvec3 from, glm::dvec3 along, glm::dvec3 up) {
+        return look_along(from, along, up, handedness::right, function, "direction");
+    };
+    const auto [low, high] = extent_of(receivers);
+    const glm::dvec3 middle = (low + high) * 0.5, up(0, 0, 1);
+    glm::dmat4 depth(1.0);
+    depth[2][2] = -1.0;
+    if (seen_as == light_image::parallel) return depth * look(middle, -glm::dvec3(light), up);
+
+    const glm::dvec3 from = glm::dvec3(light) / light.w;
+    // from beyond the far plane all of NDC lies that way; then along the middle of the angles between which it lies
+    const glm::dmat4 first = from.z > 1.0 ? look(from, {0, 0, -1}, {0, 1, 0}) : look(from, middle - from, up);
+    const auto around = angles_of(first, receivers);
+    if (!around) return {};
+    const glm::dvec2 halfway = glm::tan((around->low + around->high) * 0.5);
+    const glm::dmat4 view = look(from, glm::transpose(glm::dmat3(first)) * glm::dvec3(halfway, -1.0), up);
+    const auto opening = angles_of(view, receivers);
+    constexpr double widest = 150.0 / 180.0 * std::numbers::pi;
+    if (!opening || glm::any(glm::greaterThan(opening->high - opening->low, glm::dvec2(widest)))) return {};
+    // depth over w is a distance's inverse: of a sink's, where the far is near, the other way round
+    const double distance = -(view * glm::dvec4(middle, 1.0)).z;
+    depth[2] = {0, 0, 0, -1};
+    depth[3] = {0, 0, seen_as == light_image::source ? -distance : distance, 0};
+    return depth * view;
+}
+
+/// The map of a light, homogeneous: the way towards it and 0, or its position and 1.
+/// @param casters   that lie before w = 0
+/// @param instead   () -> warped_light<T>, where there is no such map
+template <real T, class Instead>
+[[nodiscard]] perspective_light<T> perspective_of(const glm::dvec4& light, const warp_fit<T>& fit,
+                                                  const polyhedron& casters, T slide, const char* function,
+                                                  Instead&& instead) {
+    require(is_normal(slide) && slide > T(0), function, "slide", "must be above 0 and finite");
+    const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
+    const glm::dmat4 to_ndc = slid_back(fit.camera, receivers, double(slide), function);
+    const glm::dvec4 image = to_ndc * light;
+    const bool far = !(glm::abs(image.w) >= 1e-4 * glm::length(glm::dvec3(image)));
+    const light_image seen_as = far ? light_image::parallel : image.w > 0 ? light_image::source : light_image::sink;
+    std::vector<glm::dvec3> in_ndc;
+    for (const glm::dvec3& p : receivers) {
+        const glm::dvec4 h = to_ndc * glm::dvec4(p, 1.0);
+        in_ndc.push_back(glm::dvec3(h) / h.w);
+    }
+    if (const auto to_map = along_rays(image, in_ndc, seen_as, function))
+        if (const auto warped = refit(*to_map * to_ndc, fit, casters, function)) return {*warped, seen_as};
+    return {instead(), light_image::none};
+}
+
+}  // namespace detail
+
+/// The map of a directional light through the camera's perspective. The map is what it is wherever casters stand, w
+/// being the same all along a ray: those behind the camera need no more of a slide.
+///
+/// Between the images of the light, and while both camera and light move, the map changes without a jump; where
+/// light_space_perspective takes its place there is one.
+///
+/// @param slide   how far behind its place the camera is taken for the warp, world units, > 0; its least distance to
+///                receivers. Less gives more of the map to what is close
+/// @return        light_image::none and fit_light_space_perspective where the light, or the point opposite, stands amid
+///                what the camera sees, which then fills more than 150 degrees around it
+/// @throws std::invalid_argument  as fit_light_space_perspective does, and slide not above 0
+/// @cite          Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002
+template <real T = float>
+[[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, T slide = T(1)) {
+    constexpr auto function = "fit_perspective";
+    detail::require_warp_fit(fit, function);
+    const glm::dmat4 view = detail::light_frame(detail::view_of(fit, function), fit.clip.hand);
+    const polyhedron casters = fit.casters ? polyhedron(*fit.casters) : polyhedron();
+    return detail::perspective_of(glm::dvec4(-view[0][2], -view[1][2], -view[2][2], 0.0), fit, casters, slide, function,
+                                  [&] { return fit_light_space_perspective(fit); });
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/warp/plane_optimal.hpp
+// Plane-optimal: a map that on one plane is the screen itself, pixel for pixel in proportion: the best that can be had
+// for a ground, and for nothing else.
+//
+//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//     auto ground = umbrage::fit_plane_optimal(fit, glm::vec4(0, 1, 0, 0));  // y = 0
+//
+
+namespace umbrage {
+namespace detail {
+
+/// Where a plane cuts a body's edges: the corners of what they have in common.
+[[nodiscard]] inline std::vector<glm::dvec3> crossings(const polyhedron& body, const glm::dvec4& plane) {
+    std::vector<glm::dvec3> all;
+    for (const polyhedron::face& face : body.faces())
+        for (std::size_t i = 0; i < face.corners.size(); ++i) {
+            const glm::dvec3 &p = face.corners[i], &q = face.corners[i + 1 < face.corners.size() ? i + 1 : 0];
+            const double at_p = glm::dot(plane, glm::dvec4(p, 1.0)), at_q = glm::dot(plane, glm::dvec4(q, 1.0));
+            if ((at_p < 0.0) != (at_q < 0.0)) all.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+        }
+    return all;
+}
+
+/// The map of a light, homogeneous: the way towards it and 0, or its position and 1.
+/// @param casters   that lie before w = 0
+template <real T>
+[[nodiscard]] warped_light<T> plane_optimal_of(const glm::dvec4& light, const warp_fit<T>& fit,
+                                               const polyhedron& casters, const glm::vec<4, T>& plane,
+                                               const char* function) {
+    glm::dvec4 ground(plane);
+    require(all_finite(plane) && is_normal(glm::length(glm::dvec3(ground))), function, "plane",
+            "must be finite and have a normal");
+    ground /= glm::length(glm::dvec3(ground)) * (glm::dot(ground, light) < 0.0 ? -1.0 : 1.0);
+    const double height = glm::dot(ground, light);
+    require(height > 1e-6 * glm::length(light), function, "plane", "must not be seen edge on by the light");
+    const std::vector<glm::dvec3> seen = crossings(fit.camera, ground);
+    require(!seen.empty(), function, "plane", "must lie before the camera");
+
+    // along the light onto the plane, and from there onto the screen; heights over the plane are depth
+    const glm::dmat4 cast = glm::dmat4(1.0) - glm::outerProduct(light, ground) / height;
+    const glm::dmat3 camera = axes(fit.camera);
+    glm::dmat4 rows;
+    const auto row = [&](const glm::dvec3& a) {
+        return glm::dvec4(a, -glm::dot(a, glm::dvec3(fit.camera.position))) * cast;
+    };
+    rows[0] = row(camera[0] / double(fit.camera.tan_half_x));
+    rows[1] = row(camera[1] / double(fit.camera.tan_half_y));
+    rows[2] = -ground;
+    rows[3] = row(camera[2]);
+    const glm::dmat4 to_map = glm::transpose(rows);
+
+    double least = std::numeric_limits<double>::infinity(), greatest = 0.0;
+    for (const glm::dvec3& p : seen) {
+        const double w = (to_map * glm::dvec4(p, 1.0)).w;
+        least = glm::min(least, w), greatest = glm::max(greatest, w);
+    }
+    const double eye = glm::dot(ground, glm::dvec4(glm::dvec3(fit.camera.position), 1.0));
+    require(least > 0.0 && glm::abs(eye) > 1e-6 * greatest, function, "plane",
+            "must not be seen edge on by the camera");
+    const double edge = 1.0 + 2.0 * double(fit.margin);
+    // w is a plane's point's, by a share that a point light takes away on the way towards it
+    const glm::dvec4 share = (glm::dvec4(0, 0, 0, 1) - ground * (light.w / height)) * glm::inverse(to_map);
+    const auto swept = seen_within(to_map, casters,
+                                   {{1, 0, 0, edge},
+                                    {-1, 0, 0, edge},
+                                    {0, 1, 0, edge},
+                                    {0, -1, 0, edge},
+                                    glm::dvec4(0, 0, 0, 1) - share * least,
+                                    share * greatest - glm::dvec4(0, 0, 0, 1)});
+    extent box{glm::dvec3(-edge, -edge, 0.0), glm::dvec3(edge, edge, 0.0)};
+    if (swept) box.low.z = glm::min(box.low.z, swept->low.z), box.high.z = glm::max(box.high.z, swept->high.z);
+    const double deep = glm::max(double(fit.margin), 0x1p-8) * glm::max(box.high.z - box.low.z, 1.0);
+    box.low.z -= deep, box.high.z += deep;
+    const auto warped = swept ? laid(to_map, box, least, greatest, fit, function) : std::nullopt;
+    require(warped.has_value(), function, "plane and camera", "give too large or too small a map");
+    return *warped;
+}
+
+}  // namespace detail
+
+/// The map of a directional light in which a plane lies as the camera sees it: where the map has k texels for a pixel
+/// across the screen, it has them everywhere on the plane, whatever the light. It holds what shades that part of the
+/// plane which the screen shows. Receivers apart from the plane are in it where their shadow on the plane is, and with
+/// fewer texels; the others, and what they are to be taken as, are the caller's: project_coordinate tells w <= 0, and
+/// inside_cascade the rest.
+///
+/// @param fit     but for its receivers, for which the plane stands
+/// @param plane   dot(plane, (p, 1)) = 0, a normal of any length > 0; the light may come from either side
+/// @return        of no use for what the light hardly touches: depth grows along the light by its height over the
+///                plane, over w
+/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, a plane that is none, that the
+///                                camera does not see, or that holds the light's direction (1e-6), casters that are no
+///                                box, a negative margin, and what gives matrices that are not finite
+/// @formula       x, y and w of the camera after (N.L) I - L N^T, depth - N.p
+template <real T = float>
+[[nodiscard]] warped_light<T> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane) {
+    constexpr auto function = "fit_plane_optimal";
+    detail::require_warp_fit(fit, function);
+    const glm::dmat4 view = detail::light_frame(detail::view_of(fit, function), fit.clip.hand);
+    const glm::dvec4 light(-view[0][2], -view[1][2], -view[2][2], 0.0);
+    return detail::plane_optimal_of(light, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), plane, function);
 }
 
 }  // namespace umbrage

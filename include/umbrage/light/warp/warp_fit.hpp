@@ -115,8 +115,9 @@ template <real T>
     const light_space<T> light{glm::mat<4, 4, T>(view), glm::mat<4, 4, T>(projection), fit.clip};
     if (!all_finite(light.projection) || !all_finite(light.projection * light.view)) return {};
     const glm::mat<4, 4, T> rows = glm::transpose(light.projection);
+    const T bend = glm::length(glm::vec<3, T>(rows[3]));  // a row that says w alone is one too
     for (glm::length_t i = 0; i < 3; ++i)
-        if (!is_normal(glm::length(glm::vec<3, T>(rows[i])))) return {};
+        if (!is_normal(glm::length(glm::vec<3, T>(rows[i])) + bend)) return {};
     return warped_light<T>{light, T(1.0 - least / greatest)};
 }
 

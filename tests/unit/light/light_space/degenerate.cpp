@@ -26,6 +26,8 @@
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/light/warp/perspective.hpp>
+#include <umbrage/light/warp/plane_optimal.hpp>
 #include <umbrage/light/warp/trapezoidal.hpp>
 
 #include "../bodies.hpp"
@@ -124,6 +126,13 @@ const std::map<std::string, std::function<std::vector<light_space<T>>(const argu
      }},
     {"fit_trapezoidal",
      [](const arguments<T>& a) -> std::vector<light_space<T>> { return {fit_trapezoidal(warp_of(a), T(2)).light}; }},
+    {"fit_perspective",
+     [](const arguments<T>& a) -> std::vector<light_space<T>> { return {fit_perspective(warp_of(a)).light}; }},
+    {"fit_plane_optimal",
+     [](const arguments<T>& a) -> std::vector<light_space<T>> {
+         const glm::vec<4, T> across(a.ahead, -glm::dot(a.ahead, a.eye + T(5) * a.ahead));
+         return {fit_plane_optimal(warp_of(a), across).light};
+     }},
     {"make_warped_cascades", [](const arguments<T>& a) {
          return spaces(make_warped_cascades<2>(
              cascade_fit<T>{
@@ -135,9 +144,10 @@ const std::map<std::string, std::function<std::vector<light_space<T>>(const argu
 const std::vector<std::string> set_ups{
     "make_directional_light", "make_spot_light",      "make_point_light",    "fit_directional_light",
     "fit_spot_light",         "make_stable_cascades", "make_tight_cascades", "fit_light_space_perspective",
-    "fit_trapezoidal",        "make_warped_cascades"};
-const std::vector<std::string> of_camera{"fit_directional_light",       "make_stable_cascades", "make_tight_cascades",
-                                         "fit_light_space_perspective", "fit_trapezoidal",      "make_warped_cascades"};
+    "fit_trapezoidal",        "make_warped_cascades", "fit_perspective",     "fit_plane_optimal"};
+const std::vector<std::string> of_camera{
+    "fit_directional_light", "make_stable_cascades", "make_tight_cascades", "fit_light_space_perspective",
+    "fit_trapezoidal",       "make_warped_cascades", "fit_perspective"};
 const std::vector<std::string> of_spots{"make_spot_light", "fit_spot_light"};
 
 /// In every convention: functions that complain of one of the arguments, each of which is followed by what it must be.

@@ -14,6 +14,7 @@
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/light/warp/perspective.hpp>
 #include <umbrage/light/warp/trapezoidal.hpp>
 
 #include "../../bodies.hpp"
@@ -33,7 +34,8 @@ const std::vector<named_warp> all_warps{
     {"light-space perspective, optimal", 10,
      [](const auto& f) { return fit_light_space_perspective<double>(f, optimal_distance(f)); }},
     {"trapezoidal, focus of 20", 410, [](const auto& f) { return fit_trapezoidal(f, 20.0); }},
-    {"trapezoidal, focus of 1", 10, [](const auto& f) { return fit_trapezoidal(f, 1.0); }}};
+    {"trapezoidal, focus of 1", 10, [](const auto& f) { return fit_trapezoidal(f, 1.0); }},
+    {"perspective", 10, [](const auto& f) { return fit_perspective(f); }}};
 
 glm::dvec3 between(const std::vector<glm::dvec3>& corners, std::mt19937& random) {
     glm::dvec3 sum(0);

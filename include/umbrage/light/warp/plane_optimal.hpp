@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+//
+// Plane-optimal: a map that on one plane is the screen itself, pixel for pixel in proportion: the best that can be had
+// for a ground, and for nothing else.
+//
+//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//     auto ground = umbrage::fit_plane_optimal(fit, glm::vec4(0, 1, 0, 0));  // y = 0
+//
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/light/bounds.hpp>
+#include <umbrage/light/light_space.hpp>
+#include <umbrage/light/sweep.hpp>
+#include <umbrage/light/warp/warp_fit.hpp>
+
+namespace umbrage {
+namespace detail {
+
+/// Where a plane cuts a body's edges: the corners of what they have in common.
+[[nodiscard]] inline std::vector<glm::dvec3> crossings(const polyhedron& body, const glm::dvec4& plane) {
+    std::vector<glm::dvec3> all;
+    for (const polyhedron::face& face : body.faces())
+        for (std::size_t i = 0; i < face.corners.size(); ++i) {
+            const glm::dvec3 &p = face.corners[i], &q = face.corners[i + 1 < face.corners.size() ? i + 1 : 0];
+            const double at_p = glm::dot(plane, glm::dvec4(p, 1.0)), at_q = glm::dot(plane, glm::dvec4(q, 1.0));
+            if ((at_p < 0.0) != (at_q < 0.0)) all.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+        }
+    return all;
+}
+
+/// The map of a light, homogeneous: the way towards it and 0, or its position and 1.
+/// @param casters   that lie before w = 0
+template <real T>
+[[nodiscard]] warped_light<T> plane_optimal_of(const glm::dvec4& light, const warp_fit<T>& fit,
+                                               const polyhedron& casters, const glm::vec<4, T>& plane,
+                                               const char* function) {
+    glm::dvec4 ground(plane);
+    require(all_finite(plane) && is_normal(glm::length(glm::dvec3(ground))), function, "plane",
+            "must be finite and have a normal");
+    ground /= glm::length(glm::dvec3(ground)) * (glm::dot(ground, light) < 0.0 ? -1.0 : 1.0);
+    const double height = glm::dot(ground, light);
+    require(height > 1e-6 * glm::length(light), function, "plane", "must not be seen edge on by the light");
+    const std::vector<glm::dvec3> seen = crossings(fit.camera, ground);
+    require(!seen.empty(), function, "plane", "must lie before the camera");
+
+    // along the light onto the plane, and from there onto the screen; heights over the plane are depth
+    const glm::dmat4 cast = glm::dmat4(1.0) - glm::outerProduct(light, ground) / height;
+    const glm::dmat3 camera = axes(fit.camera);
+    glm::dmat4 rows;
+    const auto row = [&](const glm::dvec3& a) {
+        return glm::dvec4(a, -glm::dot(a, glm::dvec3(fit.camera.position))) * cast;
+    };
+    rows[0] = row(camera[0] / double(fit.camera.tan_half_x));
+    rows[1] = row(camera[1] / double(fit.camera.tan_half_y));
+    rows[2] = -ground;
+    rows[3] = row(camera[2]);
+    const glm::dmat4 to_map = glm::transpose(rows);
+
+    double least = std::numeric_limits<double>::infinity(), greatest = 0.0;
+    for (const glm::dvec3& p : seen) {
+        const double w = (to_map * glm::dvec4(p, 1.0)).w;
+        least = glm::min(least, w), greatest = glm::max(greatest, w);
+    }
+    const double eye = glm::dot(ground, glm::dvec4(glm::dvec3(fit.camera.position), 1.0));
+    require(least > 0.0 && glm::abs(eye) > 1e-6 * greatest, function, "plane",
+            "must not be seen edge on by the camera");
+    const double edge = 1.0 + 2.0 * double(fit.margin);
+    // w is a plane's point's, by a share that a point light takes away on the way towards it
+    const glm::dvec4 share = (glm::dvec4(0, 0, 0, 1) - ground * (light.w / height)) * glm::inverse(to_map);
+    const auto swept = seen_within(to_map, casters,
+                                   {{1, 0, 0, edge},
+                                    {-1, 0, 0, edge},
+                                    {0, 1, 0, edge},
+                                    {0, -1, 0, edge},
+                                    glm::dvec4(0, 0, 0, 1) - share * least,
+                                    share * greatest - glm::dvec4(0, 0, 0, 1)});
+    extent box{glm::dvec3(-edge, -edge, 0.0), glm::dvec3(edge, edge, 0.0)};
+    if (swept) box.low.z = glm::min(box.low.z, swept->low.z), box.high.z = glm::max(box.high.z, swept->high.z);
+    const double deep = glm::max(double(fit.margin), 0x1p-8) * glm::max(box.high.z - box.low.z, 1.0);
+    box.low.z -= deep, box.high.z += deep;
+    const auto warped = swept ? laid(to_map, box, least, greatest, fit, function) : std::nullopt;
+    require(warped.has_value(), function, "plane and camera", "give too large or too small a map");
+    return *warped;
+}
+
+}  // namespace detail
+
+/// The map of a directional light in which a plane lies as the camera sees it: where the map has k texels for a pixel
+/// across the screen, it has them everywhere on the plane, whatever the light. It holds what shades that part of the
+/// plane which the screen shows. Receivers apart from the plane are in it where their shadow on the plane is, and with
+/// fewer texels; the others, and what they are to be taken as, are the caller's: project_coordinate tells w <= 0, and
+/// inside_cascade the rest.
+///
+/// @param fit     but for its receivers, for which the plane stands
+/// @param plane   dot(plane, (p, 1)) = 0, a normal of any length > 0; the light may come from either side
+/// @return        of no use for what the light hardly touches: depth grows along the light by its height over the
+///                plane, over w
+/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, a plane that is none, that the
+///                                camera does not see, or that holds the light's direction (1e-6), casters that are no
+///                                box, a negative margin, and what gives matrices that are not finite
+/// @formula       x, y and w of the camera after (N.L) I - L N^T, depth - N.p
+template <real T = float>
+[[nodiscard]] warped_light<T> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane) {
+    constexpr auto function = "fit_plane_optimal";
+    detail::require_warp_fit(fit, function);
+    const glm::dmat4 view = detail::light_frame(detail::view_of(fit, function), fit.clip.hand);
+    const glm::dvec4 light(-view[0][2], -view[1][2], -view[2][2], 0.0);
+    return detail::plane_optimal_of(light, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), plane, function);
+}
+
+}  // namespace umbrage

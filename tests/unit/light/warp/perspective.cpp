@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <random>
+
+#include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/light/warp/perspective.hpp>
+
+#include "../bodies.hpp"
+#include "../clip_spaces.hpp"
+#include "../reference_view.hpp"
+
+using namespace umbrage;
+
+namespace {
+
+quality_report on_ground_of(const warped_light<double>& warped) {
+    return reference_view::on_ground({texture_matrix(warped.light, reference_view::map_size)});
+}
+
+}  // namespace
+
+TEST_CASE("fit_perspective: over a long ground, no worse than measured apart") {
+    struct row {
+        double p95, greatest;
+        light_image seen_as;
+    };
+    using enum light_image;
+    // of an implementation apart from this one, whose camera slides back behind all casters too
+    constexpr std::array rows{row{0.84, 0.90, parallel}, row{1.30, 1.40, parallel}, row{2.35, 2.49, parallel},
+                              row{1.83, 1.98, sink},     row{2.46, 2.74, source},   row{1.65, 1.94, sink},
+                              row{5.31, 5.90, none},     row{45.0, 55.4, none}};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        CAPTURE(i);
+        const auto warped = fit_perspective(reference_view::warp_under(reference_view::suns[i]));
+        const quality_report report = on_ground_of(warped);
+        CHECK(warped.seen_as == rows[i].seen_as);
+        CHECK(report.p95 < rows[i].p95 * 1.01);
+        CHECK(report.greatest < rows[i].greatest * 1.01);
+        if (rows[i].seen_as == parallel || rows[i].seen_as == source) {
+            CHECK(report.p95 == doctest::Approx(rows[i].p95).epsilon(0.01));
+            CHECK(report.greatest == doctest::Approx(rows[i].greatest).epsilon(0.01));
+        }
+        if (i > 0) continue;
+        CHECK(report.mean == doctest::Approx(0.74).epsilon(0.01));
+        CHECK(report.storage_factor == doctest::Approx(2.65).epsilon(0.01));
+    }
+    CHECK(on_ground_of(fit_perspective(reference_view::warp_under({45, 180}))).greatest ==
+          doctest::Approx(0.642).epsilon(0.01));
+}
+
+TEST_CASE("fit_perspective: overhead light by hand") {
+    // slid back by 1, distances go from 2 to 4: halfway between their inverses is 8/3, a third of the way between 3
+    const frustum<double> camera{.position = {0, 4, 0}, .direction = {0, 0, -1}};
+    warp_fit<double> fit{.camera = camera,
+                         .direction = {0, -1, 0},
+                         .receivers = bounding_box<double>{{-1, 0, -3}, {1, 1, -1}},
+                         .margin = 0};
+    const auto warped = fit_perspective(fit);
+    CHECK(warped.seen_as == light_image::parallel);
+    CHECK(warped.strength == doctest::Approx(0.5));  // w is the distance
+    const glm::dmat4 uv = texture_matrix_uv(warped.light);
+    CHECK(glm::length(through(uv, {-1, 0, -1}) - glm::dvec3(0, 0, through(uv, {-1, 0, -1}).z)) < 1e-12);
+    CHECK(glm::length(glm::dvec2(through(uv, {1, 0.5, -3})) - glm::dvec2(0.75, 1)) < 1e-12);
+    CHECK(through(uv, {0, 1, -5.0 / 3}).y == doctest::Approx(0.5));
+    CHECK(through(uv, {0, 1, -2}).y == doctest::Approx(2.0 / 3));
+    CHECK(through(uv, {0, 1, -3}).z == doctest::Approx(0));  // nearest to the camera's axis, far below which all lies
+    CHECK(through(uv, {0, 0, -1}).z == doctest::Approx(1));
+    const auto milder = fit_perspective(fit, 5.0);
+    CHECK(milder.strength == doctest::Approx(0.25));  // 6 to 8
+}
+
+TEST_CASE("fit_perspective: no jump while the light passes from before the camera over it and behind it") {
+    std::optional<glm::dmat4> before;
+    double greatest_step = 0;
+    int images[4]{};
+    constexpr int steps = 2000;
+    for (int i = 0; i <= steps; ++i) {
+        warp_fit<double> fit = reference_view::warp_under({60 + 60.0 * i / steps, 0});
+        const auto warped = fit_perspective(fit);
+        ++images[int(warped.seen_as)];
+        const glm::dmat4 uv = texture_matrix_uv(warped.light);
+        if (before)
+            for (const glm::dvec3& p : fit.receivers.points)
+                greatest_step =
+                    std::max(greatest_step, glm::length(glm::dvec2(through(uv, p)) - glm::dvec2(through(*before, p))));
+        before = uv;
+    }
+    CHECK(images[int(light_image::source)] > 900);
+    CHECK(images[int(light_image::sink)] > 900);
+    CHECK(images[int(light_image::parallel)] > 0);
+    CHECK(images[int(light_image::none)] == 0);
+    CHECK(greatest_step < 0.01);
+    for (const auto& [elevation, p95] : {std::pair(89.99, 0.8447), {90.0, 0.8446}, {90.01, 0.8445}})
+        CHECK(on_ground_of(fit_perspective(reference_view::warp_under({elevation, 0}))).p95 ==
+              doctest::Approx(p95).epsilon(1e-4));
+}
+
+TEST_CASE("fit_perspective: how many lights stand amid what the camera sees, by its pitch") {
+    constexpr double radians = std::numbers::pi / 180;
+    std::mt19937 random(7);
+    struct row {
+        double pitch, share;
+    };
+    for (const row& seen : {row{0, 0.155}, row{-25, 0.07}, row{-60, 0}}) {
+        warp_fit<double> fit = reference_view::warp_under({90, 0});
+        fit.camera.direction = {0, std::sin(seen.pitch * radians), -std::cos(seen.pitch * radians)};
+        fit.receivers = intersection(fit.camera, reference_view::reference_scene);
+        int none = 0;
+        constexpr int lights = 1200;
+        for (int i = 0; i < lights; ++i) {
+            const double sine = bodies::real(std::sin(3 * radians), 1)(random), azimuth = bodies::real(0, 360)(random);
+            fit.direction = reference_view::sun(std::asin(sine) / radians, azimuth);
+            none += fit_perspective(fit).seen_as == light_image::none;
+        }
+        CAPTURE(seen.pitch);
+        CHECK(none <= seen.share * lights);
+        CHECK(none >= seen.share * 0.7 * lights);
+    }
+}
+
+TEST_CASE("fit_perspective: shows what the light sees as another warp does, in every convention") {
+    for (const clip_space clip : all_clip_spaces())
+        for (const auto& s : {reference_view::suns[0], reference_view::suns[3], reference_view::suns[4]}) {
+            warp_fit<double> fit = reference_view::warp_under(s);
+            fit.clip = clip;
+            const auto turn = [&](const warped_light<double>& warped) {
+                const glm::dmat4 uv = texture_matrix_uv(warped.light);
+                const glm::dvec3 p(1, 0, -20);
+                const glm::dvec2 at(through(uv, p)), x = glm::dvec2(through(uv, p + glm::dvec3(0.1, 0, 0))) - at,
+                                                     z = glm::dvec2(through(uv, p + glm::dvec3(0, 0, 0.1))) - at;
+                return x.x * z.y - x.y * z.x > 0;
+            };
+            const auto warped = fit_perspective(fit);
+            CHECK(warped.seen_as != light_image::none);
+            CHECK(turn(warped) == turn(fit_light_space_perspective(fit)));
+        }
+}
+
+TEST_CASE_TEMPLATE("fit_perspective: bad input, and cameras inside and along", T, float, double) {
+    const T nan = std::numeric_limits<T>::quiet_NaN(), infinity = std::numeric_limits<T>::infinity();
+    const auto with = [](auto change, T slide = 1) {
+        return complaint([&] {
+            warp_fit<T> fit{.direction = {1, -2, T(0.5)}, .casters = bounding_box<T>{}};
+            change(fit);
+            const auto warped = fit_perspective(fit, slide);
+            CHECK(umbrage::detail::all_finite(warped.light.projection * warped.light.view));
+            CHECK((warped.strength >= 0 && warped.strength < 1));
+        });
+    };
+    const std::string name = "umbrage::fit_perspective: ";
+    CHECK(with([](auto&) {}) == "");
+    CHECK(with([](auto& f) { f.camera.z_near = 0; }) == "");
+    for (const T slide : {T(1e-6), T(1e6)}) CHECK(with([](auto&) {}, slide) == "");
+    for (const T bad : {T(0), T(-1), nan, infinity}) CHECK(with([](auto&) {}, bad).starts_with(name + "slide "));
+    CHECK(with([](auto& f) { f.direction = {}; }).starts_with(name + "direction "));
+    CHECK(with([](auto& f) { f.receivers.points.clear(); }).starts_with(name + "receivers "));
+    CHECK(with([](auto& f) { f.margin = -1; }).starts_with(name + "margin "));
+    CHECK(with([](auto& f) { f.camera.tan_half_x = 0; }).starts_with("umbrage::frustum: "));
+    CHECK(with([](auto& f) { f.casters->low.x = 2; }).starts_with("umbrage::bounding_box: "));
+    CHECK(with([](auto& f) {
+              f.receivers = bounding_box<T>{glm::vec<3, T>(1), glm::vec<3, T>(1)};
+          }).find("receivers, casters and margin ") != std::string::npos);
+    CHECK(with([](auto& f) { f.camera.direction = f.direction; }) == "");
+    CHECK(with([](auto& f) { f.camera.direction = -f.direction; }) == "");
+    CHECK(with([](auto& f) { f.camera.position = {5, 5, 5}; }) == "");
+}
