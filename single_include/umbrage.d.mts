@@ -125,6 +125,12 @@ export const cube_atlas_texel: Snippet;
 export const cube_atlas_direction: Snippet;
 /** casters before the near plane, onto it */
 export const pancaked: Snippet;
+/** texel inside a map */
+export const texel: Snippet;
+/** value read from an 8-bit texture to channel 0..255 */
+export const from_unorm: Snippet;
+/** a receiver in the page of an atlas that holds it */
+export const page_coordinate: Snippet;
 /** view-space z over z_far */
 export const linear_depth: Snippet;
 /** z / w, far behind the light */
@@ -157,8 +163,6 @@ export const mend_quotient: Snippet;
 export const floor_divide: Snippet;
 /** channel 0..255 to the value an 8-bit target stores as it */
 export const to_unorm: Snippet;
-/** value read from an 8-bit texture to channel 0..255 */
-export const from_unorm: Snippet;
 /** depth to two channels, R the low byte */
 export const encode_rg9: Snippet;
 /** depth to two channels, R the low byte */
@@ -193,8 +197,6 @@ export const encode_threejs_legacy_repaired: Snippet;
 export const write_base255: Snippet;
 /** depth for readers of base-255 RGBA, 1.0 and truncation repaired */
 export const encode_base255_repaired: Snippet;
-/** texel inside a map */
-export const texel: Snippet;
 /** texel of a map, outside the nearest one inside */
 export const fetch_clamped: Snippet;
 /** depth to two channels through a look-up texture */

@@ -507,6 +507,50 @@ UMBRAGE_HIGHP vec4 umbrage_pancaked(UMBRAGE_HIGHP vec4 position, UMBRAGE_HIGHP f
     return vec4(position.x, position.y, before ? plane : position.z, position.w);
 }
 `,
+            "texel": `
+// umbrage_texel: value of a texel inside the map
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+`,
+            "from_unorm": `
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 255.0 + 0.5);
+}
+`,
+            "page_coordinate": `
+// umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   page, gutter  side of a page and what it has around it, texels
+UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                           UMBRAGE_HIGHP float page, UMBRAGE_HIGHP float gutter) {
+    UMBRAGE_HIGHP vec2 nearest = min(max(vec2(1.0, 1.0), coord), vec2(1.99999988, 1.99999988));  // a NaN is the first
+    UMBRAGE_HIGHP vec4 entry = umbrage_from_unorm(umbrage_texel(table, size, floor(nearest * size - size)));
+    UMBRAGE_HIGHP float across = entry.z + entry.w * 256.0;
+    UMBRAGE_HIGHP vec2 within = coord * across - floor(nearest * across);
+    UMBRAGE_HIGHP vec2 at = within * page + (across > 0.0 ? gutter : 32768.0);
+    return vec4(at, vec2(entry.x, entry.y) * (page + gutter * 2.0));
+}
+`,
             "linear_depth": `
 // umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
 UMBRAGE_HIGHP float umbrage_linear_depth(UMBRAGE_HIGHP float z_view, UMBRAGE_HIGHP float inv_z_far) {
@@ -627,21 +671,6 @@ UMBRAGE_HIGHP vec3 umbrage_to_unorm(UMBRAGE_HIGHP vec3 k) {
 }
 UMBRAGE_HIGHP vec4 umbrage_to_unorm(UMBRAGE_HIGHP vec4 k) {
     return k * 0.0039215087890625 + 0.0009765625;
-}
-`,
-            "from_unorm": `
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
-UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
-    return floor(c * 255.0 + 0.5);
-}
-UMBRAGE_HIGHP vec2 umbrage_from_unorm(UMBRAGE_HIGHP vec2 c) {
-    return floor(c * 255.0 + 0.5);
-}
-UMBRAGE_HIGHP vec3 umbrage_from_unorm(UMBRAGE_HIGHP vec3 c) {
-    return floor(c * 255.0 + 0.5);
-}
-UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
-    return floor(c * 255.0 + 0.5);
 }
 `,
             "encode_rg9": `
@@ -813,21 +842,6 @@ UMBRAGE_HIGHP vec4 umbrage_encode_base255_repaired(UMBRAGE_HIGHP float depth) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (y - floor(y)) * 255.0;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (z - floor(z)) * 255.0;
     return vec4(floor(x), floor(y), floor(z), floor(w));
-}
-`,
-            "texel": `
-// umbrage_texel: value of a texel inside the map
-//   map    2D sampler; before GLSL 1.30 its filter must be nearest
-//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
-#ifndef UMBRAGE_MAP
-#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
-#endif
-UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
-#if __VERSION__ >= 130
-    return texelFetch(map, ivec2(texel), 0);
-#else
-    return texture2D(map, (texel + 0.5) / size);
-#endif
 }
 `,
             "fetch_clamped": `
@@ -3385,6 +3399,34 @@ float4 umbrage_pancaked(float4 position, float at_near) {
     return float4(position.x, position.y, before ? plane : position.z, position.w);
 }
 `,
+            "from_unorm": `
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+float umbrage_from_unorm(float c) {
+    return floor(c * 255.0 + 0.5);
+}
+float2 umbrage_from_unorm(float2 c) {
+    return floor(c * 255.0 + 0.5);
+}
+float3 umbrage_from_unorm(float3 c) {
+    return floor(c * 255.0 + 0.5);
+}
+float4 umbrage_from_unorm(float4 c) {
+    return floor(c * 255.0 + 0.5);
+}
+`,
+            "page_coordinate": `
+// umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   page, gutter  side of a page and what it has around it, texels
+float4 umbrage_page_coordinate(UMBRAGE_MAP table, float2 size, float2 coord, float page, float gutter) {
+    float2 nearest = min(max(float2(1.0, 1.0), coord), float2(1.99999988, 1.99999988));  // a NaN is the first
+    float4 entry = umbrage_from_unorm(umbrage_texel(table, size, floor(nearest * size - size)));
+    float across = entry.z + entry.w * 256.0;
+    float2 within = coord * across - floor(nearest * across);
+    float2 at = within * page + (across > 0.0 ? gutter : 32768.0);
+    return float4(at, float2(entry.x, entry.y) * (page + gutter * 2.0));
+}
+`,
             "linear_depth": `
 // umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
 float umbrage_linear_depth(float z_view, float inv_z_far) {
@@ -3489,21 +3531,6 @@ float3 umbrage_to_unorm(float3 k) {
 }
 float4 umbrage_to_unorm(float4 k) {
     return k * 0.0039215087890625 + 0.0009765625;
-}
-`,
-            "from_unorm": `
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
-float umbrage_from_unorm(float c) {
-    return floor(c * 255.0 + 0.5);
-}
-float2 umbrage_from_unorm(float2 c) {
-    return floor(c * 255.0 + 0.5);
-}
-float3 umbrage_from_unorm(float3 c) {
-    return floor(c * 255.0 + 0.5);
-}
-float4 umbrage_from_unorm(float4 c) {
-    return floor(c * 255.0 + 0.5);
 }
 `,
             "encode_rg9": `
@@ -6064,6 +6091,34 @@ inline float4 umbrage_pancaked(float4 position, float at_near) {
     return float4(position.x, position.y, before ? plane : position.z, position.w);
 }
 `,
+            "from_unorm": `
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+inline float umbrage_from_unorm(float c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+inline float2 umbrage_from_unorm(float2 c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+inline float3 umbrage_from_unorm(float3 c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+inline float4 umbrage_from_unorm(float4 c) {
+    return metal::floor(c * 255.0 + 0.5);
+}
+`,
+            "page_coordinate": `
+// umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   page, gutter  side of a page and what it has around it, texels
+inline float4 umbrage_page_coordinate(UMBRAGE_MAP table, float2 size, float2 coord, float page, float gutter) {
+    float2 nearest = metal::min(metal::max(float2(1.0, 1.0), coord), float2(1.99999988, 1.99999988));  // a NaN is the first
+    float4 entry = umbrage_from_unorm(umbrage_texel(table, size, metal::floor(nearest * size - size)));
+    float across = entry.z + entry.w * 256.0;
+    float2 within = coord * across - metal::floor(nearest * across);
+    float2 at = within * page + (across > 0.0 ? gutter : 32768.0);
+    return float4(at, float2(entry.x, entry.y) * (page + gutter * 2.0));
+}
+`,
             "linear_depth": `
 // umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
 inline float umbrage_linear_depth(float z_view, float inv_z_far) {
@@ -6168,21 +6223,6 @@ inline float3 umbrage_to_unorm(float3 k) {
 }
 inline float4 umbrage_to_unorm(float4 k) {
     return k * 0.0039215087890625 + 0.0009765625;
-}
-`,
-            "from_unorm": `
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
-inline float umbrage_from_unorm(float c) {
-    return metal::floor(c * 255.0 + 0.5);
-}
-inline float2 umbrage_from_unorm(float2 c) {
-    return metal::floor(c * 255.0 + 0.5);
-}
-inline float3 umbrage_from_unorm(float3 c) {
-    return metal::floor(c * 255.0 + 0.5);
-}
-inline float4 umbrage_from_unorm(float4 c) {
-    return metal::floor(c * 255.0 + 0.5);
 }
 `,
             "encode_rg9": `
@@ -8751,6 +8791,34 @@ fn umbrage_pancaked(position: vec4f, at_near: f32) -> vec4f {
     return vec4f(position.x, position.y, select(position.z, plane, before), position.w);
 }
 `,
+            "from_unorm": `
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+fn umbrage_from_unorm(c: f32) -> f32 {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec2f(c: vec2f) -> vec2f {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec3f(c: vec3f) -> vec3f {
+    return floor(c * 255.0 + 0.5);
+}
+fn umbrage_from_unorm_vec4f(c: vec4f) -> vec4f {
+    return floor(c * 255.0 + 0.5);
+}
+`,
+            "page_coordinate": `
+// umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   page, gutter  side of a page and what it has around it, texels
+fn umbrage_page_coordinate(UMBRAGE_MAP table, size: vec2f, coord: vec2f, page: f32, gutter: f32) -> vec4f {
+    let nearest: vec2f = min(max(vec2f(1.0, 1.0), coord), vec2f(1.99999988, 1.99999988));  // a NaN is the first
+    let entry: vec4f = umbrage_from_unorm_vec4f(umbrage_texel(table, size, floor(nearest * size - size)));
+    let across: f32 = entry.z + entry.w * 256.0;
+    let within: vec2f = coord * across - floor(nearest * across);
+    let at: vec2f = within * page + select(32768.0, gutter, across > 0.0);
+    return vec4f(at, vec2f(entry.x, entry.y) * (page + gutter * 2.0));
+}
+`,
             "linear_depth": `
 // umbrage_linear_depth: distance along the light's axis, positive in front of it, times 1 / z_far
 fn umbrage_linear_depth(z_view: f32, inv_z_far: f32) -> f32 {
@@ -8855,21 +8923,6 @@ fn umbrage_to_unorm_vec3f(k: vec3f) -> vec3f {
 }
 fn umbrage_to_unorm_vec4f(k: vec4f) -> vec4f {
     return k * 0.0039215087890625 + 0.0009765625;
-}
-`,
-            "from_unorm": `
-// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
-fn umbrage_from_unorm(c: f32) -> f32 {
-    return floor(c * 255.0 + 0.5);
-}
-fn umbrage_from_unorm_vec2f(c: vec2f) -> vec2f {
-    return floor(c * 255.0 + 0.5);
-}
-fn umbrage_from_unorm_vec3f(c: vec3f) -> vec3f {
-    return floor(c * 255.0 + 0.5);
-}
-fn umbrage_from_unorm_vec4f(c: vec4f) -> vec4f {
-    return floor(c * 255.0 + 0.5);
 }
 `,
             "encode_rg9": `
@@ -11208,6 +11261,9 @@ const rows = [
     ["cube_atlas_texel", "cube_atlas_texel", "face that a texel of an atlas belongs to, and where on it", "a", 0, 0, "100", "none", false, []],
     ["cube_atlas_direction", "cube_atlas_direction", "direction that reads an atlas' texel from a texture of a cube", "a", 0, 0, "100", "none", false, ["cube_atlas_texel", "cube_point"]],
     ["pancaked", "pancaked", "casters before the near plane, onto it", "b", 0, 0, "100", "none", false, []],
+    ["texel", "texel", "texel inside a map", "a", 0, 0, "100", "texel", false, []],
+    ["from_unorm", "from_unorm", "value read from an 8-bit texture to channel 0..255", "a", 0, 0, "100", "none", false, []],
+    ["page_coordinate", "page_coordinate", "a receiver in the page of an atlas that holds it", "a", 0, 0, "100", "none", false, ["texel", "from_unorm"]],
     ["linear_depth", "linear_depth", "view-space z over z_far", "b", 0, 0, "100", "none", false, []],
     ["project_depth", "project_depth", "z / w, far behind the light", "c", 1, 0, "100", "none", false, []],
     ["distance_depth", "distance_depth", "distance to the light over its range", "c", 1, 0, "100", "none", false, []],
@@ -11224,7 +11280,6 @@ const rows = [
     ["mend_quotient", "mend_quotient", "a quotient of whole numbers, from one at most one off", "a", 0, 0, "100", "none", false, []],
     ["floor_divide", "floor_divide", "whole numbers divided and rounded down, whatever the division's error", "a", 0, 0, "100", "none", false, ["mend_quotient"]],
     ["to_unorm", "to_unorm", "channel 0..255 to the value an 8-bit target stores as it", "a", 0, 0, "100", "none", false, []],
-    ["from_unorm", "from_unorm", "value read from an 8-bit texture to channel 0..255", "a", 0, 0, "100", "none", false, []],
     ["encode_rg9", "encode_rg9", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
     ["encode_rg10", "encode_rg10", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
     ["encode_rg11", "encode_rg11", "depth to two channels, R the low byte", "a", 0, 0, "100", "none", false, ["saturate"]],
@@ -11242,7 +11297,6 @@ const rows = [
     ["encode_threejs_legacy_repaired", "encode_threejs_legacy_repaired", "depth for readers of three.js RGBA, r73 to r166, 1.0 repaired", "a", 0, 0, "100", "none", false, ["saturate"]],
     ["write_base255", "write_base255", "depth to the base-255 RGBA format of Cesium, Babylon.js, bgfx", "b", 0, 0, "100", "none", false, ["saturate"]],
     ["encode_base255_repaired", "encode_base255_repaired", "depth for readers of base-255 RGBA, 1.0 and truncation repaired", "b", 0, 0, "100", "none", false, ["saturate"]],
-    ["texel", "texel", "texel inside a map", "a", 0, 0, "100", "texel", false, []],
     ["fetch_clamped", "fetch_clamped", "texel of a map, outside the nearest one inside", "a", 0, 0, "100", "none", false, ["texel"]],
     ["encode_rg9_table", "encode_rg9_table", "depth to two channels through a look-up texture", "a", 0, 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
     ["encode_rg10_table", "encode_rg10_table", "depth to two channels through a look-up texture", "a", 0, 0, "100", "none", false, ["saturate", "from_unorm", "fetch_clamped"]],
@@ -11453,4 +11507,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, pancaked, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, from_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, texel, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, power_of_two, exp2_polynomial, exp2_steps, forward_depth, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, turn_moments_back, moment_atoms, bias_moments, decode_msm, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, power_of_two, exp2_polynomial, exp2_steps, forward_depth, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, turn_moments_back, moment_atoms, bias_moments, decode_msm, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

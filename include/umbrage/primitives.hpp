@@ -58,6 +58,7 @@
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/floor_divide.hpp>
 #include <umbrage/image.hpp>
+#include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/cascades.hpp>

@@ -42,6 +42,7 @@
 #include <glm/common.hpp>
 #include <glm/fwd.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_precision.hpp>
 #include <glm/mat2x2.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -7932,6 +7933,91 @@ UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
 };
 
 inline constexpr auto summed_variance_snippets = list<&box_moments, &summed_variance>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/light/adaptive/page_table.hpp
+// Where in an atlas of pages a receiver's shadow lies: one fetch from a small table, a texel of which stands for each
+// of the finest cells of a square, the root, that the light looks at.
+//
+//     glm::vec3 p(umbrage::shadow_coordinate(to_root, world));  // x and y from 1 to 2 across the root
+//     glm::vec4 at = umbrage::page_coordinate(umbrage::clamped(table), 1024.0f, glm::vec2(p), 128.0f, 4.0f);
+//     const auto page = atlas.view().region(glm::ivec2(at.z, at.w), glm::ivec2(136));
+//     float visibility = umbrage::pcf_2x2(umbrage::clamped(page), glm::vec2(at), p.z - bias);
+//
+// A shader binds the filter to the atlas, a region of which each page is:
+//
+//     glsl::source(glsl::version::v330, {glsl::page_coordinate,
+//                                        bind(glsl::pcf_2x2, "page", {.texture = texture::atlas})});
+//     // vec4 at = umbrage_page_coordinate(table, vec2(1024.0), p.xy, 128.0, 4.0);
+//     // umbrage_pcf_2x2_page(atlas, at.zw, vec2(136.0), at.xy, p.z)
+//
+// The root goes from 1 to 2, not from 0: all its coordinates then have 23 bits behind the point, so that a place in a
+// page has a gutter added without rounding.
+
+namespace umbrage {
+
+/// Most times that the root may be halved: its side then holds 2^15 pages.
+inline constexpr int deepest_page_level = 15;
+
+/// A texel of a page table: RGBA8, read with the nearest filter. How many pages of its level the root is wide stands
+/// there as a number, low byte first, in place of its logarithm, from which shaders would have to make it in steps.
+/// @param slot    of the page in the atlas, each 0 .. 255;   level  0 .. 15: its side is the root's over 2^level
+/// @return        all zero, which no page gives, stands for no page
+[[nodiscard]] constexpr glm::u8vec4 page_entry(glm::ivec2 slot, int level) {
+    const auto byte = [](int v) { return static_cast<std::uint8_t>(v & 0xFF); };
+    return {byte(slot.x), byte(slot.y), byte(1 << level), byte((1 << level) >> 8)};
+}
+
+/// A receiver in the page that holds it.
+///
+/// @param table    ivec2 -> page_entry, of size x size texels; called once, with a texel inside
+/// @param size     of the table, a power of two up to 2^15: the root's side in its finest cells
+/// @param coord    receiver, 1 .. 2 across the root
+/// @param page     side of a page, texels: a power of two;   gutter  texels around each page, whole, at most page / 2
+/// @return         (x, y) in texels of the page with its gutter, (page + 2 gutter)^2 of the atlas from the texel (z, w)
+///                 on. Outside the root beside its nearest page, where the page's edge counts as a map's does; NaN
+///                 stays NaN; without a page (32768, 32768, 0, 0): both of which every filter takes as lit
+/// @formula        origin = slot (page + 2 gutter); (coord 2^level - floor(coord 2^level)) page + gutter
+/// @exactness      A in the root; beside it two sums round
+/// @cite           Fernando, Fernandez, Bala, Greenberg: Adaptive Shadow Maps, SIGGRAPH 2001
+template <real T, class Table>
+[[nodiscard]] glm::vec<4, T> page_coordinate(Table&& table, T size, glm::vec<2, T> coord, T page, T gutter) {
+    constexpr T last = T(2) - T(0x1p-23);
+    const auto inside = [](T v) { return is_nan(v) || !(v > T(1)) ? T(1) : (v < last ? v : last); };
+    const glm::vec<2, T> nearest(inside(coord.x), inside(coord.y));
+    const glm::u8vec4 entry = table(glm::ivec2(glm::floor(nearest * size - size)));
+    const T across = T(entry.z) + T(entry.w) * T(256);
+    const glm::vec<2, T> within = coord * across - glm::floor(nearest * across);
+    const glm::vec<2, T> at = within * page + (across > T(0) ? gutter : T(32768));
+    return {at.x, at.y, T(entry.x) * (page + gutter * T(2)), T(entry.y) * (page + gutter * T(2))};
+}
+
+namespace glsl {
+
+inline constexpr snippet page_coordinate{
+    .name = "page_coordinate",
+    .summary = "a receiver in the page of an atlas that holds it",
+    .exactness = tier::a,
+    .needs = list<&texel, &from_unorm>,
+    .source = R"GLSL(
+// umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   page, gutter  side of a page and what it has around it, texels
+UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                           UMBRAGE_HIGHP float page, UMBRAGE_HIGHP float gutter) {
+    UMBRAGE_HIGHP vec2 nearest = min(max(vec2(1.0, 1.0), coord), vec2(1.99999988, 1.99999988));  // a NaN is the first
+    UMBRAGE_HIGHP vec4 entry = umbrage_from_unorm(umbrage_texel(table, size, floor(nearest * size - size)));
+    UMBRAGE_HIGHP float across = entry.z + entry.w * 256.0;
+    UMBRAGE_HIGHP vec2 within = coord * across - floor(nearest * across);
+    UMBRAGE_HIGHP vec2 at = within * page + (across > 0.0 ? gutter : 32768.0);
+    return vec4(at, vec2(entry.x, entry.y) * (page + gutter * 2.0));
+}
+)GLSL",
+};
+
+inline constexpr auto page_table_snippets = list<&page_coordinate>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -16731,7 +16817,7 @@ inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::
 
 // The rooms.
 inline constexpr auto light = collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets,
-                                      cube_atlas_snippets, pancake_snippets);
+                                      cube_atlas_snippets, pancake_snippets, page_table_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes = collect(scalar_snippets, floor_divide_snippets, unorm_snippets, writers,
                                       rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);

@@ -41,6 +41,7 @@
 #include <umbrage/filter/table/summed_variance.hpp>
 #include <umbrage/floor_divide.hpp>
 #include <umbrage/image.hpp>
+#include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cube_atlas.hpp>
@@ -111,7 +112,7 @@ inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::
 
 // The rooms.
 inline constexpr auto light = collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets,
-                                      cube_atlas_snippets, pancake_snippets);
+                                      cube_atlas_snippets, pancake_snippets, page_table_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes = collect(scalar_snippets, floor_divide_snippets, unorm_snippets, writers,
                                       rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);

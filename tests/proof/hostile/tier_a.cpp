@@ -18,15 +18,11 @@
 #include <umbrage/filter/bounds_lit.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
-#include <umbrage/light/cascades/blend.hpp>
-#include <umbrage/light/cascades/select.hpp>
-#include <umbrage/light/cube_atlas.hpp>
-#include <umbrage/light/cube_map.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
-#include <umbrage/filter/pcf/pcf_2x2_cube.hpp>
 #include <umbrage/filter/prefiltered/exp2.hpp>
 #include <umbrage/view/overlay_texel.hpp>
 
+#include "light.hpp"
 #include "soft_shadows.hpp"
 
 namespace {
@@ -147,49 +143,8 @@ void suite::all() const {
     run(
         "cleared_depth", inputs, [](source& s) { return s.one_in(2); },
         [](bool back) { return cleared_depth(back ? depth_direction::reversed : depth_direction::forward); });
-    const auto direction = [](source& s) {
-        const glm::vec2 xy = s.coords();
-        return glm::vec3(xy, s.level());
-    };
-    run("cube_face", inputs, direction, [](glm::vec3 d) { return float(cube_face(d)); });
-    run("cube_view_z", inputs, direction, [](glm::vec3 d) { return passed_on(cube_view_z(d)); });
-    run("cube_plane", inputs, direction, [](glm::vec3 d) { return passed_on(cube_plane(d)); });
-    run("cube_point", inputs, direction, [](glm::vec3 d) { return passed_on(cube_point(float(cube_face(d)), d)); });
-    const auto cube_texel = [](source& s) {
-        const int size = 1 << s.below(12);
-        const int u = int(s.below(std::uint32_t(size) + 2)) - 1, v = int(s.below(std::uint32_t(size) + 2)) - 1;
-        return glm::vec4(float(u), float(v), float(s.below(6)), float(size));
-    };
-    run("cube_neighbour", inputs, cube_texel, [](glm::vec4 v) { return cube_neighbour(glm::vec3(v), v.w); });
-    run("cube_atlas_texel", inputs, cube_texel, [](glm::vec4 v) { return cube_atlas_texel(glm::vec2(v) + 1.0f, v.w); });
-    run("cube_atlas_direction", inputs, cube_texel,  // of even sizes: no middle column, of which zeros keep no sign
-        [](glm::vec4 v) { return cube_atlas_direction(glm::vec2(v) + 1.0f, v.w * 2.0f); });
-    run("cube_lit", inputs, cube_texel, [&](glm::vec4 v) { return cube_lit(fetch, v.w, glm::vec3(v), 0.5f); });
-    run("cube_tile", inputs, cube_texel, [](glm::vec4 v) { return glm::vec2(cube_tile(int(v.z), int(v.w))); });
-    run(
-        "cascade_by_depth", inputs, [](source& s) { return s.level() * 4.0f; },
-        [](float depth) { return cascade_by_depth(depth, glm::vec3(1.0f, 1.5f, 3.25f)); });
-    run(
-        "cascade_column", inputs, [](source& s) { return float(s.below(5)); },
-        [](float number) { return cascade_column(glm::mat4(1.0f), number); });
-    run(
-        "cascade_tile", inputs,
-        [](source& s) {
-            const auto number = static_cast<int>(s.below(4));
-            return glm::ivec2(number, s.below(4096));
-        },
-        [](glm::ivec2 v) { return glm::vec2(cascade_tile(v.x, v.y)); });
-    run("cascade_weight", inputs, any, [](float v) { return cascade_weight(v); });
-    run(
-        "dither_threshold", inputs, [](source& s) { return s.coords(); },
-        [](glm::vec2 pixel) { return dither_threshold(pixel); });
-    run(
-        "dithered_cascade", inputs,
-        [](source& s) {
-            const float number = float(s.below(4)), weight = float(s.below(257)) / 256.0f;
-            return glm::vec3(number, weight, float(s.below(16)) / 16.0f);
-        },
-        [](glm::vec3 v) { return dithered_cascade(v.x, v.y, v.z); });
+    each_of_light([&](const char* name, int of, auto draw_one, auto op) { run(name, inputs / of, draw_one, op); },
+                  fetch);
 
     run(
         "inside_texel_space", inputs, [](source& s) { return s.coords(); },

@@ -1,0 +1,66 @@
+// umbrage 0.1.0, MIT License: page_coordinate
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_FROM_UNORM
+#define UMBRAGE_HAS_FROM_UNORM
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+UMBRAGE_HIGHP float umbrage_from_unorm(UMBRAGE_HIGHP float c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec2 umbrage_from_unorm(UMBRAGE_HIGHP vec2 c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec3 umbrage_from_unorm(UMBRAGE_HIGHP vec3 c) {
+    return floor(c * 255.0 + 0.5);
+}
+UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
+    return floor(c * 255.0 + 0.5);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PAGE_COORDINATE
+#define UMBRAGE_HAS_PAGE_COORDINATE
+// umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   page, gutter  side of a page and what it has around it, texels
+UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                           UMBRAGE_HIGHP float page, UMBRAGE_HIGHP float gutter) {
+    UMBRAGE_HIGHP vec2 nearest = min(max(vec2(1.0, 1.0), coord), vec2(1.99999988, 1.99999988));  // a NaN is the first
+    UMBRAGE_HIGHP vec4 entry = umbrage_from_unorm(umbrage_texel(table, size, floor(nearest * size - size)));
+    UMBRAGE_HIGHP float across = entry.z + entry.w * 256.0;
+    UMBRAGE_HIGHP vec2 within = coord * across - floor(nearest * across);
+    UMBRAGE_HIGHP vec2 at = within * page + (across > 0.0 ? gutter : 32768.0);
+    return vec4(at, vec2(entry.x, entry.y) * (page + gutter * 2.0));
+}
+#endif

@@ -1,0 +1,41 @@
+// umbrage 0.1.0, MIT License: page_coordinate
+
+#ifndef UMBRAGE_HAS_FROM_UNORM
+#define UMBRAGE_HAS_FROM_UNORM
+// umbrage_from_unorm: channel 0..255 behind a value read from an 8-bit texture, however the driver divides by 255
+float umbrage_from_unorm(float c) {
+    return floor(c * 255.0 + 0.5);
+}
+float2 umbrage_from_unorm(float2 c) {
+    return floor(c * 255.0 + 0.5);
+}
+float3 umbrage_from_unorm(float3 c) {
+    return floor(c * 255.0 + 0.5);
+}
+float4 umbrage_from_unorm(float4 c) {
+    return floor(c * 255.0 + 0.5);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
+    return map.Load(int3(int2(texel), 0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PAGE_COORDINATE
+#define UMBRAGE_HAS_PAGE_COORDINATE
+// umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   page, gutter  side of a page and what it has around it, texels
+float4 umbrage_page_coordinate(Texture2D<float4> table, float2 size, float2 coord, float page, float gutter) {
+    float2 nearest = min(max(float2(1.0, 1.0), coord), float2(1.99999988, 1.99999988));  // a NaN is the first
+    float4 entry = umbrage_from_unorm(umbrage_texel(table, size, floor(nearest * size - size)));
+    float across = entry.z + entry.w * 256.0;
+    float2 within = coord * across - floor(nearest * across);
+    float2 at = within * page + (across > 0.0 ? gutter : 32768.0);
+    return float4(at, float2(entry.x, entry.y) * (page + gutter * 2.0));
+}
+#endif

@@ -1,0 +1,14 @@
+// umbrage 0.1.0, MIT License: page_coordinate
+// Paste along: texel.wgsl, from_unorm.wgsl
+
+// umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   page, gutter  side of a page and what it has around it, texels
+fn umbrage_page_coordinate(table: texture_2d<f32>, size: vec2f, coord: vec2f, page: f32, gutter: f32) -> vec4f {
+    let nearest: vec2f = min(max(vec2f(1.0, 1.0), coord), vec2f(1.99999988, 1.99999988));  // a NaN is the first
+    let entry: vec4f = umbrage_from_unorm_vec4f(umbrage_texel(table, size, floor(nearest * size - size)));
+    let across: f32 = entry.z + entry.w * 256.0;
+    let within: vec2f = coord * across - floor(nearest * across);
+    let at: vec2f = within * page + select(32768.0, gutter, across > 0.0);
+    return vec4f(at, vec2f(entry.x, entry.y) * (page + gutter * 2.0));
+}

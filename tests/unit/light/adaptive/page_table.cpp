@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <limits>
+#include <random>
+
+#include <umbrage/filter/pcf/hard.hpp>
+#include <umbrage/light/adaptive/page_table.hpp>
+
+using namespace umbrage;
+
+TEST_CASE("page_entry: slot, and how many pages of its level the root is wide") {
+    CHECK(page_entry({3, 250}, 0) == glm::u8vec4(3, 250, 1, 0));
+    CHECK(page_entry({0, 0}, 7) == glm::u8vec4(0, 0, 128, 0));
+    CHECK(page_entry({255, 255}, deepest_page_level) == glm::u8vec4(255, 255, 0, 128));
+}
+
+TEST_CASE_TEMPLATE("page_coordinate: whole numbers, at every level and page size", T, float, double) {
+    std::mt19937 random(7);
+    const auto below = [&](std::uint32_t n) { return random() % n; };
+    for (int i = 0; i < 200000; ++i) {
+        const auto level = static_cast<int>(below(16)), side = 8 << below(6);
+        const std::int64_t one = 1 << 23;
+        std::int64_t at[2], page[2], in_page[2];
+        for (int axis = 0; axis < 2; ++axis) {
+            at[axis] = below(4) ? below(1 << 23) : below(64) << 17;  // at cells' borders, too
+            page[axis] = (at[axis] << level) / one;
+            in_page[axis] = (at[axis] << level) % one;
+        }
+        const glm::ivec2 slot(page[0] % 30, page[1] % 30);
+        glm::ivec2 read(-1);
+        const auto table = [&](glm::ivec2 cell) {
+            read = cell;
+            return page_entry(slot, level);
+        };
+        const glm::vec<2, T> coord(T(one + at[0]) / T(one), T(one + at[1]) / T(one));
+        const glm::vec<4, T> found = page_coordinate(table, T(64), coord, T(side), T(4));
+        const bool right = read == glm::ivec2(at[0] * 64 / one, at[1] * 64 / one) &&
+                           double(found.x - T(4)) * double(one) == double(in_page[0] * side) &&
+                           double(found.y - T(4)) * double(one) == double(in_page[1] * side) &&
+                           found.z == T(slot.x * (side + 8)) && found.w == T(slot.y * (side + 8));
+        CAPTURE(level);
+        CAPTURE(side);
+        if (!right) CHECK(right);
+    }
+}
+
+TEST_CASE_TEMPLATE("page_coordinate: beside the root, without a page, of NaN", T, float, double) {
+    const T inf = std::numeric_limits<T>::infinity(), nan = std::numeric_limits<T>::quiet_NaN();
+    glm::ivec2 read(-1);
+    const auto table = [&](glm::ivec2 cell) {
+        read = cell;
+        return page_entry({1, 2}, 3);
+    };
+    const auto find = [&](T x, T y) { return page_coordinate(table, T(8), glm::vec<2, T>(x, y), T(16), T(4)); };
+    CHECK(find(T(0.75), T(2)) == glm::vec<4, T>(-28, 20, 24, 48));
+    CHECK(read == glm::ivec2(0, 7));
+    for (const T far : {-inf, inf, T(-1e30), T(1e30)}) {
+        CHECK_FALSE(inside_texel_space(glm::vec<2, T>(find(far, T(1.5)))));
+        CHECK(read.y == 4);
+    }
+    const auto lost = find(T(1.5), nan);
+    CHECK(is_nan(lost.y));
+    CHECK(read == glm::ivec2(4, 0));
+    const auto none = [](glm::ivec2) { return glm::u8vec4(0); };
+    CHECK(page_coordinate(none, T(8), glm::vec<2, T>(T(1.25)), T(16), T(4)) == glm::vec<4, T>(32768, 32768, 0, 0));
+    CHECK(hard([](glm::ivec2) { return T(0); }, glm::vec<2, T>(32768), T(0.5)) == 1);
+}
