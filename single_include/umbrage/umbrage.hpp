@@ -1152,6 +1152,17 @@ template <real T>
     return scale > T(0) ? glm::normalize(v / scale) : v;
 }
 
+/// Two vectors of length one that stand square to one of length one, and to each other.
+template <real T>
+[[nodiscard]] std::array<glm::vec<3, T>, 2> across(glm::vec<3, T> v) {
+    const glm::vec<3, T> size = glm::abs(v);
+    const glm::length_t least = size.x <= size.y && size.x <= size.z ? 0 : (size.z <= size.y ? 2 : 1);
+    glm::vec<3, T> axis(0);
+    axis[least] = T(1);
+    const glm::vec<3, T> side = glm::normalize(glm::cross(v, axis));
+    return {side, glm::cross(v, side)};
+}
+
 /// look_along in the name of another function, whose argument `position` is; the result is the caller's to check.
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
@@ -1163,13 +1174,7 @@ template <real T>
     require(forward != glm::vec<3, T>(0), function, "direction", "must not be zero");
 
     glm::vec<3, T> side = glm::cross(forward, unit(up));
-    if (!(glm::length(side) > T(1e-3))) {
-        const glm::vec<3, T> along = glm::abs(forward);
-        const glm::length_t least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
-        glm::vec<3, T> axis(0);
-        axis[least] = T(1);
-        side = glm::cross(forward, axis);
-    }
+    if (!(glm::length(side) > T(1e-3))) side = across(forward)[0];
     const glm::vec<3, T> above = glm::normalize(glm::cross(side, forward));
     side = glm::cross(forward, above);  // again: up nearly parallel to forward leaves the first a hundred ulp askew
     const T towards = hand == handedness::right ? T(1) : T(-1);  // left: half a turn about y
@@ -1294,6 +1299,168 @@ template <real T>
 
 }  // namespace umbrage
 
+// ---- umbrage/light/texture_matrix.hpp
+// From world to the shadow map: the texture matrix, the four tap matrices, and what a vertex shader does with them.
+//
+//     glm::mat4 m = umbrage::texture_matrix(light, {1024, 1024});
+//     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, world));  // texels, texels, depth
+//
+
+namespace umbrage {
+
+/// World to texels and depth, before the division by w.
+///
+/// @param map_size   texels, each >= 1; the first texel's centre is (0.5, 0.5)
+/// @return           (x w, y w, depth w, w); depth in [0, 1] whatever the clip space, reversed stays reversed
+/// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
+///                   [-1, 1] clip space becomes z / 2 + 1 / 2
+/// @throws std::invalid_argument  map_size below 1, or a matrix that is not finite
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
+    detail::require(map_size.x >= 1 && map_size.y >= 1, "texture_matrix", "map_size", "must be above 0");
+    const glm::vec<2, T> half = glm::vec<2, T>(map_size) * T(0.5);
+    glm::mat<4, 4, T> scale_bias(T(1));
+    scale_bias[0][0] = half.x;
+    scale_bias[1][1] = light.clip.origin == texture_origin::bottom ? half.y : -half.y;
+    scale_bias[3][0] = half.x;
+    scale_bias[3][1] = half.y;
+    if (light.clip.range == depth_range::minus_one_to_one) {
+        scale_bias[2][2] = T(0.5);
+        scale_bias[3][2] = T(0.5);
+    }
+    const glm::mat<4, 4, T> m = scale_bias * light.projection * light.view;
+    detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "give a matrix that is not finite");
+    return m;
+}
+
+namespace detail {
+
+/// How a point's texels and depth change with a step along a vector.
+template <real T>
+[[nodiscard]] glm::vec<3, T> step(const glm::mat<4, 4, T>& texture_matrix, glm::vec<3, T> world, glm::vec<3, T> along) {
+    const glm::vec<4, T> h = texture_matrix * glm::vec<4, T>(world, T(1));
+    const glm::vec<4, T> d = texture_matrix * glm::vec<4, T>(along, T(0));
+    return (glm::vec<3, T>(d) - glm::vec<3, T>(h) * (d.w / h.w)) / h.w;
+}
+
+}  // namespace detail
+
+/// The same to [0, 1]: what texture look-ups with normalised coordinates take.
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> texture_matrix_uv(const light_space<T>& light) {
+    return texture_matrix(light, {1, 1});
+}
+
+/// The taps of the 2002 sample: half a texel off in both directions.
+template <real T>
+inline const std::array<glm::vec<2, T>, 4> default_taps{
+    {{T(-0.5), T(-0.5)}, {T(0.5), T(-0.5)}, {T(-0.5), T(0.5)}, {T(0.5), T(0.5)}}};
+
+/// One texture matrix per tap, for hardware and shaders that cannot move a projective coordinate afterwards.
+///
+/// @param texture_matrix   world to texels
+/// @param offsets          of the taps, in texels
+/// @return                 matrices with the offset applied before the division by w: equal in exact arithmetic to
+///                         adding it afterwards; in binary32 within 6 ulp of (|m0 x| + |m1 y| + |m2 z| + |m3|) / w,
+///                         the magnitudes that add up to a coordinate (worst seen 4.5; tap_coordinate stays closer)
+/// @formula                translate(offset) * texture_matrix
+/// @throws std::invalid_argument  a matrix that is not finite
+/// @cite                   ATI Radeon SDK, ShadowMap sample, 2002
+template <real T>
+[[nodiscard]] std::array<glm::mat<4, 4, T>, 4> tap_matrices(
+    const glm::mat<4, 4, T>& texture_matrix, const std::array<glm::vec<2, T>, 4>& offsets = default_taps<T>) {
+    std::array<glm::mat<4, 4, T>, 4> taps;
+    for (std::size_t tap = 0; tap < 4; ++tap) {
+        taps[tap] = texture_matrix;
+        for (int column = 0; column < 4; ++column) {
+            taps[tap][column][0] += offsets[tap].x * texture_matrix[column][3];
+            taps[tap][column][1] += offsets[tap].y * texture_matrix[column][3];
+        }
+        detail::require(detail::all_finite(taps[tap]), "tap_matrices", "texture_matrix and offsets",
+                        "give a matrix that is not finite");
+    }
+    return taps;
+}
+
+/// A world position through a texture matrix; the vertex shader's part.
+/// @formula       m[3] + m[0] x + m[1] y + m[2] z, sums from left to right: an order that GLSL compilers without
+///                `precise` were seen to keep, where they move m[3] forward from the end
+/// @exactness     B
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
+    glm::vec<4, T> c(0);
+    for (glm::length_t row = 0; row < 4; ++row)
+        c[row] = m[3][row] + m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z;
+    return c;
+}
+
+/// A tap's coordinate from the middle's: what the tap's own matrix would have given.
+/// @param coordinate   as shadow_coordinate returns it, before the division by w;   offset  in texels
+/// @return             after the division within 3 ulp of the offset added afterwards (worst seen 1.9)
+/// @formula            (x + offset.x w, y + offset.y w, z, w)
+/// @exactness          B
+template <real T>
+[[nodiscard]] constexpr glm::vec<4, T> tap_coordinate(glm::vec<4, T> coordinate, glm::vec<2, T> offset) {
+    return {coordinate.x + offset.x * coordinate.w, coordinate.y + offset.y * coordinate.w, coordinate.z, coordinate.w};
+}
+
+/// The division: what filters take.
+/// @return        (x, y) in texels, z depth; for w <= 0 (not in front of the light) or NaN in w (65536, 65536, 0),
+///                which every filter takes as lit
+/// @exactness     C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
+template <real T>
+[[nodiscard]] constexpr glm::vec<3, T> project_coordinate(glm::vec<4, T> coordinate) {
+    if (is_nan(coordinate.w) || !(coordinate.w > T(0))) return {T(65536), T(65536), T(0)};
+    return {coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w};
+}
+
+namespace glsl {
+
+inline constexpr snippet shadow_coordinate{
+    .name = "shadow_coordinate",
+    .summary = "world to texels and depth, before the division",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
+UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
+    return c;
+}
+)GLSL",
+};
+
+inline constexpr snippet tap_coordinate{
+    .name = "tap_coordinate",
+    .summary = "a tap's coordinate from the middle's, before the division",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
+UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE_HIGHP vec2 offset) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moved = vec2(coordinate.x, coordinate.y) + offset * coordinate.w;
+    return vec4(moved.x, moved.y, coordinate.z, coordinate.w);
+}
+)GLSL",
+};
+
+inline constexpr snippet project_coordinate{
+    .name = "project_coordinate",
+    .summary = "the division by w, lit behind the light",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
+// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
+UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
+    UMBRAGE_HIGHP vec3 p = vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
+    return coordinate.w > 0.0 ? p : vec3(65536.0, 65536.0, 0.0);
+}
+)GLSL",
+};
+
+inline constexpr auto texture_matrix_snippets = list<&shadow_coordinate, &tap_coordinate, &project_coordinate>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/bias/light_units.hpp
 // Texels, world units and depth, each in the others, at a point that a light sees: directional or spot, by one formula.
 //
@@ -1303,21 +1470,33 @@ template <real T>
 //
 // Across the light a texel's footprint grows with w, the distance along a spot's axis; depth grows by less and less a
 // world unit, as 1 / w^2. A directional light has w = 1 everywhere.
+//
+// In a warped map both change from point to point, and depth from texel to texel at one distance too: it drifts. There a
+// bias in world units moves the point that is looked up, the same way everywhere and in every dialect:
+//
+//     auto here = umbrage::light_units_at(to_texels, light_direction, world);
+//     float width = umbrage::offset_width(filter.reach(), here.units.x);
+//     float bias_world = umbrage::kernel_bias(normal, light_direction, light_direction, width, 20.0f) +
+//                        filter.reach() * here.drift_world;
+//     glm::vec4 looked_up = umbrage::shadow_coordinate(to_texels, world - bias_world * light_direction);
+//
+// acne_free_bias by plane_slope, in shaders too, has no need of this.
 
 namespace umbrage {
 
 /// A light's measures at w = 1.
 ///
-/// @param light      whose view is a rotation
+/// @param light      whose view is a rotation, not warped
 /// @param map_size   texels, each >= 1
 /// @return           x: edge of a texel's footprint across the light, world units, the longer where they differ;
 ///                   y: depth a world unit along the light, where it is z/w
-/// @throws std::invalid_argument  map_size below 1, or measures that are not finite and above 0
+/// @throws std::invalid_argument  map_size below 1, a warped map, or measures that are not finite and above 0
 template <real T>
 [[nodiscard]] glm::vec<2, T> make_light_units(const light_space<T>& light, glm::ivec2 map_size) {
     constexpr auto function = "make_light_units";
     detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
     const glm::mat<4, 4, T>& p = light.projection;
+    detail::require(p[0][3] == T(0) && p[1][3] == T(0), function, "light", "must not be warped: see light_units_at");
     const T edge = glm::max(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
     const bool perspective = p[2][3] != T(0);
     const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
@@ -1325,6 +1504,34 @@ template <real T>
     detail::require(detail::is_normal(edge) && detail::is_normal(depth), function, "light",
                     "gives measures that are not finite and above 0");
     return {edge, depth};
+}
+
+template <real T>
+struct light_measures {
+    glm::vec<2, T> units{T(0)};  ///< as make_light_units, for a w of 1 whatever the point's own is; the edge is the
+                                 ///< longest that a texel's footprint across the light is
+    T drift_world = T(0);        ///< by how much depth changes at one distance along the light over a texel in x and
+                                 ///< one in y, world units; 0 unless the map is warped
+};
+
+/// A light's measures at a point, of a warped map too.
+///
+/// @param texture_matrix   world to texels
+/// @param direction        of the light, a spot's axis, any length > 0
+/// @param world            the point, where the map's w is above 0
+/// @formula                with J = d(texel) / d(world across the light): 1 / its least singular value; |d(depth) /
+///                         d(world)| along the light; |J^-T d(depth) / d(world across the light)|_1 over that
+template <real T>
+[[nodiscard]] light_measures<T> light_units_at(const glm::mat<4, 4, T>& texture_matrix, glm::vec<3, T> direction,
+                                               glm::vec<3, T> world) {
+    const glm::vec<3, T> along = detail::unit(direction);
+    const auto sides = detail::across(along);
+    const glm::vec<3, T> a = detail::step(texture_matrix, world, sides[0]),
+                         b = detail::step(texture_matrix, world, sides[1]);
+    const T depth = glm::abs(detail::step(texture_matrix, world, along).z), area = glm::abs(a.x * b.y - a.y * b.x);
+    const T longest = (std::hypot(a.x + b.y, a.y - b.x) + std::hypot(a.x - b.y, a.y + b.x)) / T(2);
+    const T drift = (glm::abs(a.z * b.y - b.z * a.y) + glm::abs(b.z * a.x - a.z * b.x)) / area;
+    return {{longest / area, depth}, drift / depth};
 }
 
 /// Texels across the light as world units.
@@ -4749,156 +4956,6 @@ struct hierarchical_box {
 };
 
 }  // namespace filters
-}  // namespace umbrage
-
-// ---- umbrage/light/texture_matrix.hpp
-// From world to the shadow map: the texture matrix, the four tap matrices, and what a vertex shader does with them.
-//
-//     glm::mat4 m = umbrage::texture_matrix(light, {1024, 1024});
-//     glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(m, world));  // texels, texels, depth
-//
-
-namespace umbrage {
-
-/// World to texels and depth, before the division by w.
-///
-/// @param map_size   texels, each >= 1; the first texel's centre is (0.5, 0.5)
-/// @return           (x w, y w, depth w, w); depth in [0, 1] whatever the clip space, reversed stays reversed
-/// @formula          scale and bias * projection * view; y is flipped for texture_origin::top, and z of
-///                   [-1, 1] clip space becomes z / 2 + 1 / 2
-/// @throws std::invalid_argument  map_size below 1, or a matrix that is not finite
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> texture_matrix(const light_space<T>& light, glm::ivec2 map_size) {
-    detail::require(map_size.x >= 1 && map_size.y >= 1, "texture_matrix", "map_size", "must be above 0");
-    const glm::vec<2, T> half = glm::vec<2, T>(map_size) * T(0.5);
-    glm::mat<4, 4, T> scale_bias(T(1));
-    scale_bias[0][0] = half.x;
-    scale_bias[1][1] = light.clip.origin == texture_origin::bottom ? half.y : -half.y;
-    scale_bias[3][0] = half.x;
-    scale_bias[3][1] = half.y;
-    if (light.clip.range == depth_range::minus_one_to_one) {
-        scale_bias[2][2] = T(0.5);
-        scale_bias[3][2] = T(0.5);
-    }
-    const glm::mat<4, 4, T> m = scale_bias * light.projection * light.view;
-    detail::require(detail::all_finite(m), "texture_matrix", "light and map_size", "give a matrix that is not finite");
-    return m;
-}
-
-/// The same to [0, 1]: what texture look-ups with normalised coordinates take.
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> texture_matrix_uv(const light_space<T>& light) {
-    return texture_matrix(light, {1, 1});
-}
-
-/// The taps of the 2002 sample: half a texel off in both directions.
-template <real T>
-inline const std::array<glm::vec<2, T>, 4> default_taps{
-    {{T(-0.5), T(-0.5)}, {T(0.5), T(-0.5)}, {T(-0.5), T(0.5)}, {T(0.5), T(0.5)}}};
-
-/// One texture matrix per tap, for hardware and shaders that cannot move a projective coordinate afterwards.
-///
-/// @param texture_matrix   world to texels
-/// @param offsets          of the taps, in texels
-/// @return                 matrices with the offset applied before the division by w: equal in exact arithmetic to
-///                         adding it afterwards; in binary32 within 6 ulp of (|m0 x| + |m1 y| + |m2 z| + |m3|) / w,
-///                         the magnitudes that add up to a coordinate (worst seen 4.5; tap_coordinate stays closer)
-/// @formula                translate(offset) * texture_matrix
-/// @throws std::invalid_argument  a matrix that is not finite
-/// @cite                   ATI Radeon SDK, ShadowMap sample, 2002
-template <real T>
-[[nodiscard]] std::array<glm::mat<4, 4, T>, 4> tap_matrices(
-    const glm::mat<4, 4, T>& texture_matrix, const std::array<glm::vec<2, T>, 4>& offsets = default_taps<T>) {
-    std::array<glm::mat<4, 4, T>, 4> taps;
-    for (std::size_t tap = 0; tap < 4; ++tap) {
-        taps[tap] = texture_matrix;
-        for (int column = 0; column < 4; ++column) {
-            taps[tap][column][0] += offsets[tap].x * texture_matrix[column][3];
-            taps[tap][column][1] += offsets[tap].y * texture_matrix[column][3];
-        }
-        detail::require(detail::all_finite(taps[tap]), "tap_matrices", "texture_matrix and offsets",
-                        "give a matrix that is not finite");
-    }
-    return taps;
-}
-
-/// A world position through a texture matrix; the vertex shader's part.
-/// @formula       m[3] + m[0] x + m[1] y + m[2] z, sums from left to right: an order that GLSL compilers without
-///                `precise` were seen to keep, where they move m[3] forward from the end
-/// @exactness     B
-template <real T>
-[[nodiscard]] constexpr glm::vec<4, T> shadow_coordinate(const glm::mat<4, 4, T>& m, glm::vec<3, T> world) {
-    glm::vec<4, T> c(0);
-    for (glm::length_t row = 0; row < 4; ++row)
-        c[row] = m[3][row] + m[0][row] * world.x + m[1][row] * world.y + m[2][row] * world.z;
-    return c;
-}
-
-/// A tap's coordinate from the middle's: what the tap's own matrix would have given.
-/// @param coordinate   as shadow_coordinate returns it, before the division by w;   offset  in texels
-/// @return             after the division within 3 ulp of the offset added afterwards (worst seen 1.9)
-/// @formula            (x + offset.x w, y + offset.y w, z, w)
-/// @exactness          B
-template <real T>
-[[nodiscard]] constexpr glm::vec<4, T> tap_coordinate(glm::vec<4, T> coordinate, glm::vec<2, T> offset) {
-    return {coordinate.x + offset.x * coordinate.w, coordinate.y + offset.y * coordinate.w, coordinate.z, coordinate.w};
-}
-
-/// The division: what filters take.
-/// @return        (x, y) in texels, z depth; for w <= 0 (not in front of the light) or NaN in w (65536, 65536, 0),
-///                which every filter takes as lit
-/// @exactness     C: divisions, of each of which GLSL allows 2.5 ulp; 0 seen
-template <real T>
-[[nodiscard]] constexpr glm::vec<3, T> project_coordinate(glm::vec<4, T> coordinate) {
-    if (is_nan(coordinate.w) || !(coordinate.w > T(0))) return {T(65536), T(65536), T(0)};
-    return {coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w};
-}
-
-namespace glsl {
-
-inline constexpr snippet shadow_coordinate{
-    .name = "shadow_coordinate",
-    .summary = "world to texels and depth, before the division",
-    .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_shadow_coordinate: texture matrix times world position; (x w, y w, depth w, w), x and y in texels
-UMBRAGE_HIGHP vec4 umbrage_shadow_coordinate(UMBRAGE_HIGHP mat4 m, UMBRAGE_HIGHP vec3 world) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 c = m[3] + m[0] * world.x + m[1] * world.y + m[2] * world.z;
-    return c;
-}
-)GLSL",
-};
-
-inline constexpr snippet tap_coordinate{
-    .name = "tap_coordinate",
-    .summary = "a tap's coordinate from the middle's, before the division",
-    .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_tap_coordinate: coordinate, before the division by w, moved by offset texels
-UMBRAGE_HIGHP vec4 umbrage_tap_coordinate(UMBRAGE_HIGHP vec4 coordinate, UMBRAGE_HIGHP vec2 offset) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 moved = vec2(coordinate.x, coordinate.y) + offset * coordinate.w;
-    return vec4(moved.x, moved.y, coordinate.z, coordinate.w);
-}
-)GLSL",
-};
-
-inline constexpr snippet project_coordinate{
-    .name = "project_coordinate",
-    .summary = "the division by w, lit behind the light",
-    .exactness = tier::c,
-    .ulp = 1,
-    .source = R"GLSL(
-// umbrage_project_coordinate: (x, y) in texels and depth; for w <= 0.0 a coordinate that every filter takes as lit
-UMBRAGE_HIGHP vec3 umbrage_project_coordinate(UMBRAGE_HIGHP vec4 coordinate) {
-    UMBRAGE_HIGHP vec3 p = vec3(coordinate.x / coordinate.w, coordinate.y / coordinate.w, coordinate.z / coordinate.w);
-    return coordinate.w > 0.0 ? p : vec3(65536.0, 65536.0, 0.0);
-}
-)GLSL",
-};
-
-inline constexpr auto texture_matrix_snippets = list<&shadow_coordinate, &tap_coordinate, &project_coordinate>;
-
-}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/filter/pcf/four_tap.hpp
@@ -9610,7 +9667,9 @@ namespace detail {
 /// A camera's receivers as the light sees them, y along the camera's view.
 struct along_view {
     glm::dmat4 frame;  ///< world to x, y and depth
-    glm::dvec3 first;  ///< x of the camera, least y and middle depth of the receivers
+    glm::dvec3 first;  ///< x of the camera, least y of the receivers, and the camera's depth or that of the receivers
+                       ///< next to it: planes through the warp's zero of depth and its centre need no bias, and those
+                       ///< near to them little
     double length;     ///< from their least y to the greatest
     double camera_y;
     double closest;  ///< least distance of receivers along the camera's view, no less than its near plane
@@ -9627,7 +9686,7 @@ template <real T>
     const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
     const auto [low, high] = extent_of(seen(v.frame, receivers));
     const glm::dvec3 own(v.frame * glm::dvec4(eye, 1.0));
-    v.first = {own.x, low.y, (low.z + high.z) * 0.5};
+    v.first = {own.x, low.y, glm::clamp(own.z, low.z, high.z)};
     v.length = high.y - low.y;
     v.camera_y = own.y;
     v.closest = std::numeric_limits<double>::infinity();
@@ -13359,23 +13418,6 @@ void look_up(image_view<const typename Prefilter::texel> texels, const Receivers
 
 namespace umbrage {
 
-namespace detail {
-
-/// How a point's place in a map changes with its steps along two vectors.
-template <real T>
-[[nodiscard]] glm::mat<2, 2, T> steps(const glm::mat<4, 4, T>& texture_matrix, glm::vec<3, T> world,
-                                      const glm::vec<3, T> (&along)[2]) {
-    const glm::vec<4, T> h = texture_matrix * glm::vec<4, T>(world, T(1));
-    glm::mat<2, 2, T> m(T(0));
-    for (glm::length_t k = 0; k < 2; ++k) {
-        const glm::vec<4, T> d = texture_matrix * glm::vec<4, T>(along[k], T(0));
-        m[k] = (glm::vec<2, T>(d) - glm::vec<2, T>(h) * (d.w / h.w)) / h.w;
-    }
-    return m;
-}
-
-}  // namespace detail
-
 /// How far on the screen a texel's step goes.
 ///
 /// @param texture_matrix   world to texels: the light's
@@ -13388,15 +13430,14 @@ template <real T>
 [[nodiscard]] glm::mat<2, 2, T> pixels_per_texel(const glm::mat<4, 4, T>& texture_matrix,
                                                  const glm::mat<4, 4, T>& to_pixels, glm::vec<3, T> world,
                                                  glm::vec<3, T> normal) {
-    const glm::vec<3, T> n = detail::unit(normal), size = glm::abs(n);
-    const glm::length_t least = size.x <= size.y && size.x <= size.z ? 0 : (size.z <= size.y ? 2 : 1);
-    glm::vec<3, T> axis(0);
-    axis[least] = T(1);
-    const glm::vec<3, T> side = glm::normalize(glm::cross(n, axis)), along[]{side, glm::cross(n, side)};
-    const glm::mat<2, 2, T> texels = detail::steps(texture_matrix, world, along);
-    const T det = texels[0][0] * texels[1][1] - texels[1][0] * texels[0][1];
+    const auto along = detail::across(detail::unit(normal));
+    const auto steps = [&](const glm::mat<4, 4, T>& m) {
+        return glm::mat<2, 2, T>(detail::step(m, world, along[0]), detail::step(m, world, along[1]));
+    };
+    const glm::mat<2, 2, T> texels = steps(texture_matrix);
+    const T det = glm::determinant(texels);
     const glm::mat<2, 2, T> back(texels[1][1] / det, -texels[0][1] / det, -texels[1][0] / det, texels[0][0] / det);
-    return detail::steps(to_pixels, world, along) * back;
+    return steps(to_pixels) * back;
 }
 
 /// The longer axis of a texel's image on the screen, an ellipse's.

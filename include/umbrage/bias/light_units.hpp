@@ -8,13 +8,29 @@
 //
 // Across the light a texel's footprint grows with w, the distance along a spot's axis; depth grows by less and less a
 // world unit, as 1 / w^2. A directional light has w = 1 everywhere.
+//
+// In a warped map both change from point to point, and depth from texel to texel at one distance too: it drifts. There a
+// bias in world units moves the point that is looked up, the same way everywhere and in every dialect:
+//
+//     auto here = umbrage::light_units_at(to_texels, light_direction, world);
+//     float width = umbrage::offset_width(filter.reach(), here.units.x);
+//     float bias_world = umbrage::kernel_bias(normal, light_direction, light_direction, width, 20.0f) +
+//                        filter.reach() * here.drift_world;
+//     glm::vec4 looked_up = umbrage::shadow_coordinate(to_texels, world - bias_world * light_direction);
+//
+// acne_free_bias by plane_slope, in shaders too, has no need of this.
 #pragma once
 
+#include <cmath>
+
 #include <glm/common.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include <umbrage/bias/constant.hpp>
 #include <umbrage/light/light_space.hpp>
+#include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shader/snippet.hpp>
 #include <umbrage/scalar.hpp>
 
@@ -22,16 +38,17 @@ namespace umbrage {
 
 /// A light's measures at w = 1.
 ///
-/// @param light      whose view is a rotation
+/// @param light      whose view is a rotation, not warped
 /// @param map_size   texels, each >= 1
 /// @return           x: edge of a texel's footprint across the light, world units, the longer where they differ;
 ///                   y: depth a world unit along the light, where it is z/w
-/// @throws std::invalid_argument  map_size below 1, or measures that are not finite and above 0
+/// @throws std::invalid_argument  map_size below 1, a warped map, or measures that are not finite and above 0
 template <real T>
 [[nodiscard]] glm::vec<2, T> make_light_units(const light_space<T>& light, glm::ivec2 map_size) {
     constexpr auto function = "make_light_units";
     detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
     const glm::mat<4, 4, T>& p = light.projection;
+    detail::require(p[0][3] == T(0) && p[1][3] == T(0), function, "light", "must not be warped: see light_units_at");
     const T edge = glm::max(T(2) / (glm::abs(p[0][0]) * T(map_size.x)), T(2) / (glm::abs(p[1][1]) * T(map_size.y)));
     const bool perspective = p[2][3] != T(0);
     const T along = glm::abs(perspective ? p[3][2] : p[2][2]);
@@ -39,6 +56,34 @@ template <real T>
     detail::require(detail::is_normal(edge) && detail::is_normal(depth), function, "light",
                     "gives measures that are not finite and above 0");
     return {edge, depth};
+}
+
+template <real T>
+struct light_measures {
+    glm::vec<2, T> units{T(0)};  ///< as make_light_units, for a w of 1 whatever the point's own is; the edge is the
+                                 ///< longest that a texel's footprint across the light is
+    T drift_world = T(0);        ///< by how much depth changes at one distance along the light over a texel in x and
+                                 ///< one in y, world units; 0 unless the map is warped
+};
+
+/// A light's measures at a point, of a warped map too.
+///
+/// @param texture_matrix   world to texels
+/// @param direction        of the light, a spot's axis, any length > 0
+/// @param world            the point, where the map's w is above 0
+/// @formula                with J = d(texel) / d(world across the light): 1 / its least singular value; |d(depth) /
+///                         d(world)| along the light; |J^-T d(depth) / d(world across the light)|_1 over that
+template <real T>
+[[nodiscard]] light_measures<T> light_units_at(const glm::mat<4, 4, T>& texture_matrix, glm::vec<3, T> direction,
+                                               glm::vec<3, T> world) {
+    const glm::vec<3, T> along = detail::unit(direction);
+    const auto sides = detail::across(along);
+    const glm::vec<3, T> a = detail::step(texture_matrix, world, sides[0]),
+                         b = detail::step(texture_matrix, world, sides[1]);
+    const T depth = glm::abs(detail::step(texture_matrix, world, along).z), area = glm::abs(a.x * b.y - a.y * b.x);
+    const T longest = (std::hypot(a.x + b.y, a.y - b.x) + std::hypot(a.x - b.y, a.y + b.x)) / T(2);
+    const T drift = (glm::abs(a.z * b.y - b.z * a.y) + glm::abs(b.z * a.x - a.z * b.x)) / area;
+    return {{longest / area, depth}, drift / depth};
 }
 
 /// Texels across the light as world units.

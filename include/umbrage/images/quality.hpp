@@ -26,26 +26,10 @@
 #include <umbrage/config.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/light_space.hpp>
+#include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/scalar.hpp>
 
 namespace umbrage {
-
-namespace detail {
-
-/// How a point's place in a map changes with its steps along two vectors.
-template <real T>
-[[nodiscard]] glm::mat<2, 2, T> steps(const glm::mat<4, 4, T>& texture_matrix, glm::vec<3, T> world,
-                                      const glm::vec<3, T> (&along)[2]) {
-    const glm::vec<4, T> h = texture_matrix * glm::vec<4, T>(world, T(1));
-    glm::mat<2, 2, T> m(T(0));
-    for (glm::length_t k = 0; k < 2; ++k) {
-        const glm::vec<4, T> d = texture_matrix * glm::vec<4, T>(along[k], T(0));
-        m[k] = (glm::vec<2, T>(d) - glm::vec<2, T>(h) * (d.w / h.w)) / h.w;
-    }
-    return m;
-}
-
-}  // namespace detail
 
 /// How far on the screen a texel's step goes.
 ///
@@ -59,15 +43,14 @@ template <real T>
 [[nodiscard]] glm::mat<2, 2, T> pixels_per_texel(const glm::mat<4, 4, T>& texture_matrix,
                                                  const glm::mat<4, 4, T>& to_pixels, glm::vec<3, T> world,
                                                  glm::vec<3, T> normal) {
-    const glm::vec<3, T> n = detail::unit(normal), size = glm::abs(n);
-    const glm::length_t least = size.x <= size.y && size.x <= size.z ? 0 : (size.z <= size.y ? 2 : 1);
-    glm::vec<3, T> axis(0);
-    axis[least] = T(1);
-    const glm::vec<3, T> side = glm::normalize(glm::cross(n, axis)), along[]{side, glm::cross(n, side)};
-    const glm::mat<2, 2, T> texels = detail::steps(texture_matrix, world, along);
-    const T det = texels[0][0] * texels[1][1] - texels[1][0] * texels[0][1];
+    const auto along = detail::across(detail::unit(normal));
+    const auto steps = [&](const glm::mat<4, 4, T>& m) {
+        return glm::mat<2, 2, T>(detail::step(m, world, along[0]), detail::step(m, world, along[1]));
+    };
+    const glm::mat<2, 2, T> texels = steps(texture_matrix);
+    const T det = glm::determinant(texels);
     const glm::mat<2, 2, T> back(texels[1][1] / det, -texels[0][1] / det, -texels[1][0] / det, texels[0][0] / det);
-    return detail::steps(to_pixels, world, along) * back;
+    return steps(to_pixels) * back;
 }
 
 /// The longer axis of a texel's image on the screen, an ellipse's.

@@ -8,6 +8,7 @@
 //
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -61,6 +62,17 @@ template <real T>
     return scale > T(0) ? glm::normalize(v / scale) : v;
 }
 
+/// Two vectors of length one that stand square to one of length one, and to each other.
+template <real T>
+[[nodiscard]] std::array<glm::vec<3, T>, 2> across(glm::vec<3, T> v) {
+    const glm::vec<3, T> size = glm::abs(v);
+    const glm::length_t least = size.x <= size.y && size.x <= size.z ? 0 : (size.z <= size.y ? 2 : 1);
+    glm::vec<3, T> axis(0);
+    axis[least] = T(1);
+    const glm::vec<3, T> side = glm::normalize(glm::cross(v, axis));
+    return {side, glm::cross(v, side)};
+}
+
 /// look_along in the name of another function, whose argument `position` is; the result is the caller's to check.
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> look_along(glm::vec<3, T> position, glm::vec<3, T> direction, glm::vec<3, T> up,
@@ -72,13 +84,7 @@ template <real T>
     require(forward != glm::vec<3, T>(0), function, "direction", "must not be zero");
 
     glm::vec<3, T> side = glm::cross(forward, unit(up));
-    if (!(glm::length(side) > T(1e-3))) {
-        const glm::vec<3, T> along = glm::abs(forward);
-        const glm::length_t least = along.x <= along.y && along.x <= along.z ? 0 : (along.z <= along.y ? 2 : 1);
-        glm::vec<3, T> axis(0);
-        axis[least] = T(1);
-        side = glm::cross(forward, axis);
-    }
+    if (!(glm::length(side) > T(1e-3))) side = across(forward)[0];
     const glm::vec<3, T> above = glm::normalize(glm::cross(side, forward));
     side = glm::cross(forward, above);  // again: up nearly parallel to forward leaves the first a hundred ulp askew
     const T towards = hand == handedness::right ? T(1) : T(-1);  // left: half a turn about y

@@ -44,6 +44,18 @@ template <real T>
     return m;
 }
 
+namespace detail {
+
+/// How a point's texels and depth change with a step along a vector.
+template <real T>
+[[nodiscard]] glm::vec<3, T> step(const glm::mat<4, 4, T>& texture_matrix, glm::vec<3, T> world, glm::vec<3, T> along) {
+    const glm::vec<4, T> h = texture_matrix * glm::vec<4, T>(world, T(1));
+    const glm::vec<4, T> d = texture_matrix * glm::vec<4, T>(along, T(0));
+    return (glm::vec<3, T>(d) - glm::vec<3, T>(h) * (d.w / h.w)) / h.w;
+}
+
+}  // namespace detail
+
 /// The same to [0, 1]: what texture look-ups with normalised coordinates take.
 template <real T>
 [[nodiscard]] glm::mat<4, 4, T> texture_matrix_uv(const light_space<T>& light) {

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 
 #include <glm/geometric.hpp>
 
+#include <umbrage/bias/kernel.hpp>
 #include <umbrage/bias/light_units.hpp>
+#include <umbrage/bias/normal_offset.hpp>
+#include <umbrage/bias/slope.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/light/warp/light_space_perspective.hpp>
 
 #include "../light/clip_spaces.hpp"
+#include "../light/reference_view.hpp"
 
 using namespace umbrage;
 
@@ -61,6 +67,96 @@ TEST_CASE_TEMPLATE("make_light_units: spot and directional, every clip space, ne
         check_units(make_directional_light<T>({.direction = vec(direction), .map_size = 300, .clip = clip}), direction,
                     glm::dvec3(coordinate(random), coordinate(random), coordinate(random)));
     }
+}
+
+TEST_CASE_TEMPLATE("light_units_at: as make_light_units has it, spot and directional, every clip space", T, float,
+                   double) {
+    using vec = glm::vec<3, T>;
+    const vec position(1, 5, 2), axis(T(-0.2), -1, T(0.3)), point(T(0.7), 1, T(2.5));
+    for (const clip_space clip : all_clip_spaces()) {
+        const auto check = [&](const light_space<T>& light) {
+            const glm::mat<4, 4, T> to_texels = texture_matrix(light, {300, 300});
+            const glm::vec<2, T> units = make_light_units(light, {300, 300});
+            const T w = shadow_coordinate(to_texels, point).w;
+            const auto [here, drift] = light_units_at(to_texels, axis, point);
+            CHECK(here.x == doctest::Approx(units.x * w).epsilon(1e-4));
+            CHECK(here.y == doctest::Approx(units.y / (w * w)).epsilon(1e-4));
+            CHECK(double(drift) < (sizeof(T) == 4 ? 1e-5 : 1e-13));
+        };
+        check(make_spot_light<T>({.position = position, .direction = axis, .z_near = 1, .clip = clip}));
+        check(make_directional_light<T>({.direction = axis, .map_size = 300, .clip = clip}));
+    }
+}
+
+TEST_CASE(
+    "light_units_at: of warped maps, by steps of texels all around and along the light; a bias that moves points") {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    for (int i = 0; i < 64; ++i) {
+        warp_fit<double> fit{.clip = all_clip_spaces()[std::size_t(i % 16)]};
+        fit.camera = {.position = {0, 2, 0}, .direction = {coordinate(random), 0, -1}};
+        fit.direction = {coordinate(random), -1, coordinate(random)};
+        const auto light = fit_light_space_perspective(fit).light;
+        CHECK(complaint([&] { (void)make_light_units(light, {300, 300}); }).ends_with("see light_units_at"));
+        const glm::dmat4 m = texture_matrix(light, {300, 200});
+        const glm::dvec3 p(coordinate(random), coordinate(random), coordinate(random)),
+            d = glm::normalize(fit.direction);
+        const auto [here, drift] = light_units_at(m, fit.direction, p);
+        const glm::dvec3 side = glm::normalize(glm::cross(d, glm::dvec3(1, 2, 3))), up = glm::cross(d, side);
+        const glm::dvec3 at = through(m, p);
+        double shortest = 1e9;  // in texels, of a small way across the light
+        for (int k = 0; k < 720; ++k) {
+            const double turn = k * 0.00436332;
+            const glm::dvec3 way = std::cos(turn) * side + std::sin(turn) * up;
+            shortest = std::min(shortest, glm::length(glm::dvec2(through(m, p + 1e-6 * way)) - glm::dvec2(at)));
+        }
+        CHECK(here.x == doctest::Approx(1e-6 / shortest).epsilon(1e-3));
+        const glm::dmat4 back = glm::inverse(m);
+        double drifted = 0;
+        for (const glm::dvec2 texel : {glm::dvec2(1, 0), glm::dvec2(0, 1)}) {
+            // where the next texel meets the plane across the light through the point
+            const glm::dvec3 from = through(back, at + glm::dvec3(1e-4 * texel, 0)),
+                             to = through(back, at + glm::dvec3(1e-4 * texel, 1e-3));
+            const glm::dvec3 level = from + (to - from) * (glm::dot(p - from, d) / glm::dot(to - from, d));
+            drifted += std::abs(through(m, level).z - at.z) / 1e-4 / here.y;
+        }
+        CHECK(drift == doctest::Approx(drifted).epsilon(1e-3));
+        const double moved = through(m, p - 0.02 * d).z - at.z;
+        CHECK(std::abs(moved) == doctest::Approx(world_to_depth(0.02, here, 1.0)).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("light_units_at: a bias in world units keeps a warped map's planes off what their texels hold") {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    int drifts = 0;
+    for (const auto& light : reference_view::suns) {
+        const warp_fit<double> fit = reference_view::warp_under(light);
+        const glm::dmat4 m = texture_matrix(fit_light_space_perspective(fit).light, reference_view::map_size);
+        const glm::dmat4 planes = plane_matrix(m);
+        const glm::dvec3 d = glm::normalize(fit.direction);
+        for (int i = 0; i < 300; ++i) {
+            const double z = 3 * std::pow(300.0, 0.5 + 0.5 * coordinate(random)), x = coordinate(random);
+            const glm::dvec3 p(x * z, 0, -z), tilt(coordinate(random), coordinate(random), coordinate(random));
+            const glm::dvec3 normal = glm::normalize(-d + tilt);
+            if (glm::dot(normal, d) > -0.1) continue;
+            const auto here = light_units_at(m, d, p);
+            const glm::dvec2 slope = plane_slope(planes, normal, p);
+            const glm::dvec3 at = through(m, p);
+            for (const double reach : {0.5, 1.5, 5.5}) {
+                const double needed = reach * (std::abs(slope.x) + std::abs(slope.y));
+                const double tilted = kernel_bias(normal, d, d, offset_width(reach, here.units.x), 20.0);
+                const double bias = tilted + reach * here.drift_world;
+                const glm::dvec3 moved = through(m, p - bias * d);
+                CHECK(at.z - moved.z > needed);
+                CHECK(glm::length(glm::dvec2(at) - glm::dvec2(moved)) < 1e-6);
+                CHECK(world_to_depth(bias, here.units, 1.0) ==
+                      doctest::Approx(std::min(at.z - moved.z, 1.0)).epsilon(1e-6));
+                drifts += world_to_depth(tilted, here.units, 1.0) < needed;
+            }
+        }
+    }
+    CHECK(drifts > 500);
 }
 
 TEST_CASE("make_light_units: by hand, and what is refused") {

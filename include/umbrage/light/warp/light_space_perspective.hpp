@@ -30,7 +30,9 @@ namespace detail {
 /// A camera's receivers as the light sees them, y along the camera's view.
 struct along_view {
     glm::dmat4 frame;  ///< world to x, y and depth
-    glm::dvec3 first;  ///< x of the camera, least y and middle depth of the receivers
+    glm::dvec3 first;  ///< x of the camera, least y of the receivers, and the camera's depth or that of the receivers
+                       ///< next to it: planes through the warp's zero of depth and its centre need no bias, and those
+                       ///< near to them little
     double length;     ///< from their least y to the greatest
     double camera_y;
     double closest;  ///< least distance of receivers along the camera's view, no less than its near plane
@@ -47,7 +49,7 @@ template <real T>
     const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
     const auto [low, high] = extent_of(seen(v.frame, receivers));
     const glm::dvec3 own(v.frame * glm::dvec4(eye, 1.0));
-    v.first = {own.x, low.y, (low.z + high.z) * 0.5};
+    v.first = {own.x, low.y, glm::clamp(own.z, low.z, high.z)};
     v.length = high.y - low.y;
     v.camera_y = own.y;
     v.closest = std::numeric_limits<double>::infinity();
