@@ -52,23 +52,24 @@ template <real T>
 }  // namespace detail
 
 /// @param m          mean of texels
-/// @param receiver   depth, biased; NaN is in shadow
+/// @param receiver   depth, biased; outside [0, 1] the nearer end counts; NaN is in shadow
 /// @param deviation  least standard deviation, as a part of the receiver's power: a least deviation of depth times
 ///                   2 ln(2) exponent, as make_evsm has it
 /// @return           visibility before bleed_cut: at least the lit share, less chebyshev's error
-/// @formula          chebyshev(m, w, (deviation w)^2), w = warp_depth(forward_depth(receiver))
+/// @formula          chebyshev(m, w, (deviation w)^2), w = warp_depth(forward_depth(saturate(receiver)))
 /// @exactness        C, 1 ulp: a division; within 2^-24 / deviation^2 + 2^-21 of the formula in reals of the same
 ///                   powers
 /// @cite             Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm2(glm::vec<2, T> m, T receiver, T exponent, T deviation,
                                                       T far = T(1)) {
-    const T d = forward_depth(receiver, far);
+    const T d = forward_depth(saturate(receiver, far), far);
     const T lit = detail::warped_chebyshev(m, warp_depth(d, exponent), deviation);
-    return detail::pick(is_nan(d), T(0), lit);
+    return detail::pick(is_nan(receiver), T(0), lit);
 }
 
 /// @param m           mean of texels
+/// @param receiver    depth, biased; outside [0, 1] the nearer end counts; NaN is in shadow
 /// @param exponents   as of the texels
 /// @param deviations  least standard deviations, as parts of the receiver's powers
 /// @return            visibility before bleed_cut: at least the lit share, less chebyshev's error
@@ -77,10 +78,10 @@ template <real T>
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm4(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
                                                       glm::vec<2, T> deviations, T far = T(1)) {
-    const T d = forward_depth(receiver, far);
+    const T d = forward_depth(saturate(receiver, far), far);
     const T a = detail::warped_chebyshev(glm::vec<2, T>(m.x, m.y), warp_depth(d, exponents.x), deviations.x);
     const T b = detail::warped_chebyshev(glm::vec<2, T>(m.z, m.w), -warp_depth(d, -exponents.y), deviations.y);
-    return detail::pick(is_nan(d), T(0), detail::pick(a < b, a, b));
+    return detail::pick(is_nan(receiver), T(0), detail::pick(a < b, a, b));
 }
 
 /// Set-up of exponential variance shadow maps.
@@ -154,19 +155,19 @@ inline constexpr snippet decode_evsm2{
     .summary = "mean of texels of two components to visibility",
     .exactness = tier::c,
     .ulp = 1,
-    .needs = list<&chebyshev, &forward_depth, &warp_depth>,
+    .needs = list<&chebyshev, &forward_depth, &saturate, &warp_depth>,
     .source = R"GLSL(
 // umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power
 UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
     UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponent);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least = deviation * w;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least_variance = least * least;
     UMBRAGE_HIGHP float lit = umbrage_chebyshev(m, w, least_variance);
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
 }
 )GLSL",
 };
@@ -176,14 +177,14 @@ inline constexpr snippet decode_evsm4{
     .summary = "mean of texels of four components to visibility",
     .exactness = tier::c,
     .ulp = 1,
-    .needs = list<&chebyshev, &forward_depth, &warp_depth>,
+    .needs = list<&chebyshev, &forward_depth, &saturate, &warp_depth>,
     .source = R"GLSL(
 // umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
     UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
     UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
@@ -191,7 +192,7 @@ UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP flo
     UMBRAGE_HIGHP float a = umbrage_chebyshev(vec2(m.x, m.y), w, least_variance.x);
     UMBRAGE_HIGHP float b = umbrage_chebyshev(vec2(m.z, m.w), n, least_variance.y);
     UMBRAGE_HIGHP float lit = a < b ? a : b;
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
 }
 )GLSL",
 };

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Inputs of decoders: means of what a few depths are encoded as, and a receiver at one of them or elsewhere.
+// Inputs of decoders: means of what a few depths are encoded as, and a receiver at one of them, close to an end, elsewhere
+// or beyond.
 #pragma once
+
+#include <cmath>
 
 #include "../../entries.hpp"
 
@@ -21,7 +24,8 @@ template <class Encode>
                     sum += encode(depth, s);
                 }
                 s.x[0] = sum / static_cast<float>(count);
-                s.x[1].x = i % 3 == 0 ? depth : r.unit();
+                const float near_end = std::ldexp(r.unit(), -r.below(24));
+                s.x[1].x = i % 3 == 0 ? depth : i % 3 == 1 ? r.between(-0.25f, 1.25f) : i % 2 ? near_end : 1.0f - near_end;
             }};
 }
 
