@@ -2449,12 +2449,12 @@ UMBRAGE_HIGHP vec4 umbrage_encode_evsm4(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP
 //   deviation  least standard deviation, as a part of the receiver's power
 UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
     UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponent);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least = deviation * w;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least_variance = least * least;
     UMBRAGE_HIGHP float lit = umbrage_chebyshev(m, w, least_variance);
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
 }
 `,
             "decode_evsm4": `
@@ -2463,7 +2463,7 @@ UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP flo
 //   deviations  least standard deviations, as parts of the receiver's powers
 UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
     UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
     UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
@@ -2471,7 +2471,7 @@ UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP flo
     UMBRAGE_HIGHP float a = umbrage_chebyshev(vec2(m.x, m.y), w, least_variance.x);
     UMBRAGE_HIGHP float b = umbrage_chebyshev(vec2(m.z, m.w), n, least_variance.y);
     UMBRAGE_HIGHP float lit = a < b ? a : b;
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
 }
 `,
             "encode_msm": `
@@ -2557,18 +2557,27 @@ UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float
             "hausdorff_share": `
 // umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
 //   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+//   negative where the share is that of umbrage_moment_atoms
 UMBRAGE_HIGHP float umbrage_hausdorff_share(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float z) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = (b.z - b.x) - z * (b.y - 1.0);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float n = (b.w - b.y) - z * (b.z - b.x);
-    UMBRAGE_HIGHP float f = n / d;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float s = z + f;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float p = z * f;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float above = (b.z - (1.0 + s) * b.y) + ((s + p) * b.x - p);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float below = -2.0 * ((1.0 + z) * (1.0 + f));
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float between = (f * f - 1.0) * (f - z);
-    UMBRAGE_HIGHP float end = above / below;
-    UMBRAGE_HIGHP float other = d / between;
-    return end + (f < z ? other : 0.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float variance = b.y - b.x * b.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float fourth = b.w - b.y * b.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float rest = 1.0 - b.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = z - b.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = third + rest * x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float g = (fourth - variance * rest) - (z + b.x) * third;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float p = d * (1.0 + b.x) + g;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float q = d * (1.0 - b.x) - g;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float k = rest * g + third * d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float first = (1.0 + z) * (d * variance + g * (1.0 - b.x)) - k;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float last = (1.0 - z) * (d * variance - g * (1.0 + b.x)) + k;
+    UMBRAGE_HIGHP float square = d * d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float between = p * (q * (x * d - g));
+    UMBRAGE_HIGHP float end = first / (2.0 * ((1.0 + z) * p));
+    UMBRAGE_HIGHP float other = square * square / between;
+    UMBRAGE_HIGHP float share = end + (d > 0.0 ? other : 0.0);
+    bool four = first * p > 0.0 && last * q > 0.0 && p * q > 0.0 && share >= 0.0;
+    return z <= -1.0 ? 0.0 : (four ? (share < 1.0 ? share : 1.0) : -1.0);
 }
 `,
             "decode_msm_hausdorff": `
@@ -2579,14 +2588,8 @@ UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_H
     UMBRAGE_HIGHP float plain = umbrage_decode_msm(b, receiver, bias);
     UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
     UMBRAGE_HIGHP float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
-    UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = z - m.x;
-    UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
-    bool outside = abs(atoms.x + m.x) > 1.0 || abs(atoms.y + m.x) > 1.0;
-    UMBRAGE_HIGHP float share = umbrage_hausdorff_share(m, z);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float lit = z > -1.0 ? 1.0 - share : 1.0;
-    bool known = outside && abs(atoms.z + atoms.w) <= 4294967296.0 && abs(lit) <= 4294967296.0;  // what is no NaN
-    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : plain;
+    UMBRAGE_HIGHP float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
+    UMBRAGE_HIGHP float lit = share >= 0.0 ? 1.0 - share : plain;
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
 `,
@@ -5183,12 +5186,12 @@ float4 umbrage_encode_evsm4(float depth, float2 exponents) {
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power
 float umbrage_decode_evsm2(float2 m, float receiver, float exponent, float deviation) {
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_forward_depth(umbrage_saturate(receiver));
     float w = umbrage_warp_depth(d, exponent);
     precise float least = deviation * w;
     precise float least_variance = least * least;
     float lit = umbrage_chebyshev(m, w, least_variance);
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
 }
 `,
             "decode_evsm4": `
@@ -5196,7 +5199,7 @@ float umbrage_decode_evsm2(float2 m, float receiver, float exponent, float devia
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, float2 deviations) {
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_forward_depth(umbrage_saturate(receiver));
     float w = umbrage_warp_depth(d, exponents.x);
     float n = -umbrage_warp_depth(d, -exponents.y);
     precise float2 least = deviations * float2(w, n);
@@ -5204,7 +5207,7 @@ float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, float2 de
     float a = umbrage_chebyshev(float2(m.x, m.y), w, least_variance.x);
     float b = umbrage_chebyshev(float2(m.z, m.w), n, least_variance.y);
     float lit = a < b ? a : b;
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
 }
 `,
             "encode_msm": `
@@ -5290,18 +5293,27 @@ float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
             "hausdorff_share": `
 // umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
 //   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+//   negative where the share is that of umbrage_moment_atoms
 float umbrage_hausdorff_share(float4 b, float z) {
-    precise float d = (b.z - b.x) - z * (b.y - 1.0);
-    precise float n = (b.w - b.y) - z * (b.z - b.x);
-    float f = n / d;
-    precise float s = z + f;
-    precise float p = z * f;
-    precise float above = (b.z - (1.0 + s) * b.y) + ((s + p) * b.x - p);
-    precise float below = -2.0 * ((1.0 + z) * (1.0 + f));
-    precise float between = (f * f - 1.0) * (f - z);
-    float end = above / below;
-    float other = d / between;
-    return end + (f < z ? other : 0.0);
+    precise float variance = b.y - b.x * b.x;
+    precise float third = b.z - b.x * b.y;
+    precise float fourth = b.w - b.y * b.y;
+    precise float rest = 1.0 - b.y;
+    precise float x = z - b.x;
+    precise float d = third + rest * x;
+    precise float g = (fourth - variance * rest) - (z + b.x) * third;
+    precise float p = d * (1.0 + b.x) + g;
+    precise float q = d * (1.0 - b.x) - g;
+    precise float k = rest * g + third * d;
+    precise float first = (1.0 + z) * (d * variance + g * (1.0 - b.x)) - k;
+    precise float last = (1.0 - z) * (d * variance - g * (1.0 + b.x)) + k;
+    float square = d * d;
+    precise float between = p * (q * (x * d - g));
+    float end = first / (2.0 * ((1.0 + z) * p));
+    float other = square * square / between;
+    float share = end + (d > 0.0 ? other : 0.0);
+    bool four = first * p > 0.0 && last * q > 0.0 && p * q > 0.0 && share >= 0.0;
+    return z <= -1.0 ? 0.0 : (four ? (share < 1.0 ? share : 1.0) : -1.0);
 }
 `,
             "decode_msm_hausdorff": `
@@ -5311,14 +5323,8 @@ float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
     float plain = umbrage_decode_msm(b, receiver, bias);
     float d = umbrage_forward_depth(receiver);
     float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
-    float4 m = umbrage_bias_moments(b, bias);
-    precise float x = z - m.x;
-    float4 atoms = umbrage_moment_atoms(m, x);
-    bool outside = abs(atoms.x + m.x) > 1.0 || abs(atoms.y + m.x) > 1.0;
-    float share = umbrage_hausdorff_share(m, z);
-    precise float lit = z > -1.0 ? 1.0 - share : 1.0;
-    bool known = outside && abs(atoms.z + atoms.w) <= 4294967296.0 && abs(lit) <= 4294967296.0;  // what is no NaN
-    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : plain;
+    float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
+    float lit = share >= 0.0 ? 1.0 - share : plain;
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
 `,
@@ -7881,12 +7887,12 @@ inline float4 umbrage_encode_evsm4(float depth, float2 exponents) {
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power
 inline float umbrage_decode_evsm2(float2 m, float receiver, float exponent, float deviation) {
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_forward_depth(umbrage_saturate(receiver));
     float w = umbrage_warp_depth(d, exponent);
     float least = deviation * w;
     float least_variance = least * least;
     float lit = umbrage_chebyshev(m, w, least_variance);
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
 }
 `,
             "decode_evsm4": `
@@ -7894,7 +7900,7 @@ inline float umbrage_decode_evsm2(float2 m, float receiver, float exponent, floa
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 inline float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, float2 deviations) {
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_forward_depth(umbrage_saturate(receiver));
     float w = umbrage_warp_depth(d, exponents.x);
     float n = -umbrage_warp_depth(d, -exponents.y);
     float2 least = deviations * float2(w, n);
@@ -7902,7 +7908,7 @@ inline float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, fl
     float a = umbrage_chebyshev(float2(m.x, m.y), w, least_variance.x);
     float b = umbrage_chebyshev(float2(m.z, m.w), n, least_variance.y);
     float lit = a < b ? a : b;
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
 }
 `,
             "encode_msm": `
@@ -7988,18 +7994,27 @@ inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
             "hausdorff_share": `
 // umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
 //   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+//   negative where the share is that of umbrage_moment_atoms
 inline float umbrage_hausdorff_share(float4 b, float z) {
-    float d = (b.z - b.x) - z * (b.y - 1.0);
-    float n = (b.w - b.y) - z * (b.z - b.x);
-    float f = n / d;
-    float s = z + f;
-    float p = z * f;
-    float above = (b.z - (1.0 + s) * b.y) + ((s + p) * b.x - p);
-    float below = -2.0 * ((1.0 + z) * (1.0 + f));
-    float between = (f * f - 1.0) * (f - z);
-    float end = above / below;
-    float other = d / between;
-    return end + (f < z ? other : 0.0);
+    float variance = b.y - b.x * b.x;
+    float third = b.z - b.x * b.y;
+    float fourth = b.w - b.y * b.y;
+    float rest = 1.0 - b.y;
+    float x = z - b.x;
+    float d = third + rest * x;
+    float g = (fourth - variance * rest) - (z + b.x) * third;
+    float p = d * (1.0 + b.x) + g;
+    float q = d * (1.0 - b.x) - g;
+    float k = rest * g + third * d;
+    float first = (1.0 + z) * (d * variance + g * (1.0 - b.x)) - k;
+    float last = (1.0 - z) * (d * variance - g * (1.0 + b.x)) + k;
+    float square = d * d;
+    float between = p * (q * (x * d - g));
+    float end = first / (2.0 * ((1.0 + z) * p));
+    float other = square * square / between;
+    float share = end + (d > 0.0 ? other : 0.0);
+    bool four = first * p > 0.0 && last * q > 0.0 && p * q > 0.0 && share >= 0.0;
+    return z <= -1.0 ? 0.0 : (four ? (share < 1.0 ? share : 1.0) : -1.0);
 }
 `,
             "decode_msm_hausdorff": `
@@ -8009,14 +8024,8 @@ inline float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias)
     float plain = umbrage_decode_msm(b, receiver, bias);
     float d = umbrage_forward_depth(receiver);
     float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
-    float4 m = umbrage_bias_moments(b, bias);
-    float x = z - m.x;
-    float4 atoms = umbrage_moment_atoms(m, x);
-    bool outside = metal::abs(atoms.x + m.x) > 1.0 || metal::abs(atoms.y + m.x) > 1.0;
-    float share = umbrage_hausdorff_share(m, z);
-    float lit = z > -1.0 ? 1.0 - share : 1.0;
-    bool known = outside && metal::abs(atoms.z + atoms.w) <= 4294967296.0 && metal::abs(lit) <= 4294967296.0;  // what is no NaN
-    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : plain;
+    float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
+    float lit = share >= 0.0 ? 1.0 - share : plain;
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
 `,
@@ -10575,12 +10584,12 @@ fn umbrage_encode_evsm4(depth: f32, exponents: vec2f) -> vec4f {
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power
 fn umbrage_decode_evsm2(m: vec2f, receiver: f32, exponent: f32, deviation: f32) -> f32 {
-    let d: f32 = umbrage_forward_depth(receiver);
+    let d: f32 = umbrage_forward_depth(umbrage_saturate(receiver));
     let w: f32 = umbrage_warp_depth(d, exponent);
     let least: f32 = deviation * w;
     let least_variance: f32 = least * least;
     let lit: f32 = umbrage_chebyshev(m, w, least_variance);
-    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
+    return select(select(0.0, lit, receiver <= 0.0), lit, receiver > 0.0);
 }
 `,
             "decode_evsm4": `
@@ -10588,7 +10597,7 @@ fn umbrage_decode_evsm2(m: vec2f, receiver: f32, exponent: f32, deviation: f32) 
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f) -> f32 {
-    let d: f32 = umbrage_forward_depth(receiver);
+    let d: f32 = umbrage_forward_depth(umbrage_saturate(receiver));
     let w: f32 = umbrage_warp_depth(d, exponents.x);
     let n: f32 = -umbrage_warp_depth(d, -exponents.y);
     let least: vec2f = deviations * vec2f(w, n);
@@ -10596,7 +10605,7 @@ fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: v
     let a: f32 = umbrage_chebyshev(vec2f(m.x, m.y), w, least_variance.x);
     let b: f32 = umbrage_chebyshev(vec2f(m.z, m.w), n, least_variance.y);
     let lit: f32 = select(b, a, a < b);
-    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
+    return select(select(0.0, lit, receiver <= 0.0), lit, receiver > 0.0);
 }
 `,
             "encode_msm": `
@@ -10682,18 +10691,27 @@ fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
             "hausdorff_share": `
 // umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
 //   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+//   negative where the share is that of umbrage_moment_atoms
 fn umbrage_hausdorff_share(b: vec4f, z: f32) -> f32 {
-    let d: f32 = (b.z - b.x) - z * (b.y - 1.0);
-    let n: f32 = (b.w - b.y) - z * (b.z - b.x);
-    let f: f32 = n / d;
-    let s: f32 = z + f;
-    let p: f32 = z * f;
-    let above: f32 = (b.z - (1.0 + s) * b.y) + ((s + p) * b.x - p);
-    let below: f32 = -2.0 * ((1.0 + z) * (1.0 + f));
-    let between: f32 = (f * f - 1.0) * (f - z);
-    let end: f32 = above / below;
-    let other: f32 = d / between;
-    return end + select(0.0, other, f < z);
+    let variance: f32 = b.y - b.x * b.x;
+    let third: f32 = b.z - b.x * b.y;
+    let fourth: f32 = b.w - b.y * b.y;
+    let rest: f32 = 1.0 - b.y;
+    let x: f32 = z - b.x;
+    let d: f32 = third + rest * x;
+    let g: f32 = (fourth - variance * rest) - (z + b.x) * third;
+    let p: f32 = d * (1.0 + b.x) + g;
+    let q: f32 = d * (1.0 - b.x) - g;
+    let k: f32 = rest * g + third * d;
+    let first: f32 = (1.0 + z) * (d * variance + g * (1.0 - b.x)) - k;
+    let last: f32 = (1.0 - z) * (d * variance - g * (1.0 + b.x)) + k;
+    let square: f32 = d * d;
+    let between: f32 = p * (q * (x * d - g));
+    let end: f32 = first / (2.0 * ((1.0 + z) * p));
+    let other: f32 = square * square / between;
+    let share: f32 = end + select(0.0, other, d > 0.0);
+    let four: bool = first * p > 0.0 && last * q > 0.0 && p * q > 0.0 && share >= 0.0;
+    return select(select(-1.0, select(1.0, share, share < 1.0), four), 0.0, z <= -1.0);
 }
 `,
             "decode_msm_hausdorff": `
@@ -10703,14 +10721,8 @@ fn umbrage_decode_msm_hausdorff(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
     let plain: f32 = umbrage_decode_msm(b, receiver, bias);
     let d: f32 = umbrage_forward_depth(receiver);
     let z: f32 = select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0;
-    let m: vec4f = umbrage_bias_moments(b, bias);
-    let x: f32 = z - m.x;
-    let atoms: vec4f = umbrage_moment_atoms(m, x);
-    let outside: bool = abs(atoms.x + m.x) > 1.0 || abs(atoms.y + m.x) > 1.0;
-    let share: f32 = umbrage_hausdorff_share(m, z);
-    var lit: f32 = select(1.0, 1.0 - share, z > -1.0);
-    let known: bool = outside && abs(atoms.z + atoms.w) <= 4294967296.0 && abs(lit) <= 4294967296.0;  // what is no NaN
-    lit = select(plain, select(0.0, select(1.0, lit, lit < 1.0), lit > 0.0), known);
+    let share: f32 = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
+    let lit: f32 = select(plain, 1.0 - share, share >= 0.0);
     return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
 }
 `,
@@ -11415,16 +11427,16 @@ const rows = [
     ["decode_esm", "decode_esm", "mean of texels of an exponential shadow map to visibility", "b", 0, 0, "100", "none", false, ["forward_depth", "warp_depth"]],
     ["encode_evsm2", "encode_evsm2", "depth to a texel of two components", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth", "warp_depth"]],
     ["encode_evsm4", "encode_evsm4", "depth to a texel of four components", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth", "warp_depth"]],
-    ["decode_evsm2", "decode_evsm2", "mean of texels of two components to visibility", "c", 1, 0, "100", "none", false, ["chebyshev", "forward_depth", "warp_depth"]],
-    ["decode_evsm4", "decode_evsm4", "mean of texels of four components to visibility", "c", 1, 0, "100", "none", false, ["chebyshev", "forward_depth", "warp_depth"]],
+    ["decode_evsm2", "decode_evsm2", "mean of texels of two components to visibility", "c", 1, 0, "100", "none", false, ["chebyshev", "forward_depth", "saturate", "warp_depth"]],
+    ["decode_evsm4", "decode_evsm4", "mean of texels of four components to visibility", "c", 1, 0, "100", "none", false, ["chebyshev", "forward_depth", "saturate", "warp_depth"]],
     ["encode_msm", "encode_msm", "depth to its first four powers on [-1, 1]", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth"]],
     ["turn_moments", "turn_moments", "four moments to four channels of 16 bits", "b", 0, 0, "100", "none", false, []],
     ["turn_moments_back", "turn_moments_back", "four channels of 16 bits to four moments", "b", 0, 0, "100", "none", false, []],
     ["moment_atoms", "moment_atoms", "the two depths that make four moments beside a receiver's", "c", 0, 1 / 64, "100", "none", false, []],
     ["bias_moments", "bias_moments", "four moments, moved a little towards those of spread depths", "b", 0, 0, "100", "none", false, []],
     ["decode_msm", "decode_msm", "mean of four moments to visibility", "c", 0, 1 / 64, "100", "none", false, ["bias_moments", "forward_depth", "moment_atoms"]],
-    ["hausdorff_share", "hausdorff_share", "least share of depths before a receiver, of depths on [-1, 1]", "c", 0, 1 / 64, "100", "none", false, []],
-    ["decode_msm_hausdorff", "decode_msm_hausdorff", "mean of four moments of depths on [-1, 1] to visibility", "c", 0, 1 / 64, "100", "none", false, ["bias_moments", "decode_msm", "forward_depth", "hausdorff_share", "moment_atoms"]],
+    ["hausdorff_share", "hausdorff_share", "least share of depths before a receiver, of depths on [-1, 1]", "c", 0, 1 / 1048576, "100", "none", false, []],
+    ["decode_msm_hausdorff", "decode_msm_hausdorff", "mean of four moments of depths on [-1, 1] to visibility", "c", 0, 1 / 64, "100", "none", false, ["bias_moments", "decode_msm", "forward_depth", "hausdorff_share"]],
     ["fetch_bilinear", "fetch_bilinear", "mean of the four texels around a point", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
     ["vsm", "vsm", "visibility from a map of encode_vsm's texels", "c", 1, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_vsm"]],
     ["esm", "esm", "visibility from a map of encode_esm's texels", "b", 0, 0, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_esm"]],

@@ -6646,23 +6646,24 @@ template <real T>
 }  // namespace detail
 
 /// @param m          mean of texels
-/// @param receiver   depth, biased; NaN is in shadow
+/// @param receiver   depth, biased; outside [0, 1] the nearer end counts; NaN is in shadow
 /// @param deviation  least standard deviation, as a part of the receiver's power: a least deviation of depth times
 ///                   2 ln(2) exponent, as make_evsm has it
 /// @return           visibility before bleed_cut: at least the lit share, less chebyshev's error
-/// @formula          chebyshev(m, w, (deviation w)^2), w = warp_depth(forward_depth(receiver))
+/// @formula          chebyshev(m, w, (deviation w)^2), w = warp_depth(forward_depth(saturate(receiver)))
 /// @exactness        C, 1 ulp: a division; within 2^-24 / deviation^2 + 2^-21 of the formula in reals of the same
 ///                   powers
 /// @cite             Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm2(glm::vec<2, T> m, T receiver, T exponent, T deviation,
                                                       T far = T(1)) {
-    const T d = forward_depth(receiver, far);
+    const T d = forward_depth(saturate(receiver, far), far);
     const T lit = detail::warped_chebyshev(m, warp_depth(d, exponent), deviation);
-    return detail::pick(is_nan(d), T(0), lit);
+    return detail::pick(is_nan(receiver), T(0), lit);
 }
 
 /// @param m           mean of texels
+/// @param receiver    depth, biased; outside [0, 1] the nearer end counts; NaN is in shadow
 /// @param exponents   as of the texels
 /// @param deviations  least standard deviations, as parts of the receiver's powers
 /// @return            visibility before bleed_cut: at least the lit share, less chebyshev's error
@@ -6671,10 +6672,10 @@ template <real T>
 template <real T>
 [[nodiscard]] UMBRAGE_INLINE constexpr T decode_evsm4(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
                                                       glm::vec<2, T> deviations, T far = T(1)) {
-    const T d = forward_depth(receiver, far);
+    const T d = forward_depth(saturate(receiver, far), far);
     const T a = detail::warped_chebyshev(glm::vec<2, T>(m.x, m.y), warp_depth(d, exponents.x), deviations.x);
     const T b = detail::warped_chebyshev(glm::vec<2, T>(m.z, m.w), -warp_depth(d, -exponents.y), deviations.y);
-    return detail::pick(is_nan(d), T(0), detail::pick(a < b, a, b));
+    return detail::pick(is_nan(receiver), T(0), detail::pick(a < b, a, b));
 }
 
 /// Set-up of exponential variance shadow maps.
@@ -6748,19 +6749,19 @@ inline constexpr snippet decode_evsm2{
     .summary = "mean of texels of two components to visibility",
     .exactness = tier::c,
     .ulp = 1,
-    .needs = list<&chebyshev, &forward_depth, &warp_depth>,
+    .needs = list<&chebyshev, &forward_depth, &saturate, &warp_depth>,
     .source = R"GLSL(
 // umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power
 UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
     UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponent);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least = deviation * w;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least_variance = least * least;
     UMBRAGE_HIGHP float lit = umbrage_chebyshev(m, w, least_variance);
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
 }
 )GLSL",
 };
@@ -6770,14 +6771,14 @@ inline constexpr snippet decode_evsm4{
     .summary = "mean of texels of four components to visibility",
     .exactness = tier::c,
     .ulp = 1,
-    .needs = list<&chebyshev, &forward_depth, &warp_depth>,
+    .needs = list<&chebyshev, &forward_depth, &saturate, &warp_depth>,
     .source = R"GLSL(
 // umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
     UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
     UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
@@ -6785,7 +6786,7 @@ UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP flo
     UMBRAGE_HIGHP float a = umbrage_chebyshev(vec2(m.x, m.y), w, least_variance.x);
     UMBRAGE_HIGHP float b = umbrage_chebyshev(vec2(m.z, m.w), n, least_variance.y);
     UMBRAGE_HIGHP float lit = a < b ? a : b;
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
 }
 )GLSL",
 };
@@ -7079,23 +7080,29 @@ inline constexpr auto msm_snippets =
 
 namespace umbrage {
 
-/// Share of depths before the receiver where one of moment_atoms lies outside [-1, 1]: the least that depths of [-1, 1]
-/// have, with one of them at the near end, one at the far end, one at the receiver's, and one more.
+/// Share of depths before the receiver's, where four make the distribution that shadows it least: the near end, the far
+/// end, the receiver's depth z and one more, f. So it is where one of moment_atoms lies outside [-1, 1].
 ///
 /// @param b         moments, biased
 /// @param z         the receiver's depth on [-1, 1]
-/// @formula         d = b3 - b1 - z (b2 - 1), f = (b4 - b2 - z (b3 - b1)) / d, s = z + f, p = z f; the share at -1 is
-///                  (b3 - (1 + s) b2 + (s + p) b1 - p) / (-2 (1 + z) (1 + f)), that at f, where it lies before the
-///                  receiver, d / ((f^2 - 1) (f - z))
-/// @exactness       C: divisions
+/// @return          the share, 0 to 1; 0 at the near end; negative where no four such depths have these moments
+/// @formula         D = b2 - b1^2, L = b3 - b1 b2, F = b4 - b2^2, w = 1 - b2, x = z - b1, d = L + w x,
+///                  g = F - D w - (z + b1) L, f = b1 + g / d, p = d (1 + f), q = d (1 - f), k = w g + L d; the share at
+///                  -1 is ((1 + z) (d D + g (1 - b1)) - k) / (2 (1 + z) p), that at 1 has the sign of
+///                  ((1 - z) (d D - g (1 + b1)) + k) q, that at f, which lies before the receiver where d > 0, is
+///                  d^4 / (p q (x d - g)): interpolation's weights, of central moments, where few digits cancel
+/// @exactness       C: two divisions; which depths there are is decided without one
 template <real T>
 [[nodiscard]] T hausdorff_share(glm::vec<4, T> b, T z) {
-    const T d = (b.z - b.x) - z * (b.y - T(1));
-    const T f = ((b.w - b.y) - z * (b.z - b.x)) / d;
-    const T s = z + f, p = z * f;
-    const T end = ((b.z - (T(1) + s) * b.y) + ((s + p) * b.x - p)) / (T(-2) * ((T(1) + z) * (T(1) + f)));
-    const T other = d / ((f * f - T(1)) * (f - z));
-    return end + (f < z ? other : T(0));
+    const T variance = b.y - b.x * b.x, third = b.z - b.x * b.y, fourth = b.w - b.y * b.y, rest = T(1) - b.y;
+    const T x = z - b.x, d = third + rest * x, g = (fourth - variance * rest) - (z + b.x) * third;
+    const T p = d * (T(1) + b.x) + g, q = d * (T(1) - b.x) - g, k = rest * g + third * d, square = d * d;
+    const T first = (T(1) + z) * (d * variance + g * (T(1) - b.x)) - k;
+    const T last = (T(1) - z) * (d * variance - g * (T(1) + b.x)) + k;
+    const T end = first / (T(2) * ((T(1) + z) * p)), other = (square * square) / (p * (q * (x * d - g)));
+    const T share = end + (d > T(0) ? other : T(0));
+    if (z <= T(-1)) return T(0);
+    return first * p > T(0) && last * q > T(0) && p * q > T(0) && share >= T(0) ? (share < T(1) ? share : T(1)) : T(-1);
 }
 
 /// @param b         mean of texels
@@ -7104,21 +7111,13 @@ template <real T>
 /// @return          visibility, 0 to 1, no more than decode_msm's but for rounding: at least the lit share, less bias.x
 ///                  and rounding, of whose quotients no bound is known. Where moments are those of fewer than three
 ///                  depths, and of NaN: as decode_msm
-/// @formula         decode_msm where both of moment_atoms lie in [-1, 1], else 1 - hausdorff_share
-/// @exactness       C: within 1/64 in a shader, but for receivers nearer than 2^-20 to depth 0, where 1 + z0 cancels:
-///                  0.95 for 1 was seen there
+/// @formula         1 - hausdorff_share where that is not negative, else decode_msm
+/// @exactness       C: within 1/64 in a shader
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015
 template <real T>
 [[nodiscard]] T decode_msm_hausdorff(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T far = T(1)) {
-    const T d = forward_depth(receiver, far), plain = decode_msm(b, receiver, bias, far);
-    const T z = detail::moment_depth(d);
-    const glm::vec<4, T> m = bias_moments(b, bias);
-    const glm::vec<4, T> atoms = moment_atoms(m, z - m.x);
-    const bool outside = std::abs(atoms.x + m.x) > T(1) || std::abs(atoms.y + m.x) > T(1);
-    const T lit = z > T(-1) ? T(1) - hausdorff_share(m, z) : T(1);
-    if (is_nan(d) || is_nan(lit) || std::abs(lit) > T(4294967296) || !detail::are_shares(atoms) || !outside)
-        return plain;
-    return lit > T(0) ? (lit < T(1) ? lit : T(1)) : T(0);
+    const T d = forward_depth(receiver, far), share = hausdorff_share(bias_moments(b, bias), detail::moment_depth(d));
+    return !is_nan(d) && share >= T(0) ? T(1) - share : decode_msm(b, receiver, bias, far);
 }
 
 namespace glsl {
@@ -7127,22 +7126,31 @@ inline constexpr snippet hausdorff_share{
     .name = "hausdorff_share",
     .summary = "least share of depths before a receiver, of depths on [-1, 1]",
     .exactness = tier::c,
-    .within = 1.0f / 64.0f,
+    .within = 1.0f / 1048576.0f,
     .source = R"GLSL(
 // umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
 //   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+//   negative where the share is that of umbrage_moment_atoms
 UMBRAGE_HIGHP float umbrage_hausdorff_share(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float z) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = (b.z - b.x) - z * (b.y - 1.0);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float n = (b.w - b.y) - z * (b.z - b.x);
-    UMBRAGE_HIGHP float f = n / d;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float s = z + f;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float p = z * f;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float above = (b.z - (1.0 + s) * b.y) + ((s + p) * b.x - p);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float below = -2.0 * ((1.0 + z) * (1.0 + f));
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float between = (f * f - 1.0) * (f - z);
-    UMBRAGE_HIGHP float end = above / below;
-    UMBRAGE_HIGHP float other = d / between;
-    return end + (f < z ? other : 0.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float variance = b.y - b.x * b.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float fourth = b.w - b.y * b.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float rest = 1.0 - b.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = z - b.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = third + rest * x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float g = (fourth - variance * rest) - (z + b.x) * third;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float p = d * (1.0 + b.x) + g;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float q = d * (1.0 - b.x) - g;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float k = rest * g + third * d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float first = (1.0 + z) * (d * variance + g * (1.0 - b.x)) - k;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float last = (1.0 - z) * (d * variance - g * (1.0 + b.x)) + k;
+    UMBRAGE_HIGHP float square = d * d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float between = p * (q * (x * d - g));
+    UMBRAGE_HIGHP float end = first / (2.0 * ((1.0 + z) * p));
+    UMBRAGE_HIGHP float other = square * square / between;
+    UMBRAGE_HIGHP float share = end + (d > 0.0 ? other : 0.0);
+    bool four = first * p > 0.0 && last * q > 0.0 && p * q > 0.0 && share >= 0.0;
+    return z <= -1.0 ? 0.0 : (four ? (share < 1.0 ? share : 1.0) : -1.0);
 }
 )GLSL",
 };
@@ -7152,7 +7160,7 @@ inline constexpr snippet decode_msm_hausdorff{
     .summary = "mean of four moments of depths on [-1, 1] to visibility",
     .exactness = tier::c,
     .within = 1.0f / 64.0f,
-    .needs = list<&bias_moments, &decode_msm, &forward_depth, &hausdorff_share, &moment_atoms>,
+    .needs = list<&bias_moments, &decode_msm, &forward_depth, &hausdorff_share>,
     .source = R"GLSL(
 // umbrage_decode_msm_hausdorff: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
 //   b  mean of texels;   receiver  depth, biased;   bias  (3e-6, 0.375)
@@ -7161,14 +7169,8 @@ UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_H
     UMBRAGE_HIGHP float plain = umbrage_decode_msm(b, receiver, bias);
     UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
     UMBRAGE_HIGHP float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
-    UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = z - m.x;
-    UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
-    bool outside = abs(atoms.x + m.x) > 1.0 || abs(atoms.y + m.x) > 1.0;
-    UMBRAGE_HIGHP float share = umbrage_hausdorff_share(m, z);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float lit = z > -1.0 ? 1.0 - share : 1.0;
-    bool known = outside && abs(atoms.z + atoms.w) <= 4294967296.0 && abs(lit) <= 4294967296.0;  // what is no NaN
-    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : plain;
+    UMBRAGE_HIGHP float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
+    UMBRAGE_HIGHP float lit = share >= 0.0 ? 1.0 - share : plain;
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
 )GLSL",

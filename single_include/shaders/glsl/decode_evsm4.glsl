@@ -102,6 +102,15 @@ UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
 #ifndef UMBRAGE_HAS_DECODE_EVSM4
 #define UMBRAGE_HAS_DECODE_EVSM4
 // umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
@@ -109,7 +118,7 @@ UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
 //   deviations  least standard deviations, as parts of the receiver's powers
 UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
     UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponents.x);
     UMBRAGE_HIGHP float n = -umbrage_warp_depth(d, -exponents.y);
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
@@ -117,6 +126,6 @@ UMBRAGE_HIGHP float umbrage_decode_evsm4(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP flo
     UMBRAGE_HIGHP float a = umbrage_chebyshev(vec2(m.x, m.y), w, least_variance.x);
     UMBRAGE_HIGHP float b = umbrage_chebyshev(vec2(m.z, m.w), n, least_variance.y);
     UMBRAGE_HIGHP float lit = a < b ? a : b;
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
 }
 #endif

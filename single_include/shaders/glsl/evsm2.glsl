@@ -181,6 +181,15 @@ UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
 #ifndef UMBRAGE_HAS_DECODE_EVSM2
 #define UMBRAGE_HAS_DECODE_EVSM2
 // umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
@@ -188,12 +197,12 @@ UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
 //   deviation  least standard deviation, as a part of the receiver's power
 UMBRAGE_HIGHP float umbrage_decode_evsm2(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
                                          UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(receiver));
     UMBRAGE_HIGHP float w = umbrage_warp_depth(d, exponent);
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least = deviation * w;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float least_variance = least * least;
     UMBRAGE_HIGHP float lit = umbrage_chebyshev(m, w, least_variance);
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
 }
 #endif
 

@@ -64,18 +64,27 @@ UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP floa
 #define UMBRAGE_HAS_HAUSDORFF_SHARE
 // umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
 //   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+//   negative where the share is that of umbrage_moment_atoms
 UMBRAGE_HIGHP float umbrage_hausdorff_share(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float z) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = (b.z - b.x) - z * (b.y - 1.0);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float n = (b.w - b.y) - z * (b.z - b.x);
-    UMBRAGE_HIGHP float f = n / d;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float s = z + f;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float p = z * f;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float above = (b.z - (1.0 + s) * b.y) + ((s + p) * b.x - p);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float below = -2.0 * ((1.0 + z) * (1.0 + f));
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float between = (f * f - 1.0) * (f - z);
-    UMBRAGE_HIGHP float end = above / below;
-    UMBRAGE_HIGHP float other = d / between;
-    return end + (f < z ? other : 0.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float variance = b.y - b.x * b.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float fourth = b.w - b.y * b.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float rest = 1.0 - b.y;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = z - b.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = third + rest * x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float g = (fourth - variance * rest) - (z + b.x) * third;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float p = d * (1.0 + b.x) + g;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float q = d * (1.0 - b.x) - g;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float k = rest * g + third * d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float first = (1.0 + z) * (d * variance + g * (1.0 - b.x)) - k;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float last = (1.0 - z) * (d * variance - g * (1.0 + b.x)) + k;
+    UMBRAGE_HIGHP float square = d * d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float between = p * (q * (x * d - g));
+    UMBRAGE_HIGHP float end = first / (2.0 * ((1.0 + z) * p));
+    UMBRAGE_HIGHP float other = square * square / between;
+    UMBRAGE_HIGHP float share = end + (d > 0.0 ? other : 0.0);
+    bool four = first * p > 0.0 && last * q > 0.0 && p * q > 0.0 && share >= 0.0;
+    return z <= -1.0 ? 0.0 : (four ? (share < 1.0 ? share : 1.0) : -1.0);
 }
 #endif
 
@@ -197,14 +206,8 @@ UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_H
     UMBRAGE_HIGHP float plain = umbrage_decode_msm(b, receiver, bias);
     UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
     UMBRAGE_HIGHP float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
-    UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = z - m.x;
-    UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
-    bool outside = abs(atoms.x + m.x) > 1.0 || abs(atoms.y + m.x) > 1.0;
-    UMBRAGE_HIGHP float share = umbrage_hausdorff_share(m, z);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float lit = z > -1.0 ? 1.0 - share : 1.0;
-    bool known = outside && abs(atoms.z + atoms.w) <= 4294967296.0 && abs(lit) <= 4294967296.0;  // what is no NaN
-    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : plain;
+    UMBRAGE_HIGHP float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
+    UMBRAGE_HIGHP float lit = share >= 0.0 ? 1.0 - share : plain;
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
 #endif

@@ -40,18 +40,27 @@ float4 umbrage_moment_atoms(float4 b, float x) {
 #define UMBRAGE_HAS_HAUSDORFF_SHARE
 // umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
 //   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+//   negative where the share is that of umbrage_moment_atoms
 float umbrage_hausdorff_share(float4 b, float z) {
-    precise float d = (b.z - b.x) - z * (b.y - 1.0);
-    precise float n = (b.w - b.y) - z * (b.z - b.x);
-    float f = n / d;
-    precise float s = z + f;
-    precise float p = z * f;
-    precise float above = (b.z - (1.0 + s) * b.y) + ((s + p) * b.x - p);
-    precise float below = -2.0 * ((1.0 + z) * (1.0 + f));
-    precise float between = (f * f - 1.0) * (f - z);
-    float end = above / below;
-    float other = d / between;
-    return end + (f < z ? other : 0.0);
+    precise float variance = b.y - b.x * b.x;
+    precise float third = b.z - b.x * b.y;
+    precise float fourth = b.w - b.y * b.y;
+    precise float rest = 1.0 - b.y;
+    precise float x = z - b.x;
+    precise float d = third + rest * x;
+    precise float g = (fourth - variance * rest) - (z + b.x) * third;
+    precise float p = d * (1.0 + b.x) + g;
+    precise float q = d * (1.0 - b.x) - g;
+    precise float k = rest * g + third * d;
+    precise float first = (1.0 + z) * (d * variance + g * (1.0 - b.x)) - k;
+    precise float last = (1.0 - z) * (d * variance - g * (1.0 + b.x)) + k;
+    float square = d * d;
+    precise float between = p * (q * (x * d - g));
+    float end = first / (2.0 * ((1.0 + z) * p));
+    float other = square * square / between;
+    float share = end + (d > 0.0 ? other : 0.0);
+    bool four = first * p > 0.0 && last * q > 0.0 && p * q > 0.0 && share >= 0.0;
+    return z <= -1.0 ? 0.0 : (four ? (share < 1.0 ? share : 1.0) : -1.0);
 }
 #endif
 
@@ -98,14 +107,8 @@ float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias) {
     float plain = umbrage_decode_msm(b, receiver, bias);
     float d = umbrage_forward_depth(receiver);
     float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
-    float4 m = umbrage_bias_moments(b, bias);
-    precise float x = z - m.x;
-    float4 atoms = umbrage_moment_atoms(m, x);
-    bool outside = abs(atoms.x + m.x) > 1.0 || abs(atoms.y + m.x) > 1.0;
-    float share = umbrage_hausdorff_share(m, z);
-    precise float lit = z > -1.0 ? 1.0 - share : 1.0;
-    bool known = outside && abs(atoms.z + atoms.w) <= 4294967296.0 && abs(lit) <= 4294967296.0;  // what is no NaN
-    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : plain;
+    float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
+    float lit = share >= 0.0 ? 1.0 - share : plain;
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
 #endif

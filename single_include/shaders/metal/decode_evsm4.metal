@@ -69,13 +69,22 @@ inline float umbrage_forward_depth(float depth) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+inline float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
 #ifndef UMBRAGE_HAS_DECODE_EVSM4
 #define UMBRAGE_HAS_DECODE_EVSM4
 // umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 inline float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, float2 deviations) {
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_forward_depth(umbrage_saturate(receiver));
     float w = umbrage_warp_depth(d, exponents.x);
     float n = -umbrage_warp_depth(d, -exponents.y);
     float2 least = deviations * float2(w, n);
@@ -83,6 +92,6 @@ inline float umbrage_decode_evsm4(float4 m, float receiver, float2 exponents, fl
     float a = umbrage_chebyshev(float2(m.x, m.y), w, least_variance.x);
     float b = umbrage_chebyshev(float2(m.z, m.w), n, least_variance.y);
     float lit = a < b ? a : b;
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
 }
 #endif

@@ -131,18 +131,27 @@ inline float umbrage_forward_depth(float depth) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_SATURATE
+#define UMBRAGE_HAS_SATURATE
+// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
+inline float umbrage_saturate(float v) {
+    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
+    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
+}
+#endif
+
 #ifndef UMBRAGE_HAS_DECODE_EVSM2
 #define UMBRAGE_HAS_DECODE_EVSM2
 // umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power
 inline float umbrage_decode_evsm2(float2 m, float receiver, float exponent, float deviation) {
-    float d = umbrage_forward_depth(receiver);
+    float d = umbrage_forward_depth(umbrage_saturate(receiver));
     float w = umbrage_warp_depth(d, exponent);
     float least = deviation * w;
     float least_variance = least * least;
     float lit = umbrage_chebyshev(m, w, least_variance);
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+    return receiver > 0.0 ? lit : (receiver <= 0.0 ? lit : 0.0);
 }
 #endif
 

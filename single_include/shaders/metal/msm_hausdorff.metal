@@ -53,18 +53,27 @@ inline float4 umbrage_moment_atoms(float4 b, float x) {
 #define UMBRAGE_HAS_HAUSDORFF_SHARE
 // umbrage_hausdorff_share: least share of depths on -1.0 to 1.0 before the receiver's, of four moments
 //   b  moments, biased;   z  the receiver's depth on -1.0 to 1.0
+//   negative where the share is that of umbrage_moment_atoms
 inline float umbrage_hausdorff_share(float4 b, float z) {
-    float d = (b.z - b.x) - z * (b.y - 1.0);
-    float n = (b.w - b.y) - z * (b.z - b.x);
-    float f = n / d;
-    float s = z + f;
-    float p = z * f;
-    float above = (b.z - (1.0 + s) * b.y) + ((s + p) * b.x - p);
-    float below = -2.0 * ((1.0 + z) * (1.0 + f));
-    float between = (f * f - 1.0) * (f - z);
-    float end = above / below;
-    float other = d / between;
-    return end + (f < z ? other : 0.0);
+    float variance = b.y - b.x * b.x;
+    float third = b.z - b.x * b.y;
+    float fourth = b.w - b.y * b.y;
+    float rest = 1.0 - b.y;
+    float x = z - b.x;
+    float d = third + rest * x;
+    float g = (fourth - variance * rest) - (z + b.x) * third;
+    float p = d * (1.0 + b.x) + g;
+    float q = d * (1.0 - b.x) - g;
+    float k = rest * g + third * d;
+    float first = (1.0 + z) * (d * variance + g * (1.0 - b.x)) - k;
+    float last = (1.0 - z) * (d * variance - g * (1.0 + b.x)) + k;
+    float square = d * d;
+    float between = p * (q * (x * d - g));
+    float end = first / (2.0 * ((1.0 + z) * p));
+    float other = square * square / between;
+    float share = end + (d > 0.0 ? other : 0.0);
+    bool four = first * p > 0.0 && last * q > 0.0 && p * q > 0.0 && share >= 0.0;
+    return z <= -1.0 ? 0.0 : (four ? (share < 1.0 ? share : 1.0) : -1.0);
 }
 #endif
 
@@ -164,14 +173,8 @@ inline float umbrage_decode_msm_hausdorff(float4 b, float receiver, float2 bias)
     float plain = umbrage_decode_msm(b, receiver, bias);
     float d = umbrage_forward_depth(receiver);
     float z = (d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0;
-    float4 m = umbrage_bias_moments(b, bias);
-    float x = z - m.x;
-    float4 atoms = umbrage_moment_atoms(m, x);
-    bool outside = metal::abs(atoms.x + m.x) > 1.0 || metal::abs(atoms.y + m.x) > 1.0;
-    float share = umbrage_hausdorff_share(m, z);
-    float lit = z > -1.0 ? 1.0 - share : 1.0;
-    bool known = outside && metal::abs(atoms.z + atoms.w) <= 4294967296.0 && metal::abs(lit) <= 4294967296.0;  // what is no NaN
-    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : plain;
+    float share = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
+    float lit = share >= 0.0 ? 1.0 - share : plain;
     return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
 #endif

@@ -1,14 +1,14 @@
 // umbrage 0.1.0, MIT License: decode_evsm2
-// Paste along: chebyshev.wgsl, cleared_depth.wgsl, forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl, warp_depth.wgsl
+// Paste along: chebyshev.wgsl, cleared_depth.wgsl, forward_depth.wgsl, saturate.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl, warp_depth.wgsl
 
 // umbrage_decode_evsm2: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
 //   deviation  least standard deviation, as a part of the receiver's power
 fn umbrage_decode_evsm2(m: vec2f, receiver: f32, exponent: f32, deviation: f32) -> f32 {
-    let d: f32 = umbrage_forward_depth(receiver);
+    let d: f32 = umbrage_forward_depth(umbrage_saturate(receiver));
     let w: f32 = umbrage_warp_depth(d, exponent);
     let least: f32 = deviation * w;
     let least_variance: f32 = least * least;
     let lit: f32 = umbrage_chebyshev(m, w, least_variance);
-    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
+    return select(select(0.0, lit, receiver <= 0.0), lit, receiver > 0.0);
 }

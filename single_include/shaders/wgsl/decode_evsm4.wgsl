@@ -1,11 +1,11 @@
 // umbrage 0.1.0, MIT License: decode_evsm4
-// Paste along: chebyshev.wgsl, cleared_depth.wgsl, forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl, warp_depth.wgsl
+// Paste along: chebyshev.wgsl, cleared_depth.wgsl, forward_depth.wgsl, saturate.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl, warp_depth.wgsl
 
 // umbrage_decode_evsm4: visibility of a receiver, at least its lit share; 1.0 is lit
 //   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
 //   deviations  least standard deviations, as parts of the receiver's powers
 fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f) -> f32 {
-    let d: f32 = umbrage_forward_depth(receiver);
+    let d: f32 = umbrage_forward_depth(umbrage_saturate(receiver));
     let w: f32 = umbrage_warp_depth(d, exponents.x);
     let n: f32 = -umbrage_warp_depth(d, -exponents.y);
     let least: vec2f = deviations * vec2f(w, n);
@@ -13,5 +13,5 @@ fn umbrage_decode_evsm4(m: vec4f, receiver: f32, exponents: vec2f, deviations: v
     let a: f32 = umbrage_chebyshev(vec2f(m.x, m.y), w, least_variance.x);
     let b: f32 = umbrage_chebyshev(vec2f(m.z, m.w), n, least_variance.y);
     let lit: f32 = select(b, a, a < b);
-    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
+    return select(select(0.0, lit, receiver <= 0.0), lit, receiver > 0.0);
 }

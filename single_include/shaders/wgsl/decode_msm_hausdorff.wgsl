@@ -7,13 +7,7 @@ fn umbrage_decode_msm_hausdorff(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
     let plain: f32 = umbrage_decode_msm(b, receiver, bias);
     let d: f32 = umbrage_forward_depth(receiver);
     let z: f32 = select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0;
-    let m: vec4f = umbrage_bias_moments(b, bias);
-    let x: f32 = z - m.x;
-    let atoms: vec4f = umbrage_moment_atoms(m, x);
-    let outside: bool = abs(atoms.x + m.x) > 1.0 || abs(atoms.y + m.x) > 1.0;
-    let share: f32 = umbrage_hausdorff_share(m, z);
-    var lit: f32 = select(1.0, 1.0 - share, z > -1.0);
-    let known: bool = outside && abs(atoms.z + atoms.w) <= 4294967296.0 && abs(lit) <= 4294967296.0;  // what is no NaN
-    lit = select(plain, select(0.0, select(1.0, lit, lit < 1.0), lit > 0.0), known);
+    let share: f32 = umbrage_hausdorff_share(umbrage_bias_moments(b, bias), z);
+    let lit: f32 = select(plain, 1.0 - share, share >= 0.0);
     return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
 }

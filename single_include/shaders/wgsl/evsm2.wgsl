@@ -1,5 +1,5 @@
 // umbrage 0.1.0, MIT License: evsm2
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl, fetch_bilinear.wgsl, chebyshev.wgsl, cleared_depth.wgsl, forward_depth.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl, warp_depth.wgsl, decode_evsm2.wgsl
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl, fetch_bilinear.wgsl, chebyshev.wgsl, cleared_depth.wgsl, forward_depth.wgsl, saturate.wgsl, power_of_two.wgsl, exp2_polynomial.wgsl, warp_depth.wgsl, decode_evsm2.wgsl
 
 // umbrage_evsm2: visibility from a map of encode_evsm2's texels, blurred; 1.0 is lit
 //   map, size  prefiltered map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
