@@ -28,8 +28,8 @@ CLI::Option* add_encoding(CLI::App& app, Text& value) {
     return add_choice(app, "--encoding", value, encoding_names(), "how a depth is stored");
 }
 template <class Text>
-CLI::Option* add_filter(CLI::App& app, Text& value) {
-    return add_choice(app, "--filter", value, filter_names(), "how texels become visibility");
+CLI::Option* add_filter(CLI::App& app, Text& value, const std::vector<std::string>& names = filter_names()) {
+    return add_choice(app, "--filter", value, names, "how texels become visibility");
 }
 template <class Text>
 CLI::Option* add_bias(CLI::App& app, Text& value) {

@@ -35,6 +35,13 @@ const std::vector<std::string>& bias_names() {
     return names;
 }
 
+int encoding_bytes(std::string_view encoding) {
+    int bytes = 0;
+    umbrage::with_encoding(encoding,
+                           [&]<class Encoding>(const Encoding&) { bytes = sizeof(typename Encoding::texel); });
+    return bytes;
+}
+
 float reach_of(std::string_view filter, std::optional<float> radius) {
     float reach = 0;
     with_filter(filter, radius, [&](const auto& f) { reach = f.reach(); });
@@ -42,7 +49,7 @@ float reach_of(std::string_view filter, std::optional<float> radius) {
 }
 
 std::string_view snippet_of(std::string_view filter) {
-    std::string_view name;
+    std::string_view name = filter;
     umbrage::with_filter(filter, [&](const auto& f) { name = f.snippet->name; });
     return name;
 }

@@ -14,10 +14,13 @@ namespace example {
 [[nodiscard]] const std::vector<std::string>& filter_names();
 [[nodiscard]] const std::vector<std::string>& bias_names();
 
+/// Bytes a texel of an encoding by its name.
+[[nodiscard]] int encoding_bytes(std::string_view encoding);
+
 /// Reach of a filter by its name; of a box or a disc of its own radius, or of another.
 [[nodiscard]] float reach_of(std::string_view filter, std::optional<float> radius = {});
 
-/// What the filter of that name is called in shaders.
+/// What the filter of that name is called in shaders: those of soft.hpp by their own.
 [[nodiscard]] std::string_view snippet_of(std::string_view filter);
 
 /// Whether a bias, by its name, moves stored depths along the receiver's plane.

@@ -26,9 +26,8 @@ shadow_map store(std::string_view name, float edge, const umbrage::image<float>&
         if constexpr (umbrage::has_edge<decltype(encoding)>) encoding.edge = edge;
         using texel = typename decltype(encoding)::texel;
         umbrage::image<texel> map(depth.size());
-        umbrage::encode(depth.view(), map.view(), encoding);
-        std::ranges::transform(depth.texels(), map.texels(), map.texels().begin(),
-                               [&](float d, texel t) { return d == empty ? encoding.cleared() : t; });
+        std::ranges::transform(depth.texels(), map.texels().begin(),
+                               [&](float d) { return d == empty ? encoding.cleared() : encoding.encode(d); });
         umbrage::decode(std::as_const(map).view(), out.depth.view(), encoding);
         out.cleared = encoding.decode(encoding.cleared());
         out.below = static_cast<float>(encoding.error().below);

@@ -137,8 +137,7 @@ void render_cascades(const options& o, const example::scene& scene) {
     progress.stage("camera pass", [&] {
         view.seen = example::camera_pass(scene.geometry, view.camera, glm::ivec2(o.width, o.height) * o.samples);
     });
-    const float reach = o.reach.value_or(example::covered(example::reach_of(o.filter, o.radius)));
-    const cascades all = progress.stage("cascades", [&] { return make_cascades(o, view, reach); });
+    const cascades all = progress.stage("cascades", [&] { return make_cascades(o, view, reach_of(o)); });
     const auto uniforms = umbrage::make_cascade_uniforms(all, fade);
 
     options tile = o;
@@ -161,8 +160,9 @@ void render_cascades(const options& o, const example::scene& scene) {
         progress.stage("cascade " + std::to_string(i + 1), [&] {
             view.lamp.space = all[i].light;
             view.lamp.units = umbrage::make_light_units(view.lamp.space, glm::ivec2(tile.map_size));
-            const receivers receivers = receivers_of(view, tile, reach, map.below, progress);
-            by_cascade.push_back(visibility_of(tile, tile_of(i, map.depth), view.lamp, receivers, progress));
+            const receivers receivers =
+                receivers_of(view, tile, reach_of(o), map.below, progress, compares_projected(o));
+            by_cascade.push_back(prepare(tile, tile_of(i, map.depth), view.lamp, progress)(receivers));
         });
     by_cascade.emplace_back(view.seen.size(), 1.0f);  // beyond the last all is lit
 

@@ -170,6 +170,8 @@ TEST_CASE("shadow_render: impossible options") {
     fails("--samples 0", 2, "--samples");
     fails("--width 8192 --height 8192 --samples 4", 2, "too large");
     fails("--radius 9", 2, "--radius");
+    fails("--widest 16", 2, "--widest");
+    fails("--light-size -1", 2, "--light-size");
     fails("--encoding none", 2, "--encoding");
     fails("--filter none", 2, "--filter");
     fails("--bias none", 2, "--bias");

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <names.hpp>
+#include <soft.hpp>
 
 #include "check.hpp"
 
@@ -12,13 +13,14 @@ using namespace shadow_render_check;
 namespace {
 
 /// Pixels in shadow of the floor in front, which nothing stands before.
-int shadowed_floor(const std::string& options) {
+/// @param lit   least visibility of 255 that counts as none
+int shadowed_floor(const std::string& options, int lit = 255) {
     CAPTURE(options);
     REQUIRE(run(output("lit") + small + options).code == 0);
     const auto mask = picture("lit", "visibility.png");
     int shadowed = 0;
     for (int y = 145; y < 160; ++y)
-        for (int x = 20; x < 220; ++x) shadowed += mask[{x, y}].r != 255;
+        for (int x = 20; x < 220; ++x) shadowed += mask[{x, y}].r < lit;
     return shadowed;
 }
 
@@ -27,14 +29,23 @@ int shadowed_floor(const std::string& options) {
 TEST_CASE("shadow_render: no acne on what a light lights, from any side") {
     const auto shadowed_front = [](const std::string& options) { return shadowed_floor("--encoding rg9 " + options); };
     for (const char* light : {"--light spot ", "--light directional "})
-        for (const char* filter : {"--filter hard ", "--filter four_tap ", "--filter pcf_2x2 ",
-                                   "--filter box --radius 3 ", "--filter disc16 --radius 3 "})
+        for (const char* filter :
+             {"--filter hard ", "--filter four_tap ", "--filter pcf_2x2 ", "--filter box --radius 3 ",
+              "--filter disc16 --radius 3 ", "--filter pcss16 ", "--filter dpcf16 "})
             for (const char* angles :
                  {"--azimuth 20 --elevation 20", "--azimuth 300 --elevation 50", "--elevation 90"}) {
                 const std::string options = std::string(light) + filter + angles;
                 CHECK_MESSAGE(shadowed_front(options) == 0, options);
             }
     CHECK(shadowed_front("--reach 0 --azimuth 20 --elevation 20") > 100);  // without the bias there is plenty
+}
+
+TEST_CASE("shadow_render: no filtered map darkens a plane by a fiftieth") {
+    for (const std::string& filter : example::prefilter_names())
+        for (const char* light : {"--light spot ", "--light directional "}) {
+            const std::string options = std::string(light) + "--azimuth 20 --elevation 20 --filter " + filter;
+            CHECK_MESSAGE(shadowed_floor(options, 250) == 0, options);
+        }
 }
 
 TEST_CASE("shadow_render: with every bias the floor is lit and shadows are where they belong") {
@@ -56,11 +67,18 @@ TEST_CASE("shadow_render: with every bias the floor is lit and shadows are where
     }
 }
 
-TEST_CASE("shadow_render: a disc's radius makes edges softer") {
-    const auto soft = [](const std::string& radius) {
-        REQUIRE(run(output("soft") + small + "--filter disc32 --radius " + radius).code == 0);
+TEST_CASE("shadow_render: edges get softer with a disc's radius, a map's blur and a light's size") {
+    const auto soft = [](const std::string& options) {
+        REQUIRE(run(output("soft") + small + options).code == 0);
         const auto mask = picture("soft", "visibility.png");
-        return std::ranges::count_if(mask.texels(), [](glm::u8vec4 p) { return p.r != 0 && p.r != 255; });
+        return std::ranges::count_if(mask.texels(), [](glm::u8vec4 p) { return p.r > 8 && p.r < 247; });
     };
-    CHECK(soft("6") > 2 * soft("1.5"));
+    CHECK(soft("--filter disc32 --radius 6") > 2 * soft("--filter disc32 --radius 1.5"));
+    for (const std::string filter : {"vsm", "msm", "summed_variance"})
+        CHECK(soft("--radius 6 --filter " + filter) > 1.5 * double(soft("--radius 1 --filter " + filter)));
+    for (const std::string filter : {"pcss32", "dpcf32"})
+        for (const std::string light : {"spot", "directional"}) {
+            const std::string options = "--filter " + filter + " --light " + light + " --light-size ";
+            CHECK(soft(options + "1.6") > 1.5 * double(soft(options + "0.1")));
+        }
 }

@@ -65,6 +65,15 @@ double rms_error(const by_rays& expected, const umbrage::image<float>& visibilit
     return count > 0 ? 100 * std::sqrt(sum / count) : 0;
 }
 
+/// Mean visibility of samples that face the light and of which no ray reaches it, in per cent.
+double leak(const by_rays& expected, const umbrage::image<float>& visibility) {
+    double sum = 0, count = 0;
+    for (std::size_t i = 0; i < visibility.texels().size(); ++i)
+        if (expected.counted.texels()[i] && expected.visibility.texels()[i] <= 0)
+            sum += visibility.texels()[i], ++count;
+    return count > 0 ? 100 * sum / count : 0;
+}
+
 /// Centre of the part that has the most half-shadow.
 glm::ivec2 softest(const by_rays& expected, int samples) {
     const glm::ivec2 size = expected.visibility.size() / samples, part = sheet::part(size);
@@ -100,38 +109,48 @@ double best_of_5(Work&& work) {
 
 void compare(const options& o, const view& v, const example::shadow_map& map, example::progress& progress) {
     const auto cost = costs(o);
-    const auto& names = example::filter_names();
+    const auto& names = filter_names();
     const by_rays expected = progress.stage("rays", [&] { return traced(o, v, progress); });
     const std::vector<std::string> title{
         text("%s: every filter over one map of %d x %d texels, %s, bias %s", title_of(o).c_str(), o.map_size,
              o.map_size, o.encoding.c_str(), o.bias.c_str()),
-        text("RMS error of visibility against rays to a disc of light %g across, %g away; boxes and discs of radius %g",
-             double(o.light_size), double(o.distance), double(o.radius)),
-        text("ms: %d x %d pixels of %d x %d samples, one thread of %s", o.width, o.height, o.samples, o.samples,
-             example::processor().c_str())};
+        text(
+            "Visibility against rays to a disc of light %g across, %g away: RMS error, and leak, its mean where no ray "
+            "arrives",
+            double(o.light_size), double(o.distance)),
+        text("Boxes, discs and blurs of radius %g, penumbrae of up to %g texels", double(o.radius), double(o.widest)),
+        text("ms: to filter the map, and %d x %d pixels of %d x %d samples, one thread of %s", o.width, o.height,
+             o.samples, o.samples, example::processor().c_str())};
     sheet page({o.width, o.height}, static_cast<int>(names.size()) + 1, title, softest(expected, o.samples));
     const auto add = [&](const umbrage::image<float>& visibility, const std::vector<std::string>& about) {
         page.add(shade(v, visibility, o.samples, progress.bands()), about);
     };
     add(expected.visibility, {"rays to the light", text("%d a sample", rays_a_sample)});
 
-    if (!o.quiet)
-        std::printf("%s\n%s\n%s\n\n%-20s %10s %9s  %s\n", title[0].c_str(), title[1].c_str(), title[2].c_str(),
-                    "filter", "RMS error", "ms", "RDNA2");
+    if (!o.quiet) {
+        for (const std::string& line : title) std::printf("%s\n", line.c_str());
+        std::printf("\n%-20s %10s %10s %9s %9s %6s  %s\n", "filter", "RMS error", "leak", "map ms", "ms", "bytes",
+                    "RDNA2");
+    }
     for (const std::string& name : names)
         progress.stage(name, [&] {
             options with = o;
             with.filter = name;
             const std::string snippet(example::snippet_of(name));
-            const float reach = o.reach.value_or(example::covered(example::reach_of(name, o.radius)));
-            const receivers receivers = receivers_of(v, with, reach, map.below, progress);
+            const receivers receivers =
+                receivers_of(v, with, reach_of(with), map.below, progress, compares_projected(with));
+            look_up filter;
             umbrage::image<float> visibility;
-            const double ms =
-                best_of_5([&] { visibility = visibility_of(with, map.depth, v.lamp, receivers, progress); });
-            const double error = rms_error(expected, visibility, o.samples);
+            const double map_ms = best_of_5([&] { filter = prepare(with, map.depth, v.lamp, progress); });
+            const double ms = best_of_5([&] { visibility = filter(receivers); });
+            const double error = rms_error(expected, visibility, o.samples), leaks = leak(expected, visibility);
+            const int bytes = bytes_read(with);
             const std::string on_gpu = cost.contains(snippet) ? cost.at(snippet) : "-";
-            add(visibility, {name, text("RMS error %.2f %%, %.2f ms", error, ms), "RDNA2 " + on_gpu});
-            if (!o.quiet) std::printf("%-20s %8.2f %% %9.2f  %s\n", name.c_str(), error, ms, on_gpu.c_str());
+            add(visibility, {text("%s: RMS error %.2f %%, leak %.2f %%", name.c_str(), error, leaks),
+                             text("%.2f + %.2f ms, %d bytes a texel", map_ms, ms, bytes), "RDNA2 " + on_gpu});
+            if (!o.quiet)
+                std::printf("%-20s %8.2f %% %8.2f %% %9.2f %9.2f %6d  %s\n", name.c_str(), error, leaks, map_ms, ms,
+                            bytes, on_gpu.c_str());
         });
     progress.stage("write", [&] { example::write_png(o.output / "compare.png", page.pixels().view()); });
 }

@@ -2,14 +2,18 @@
 #include "filter.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <memory>
 #include <utility>
 
 #include <umbrage/bias/receiver_plane.hpp>
 #include <umbrage/depth/depth32f.hpp>
+#include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/images/visibility.hpp>
 
+#include <biases.hpp>
 #include <filters.hpp>
+#include <names.hpp>
+#include <soft.hpp>
 
 namespace shadow_render {
 namespace {
@@ -19,7 +23,7 @@ using any_filter = std::function<float(const any_fetch&, glm::vec2, float, glm::
 
 template <class Filter>
 any_filter erased(const Filter& filter) {
-    return [&filter](const any_fetch& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel) {
+    return [=](const any_fetch& fetch, glm::vec2 coord, float receiver, glm::ivec2 pixel) {
         if constexpr (requires { filter(fetch, coord, receiver, pixel); }) return filter(fetch, coord, receiver, pixel);
         else return filter(fetch, coord, receiver);
     };
@@ -35,24 +39,91 @@ struct on_planes {
     }
 };
 
+bool lists(const std::vector<std::string>& names, const std::string& name) {
+    return std::ranges::find(names, name) != names.end();
+}
+bool hardens(const options& o) { return lists(example::hardening_names(), o.filter); }
+bool filtered_ahead(const options& o) { return lists(example::prefilter_names(), o.filter); }
+
+umbrage::light_softness softness_of(const options& o, const light& lamp) {
+    const float radius = 0.5f * o.light_size;
+    return umbrage::make_softness(lamp.units, lamp.spot() ? radius : radius / o.distance, std::min(1.0f, o.widest),
+                                  o.widest);
+}
+
+/// Calls use(filter) with the one over depths that the options choose.
+template <class Use>
+void with_filter(const options& o, const light& lamp, Use&& use) {
+    if (example::with_filter(o.filter, o.radius, use)) return;
+    umbrage::filters::soft::with(o.filter, [&](auto filter) {
+        filter.softness = softness_of(o, lamp);
+        use(filter);
+    });
+}
+
 }  // namespace
 
-umbrage::image<float> visibility_of(const options& o, umbrage::image_view<const float> map, const light& lamp,
-                                    const receivers& receivers, example::progress& progress) {
-    umbrage::image<float> visibility(receivers.depth.size());
-    const auto filter_by = [&](umbrage::image_view<const float> depths, const auto& filter) {
-        umbrage::visibility(depths, umbrage::depth32f{}, receivers.planes(), filter, visibility.view(),
-                            progress.bands());
+const std::vector<std::string>& filter_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all = example::filter_names();
+        for (const auto* more : {&example::hardening_names(), &example::prefilter_names()})
+            all.insert(all.end(), more->begin(), more->end());
+        return all;
+    }();
+    return names;
+}
+
+float reach_of(const options& o) {
+    const float reach = hardens(o)          ? umbrage::filters::pcss{.softness{.widest = 16 * o.widest}}.reach()
+                        : filtered_ahead(o) ? example::prefilter_reach(o.filter)
+                                            : example::reach_of(o.filter, o.radius);
+    return o.reach.value_or(example::covered(reach));
+}
+
+bool compares_projected(const options& o) {
+    return hardens(o) || (example::moves_stored_depths(o.bias) && !filtered_ahead(o));
+}
+int bytes_read(const options& o) {
+    return filtered_ahead(o) ? example::prefilter_bytes(o.filter) : example::encoding_bytes(o.encoding);
+}
+
+look_up prepare(const options& o, umbrage::image_view<const float> map, const light& lamp,
+                example::progress& progress) {
+    const auto made = [](example::look_up by) {
+        return [by = std::move(by)](const receivers& to) {
+            umbrage::image<float> visibility(to.depth.size());
+            by(to.planes(), visibility.view());
+            return visibility;
+        };
     };
-    example::with_filter(o.filter, o.radius, [&](const auto& filter) {
-        if (receivers.slope.empty()) return filter_by(map, filter);
-        umbrage::image<float> projected(map.size);
-        for (int y = 0; y < map.size.y; ++y)
-            std::transform(map.row(y), map.row(y) + map.size.x, projected.view().row(y),
-                           [&](float depth) { return lamp.projected_depth(depth); });
-        filter_by(std::as_const(projected).view(), on_planes{erased(filter), receivers.slope});
+    if (filtered_ahead(o)) return made(example::prefiltered(o.filter, map, static_cast<int>(o.radius), progress));
+
+    look_up out;
+    if (!compares_projected(o)) {
+        example::with_filter(o.filter, o.radius, [&](const auto& filter) {
+            out = made([=, &progress](const umbrage::receiver_planes& to, umbrage::image_view<float> visibility) {
+                umbrage::visibility(map, umbrage::depth32f{}, to, filter, visibility, progress.bands());
+            });
+        });
+        return out;
+    }
+    const auto projected = std::make_shared<umbrage::image<float>>(map.size);
+    for (int y = 0; y < map.size.y; ++y)
+        std::transform(map.row(y), map.row(y) + map.size.x, projected->view().row(y),
+                       [&](float depth) { return lamp.projected_depth(depth); });
+    if (!example::moves_stored_depths(o.bias)) {
+        out = made(example::contact_hardening(o.filter, projected->view(), softness_of(o, lamp), progress));
+        return [projected, out](const receivers& to) { return out(to); };
+    }
+    with_filter(o, lamp, [&](const auto& filter) {
+        out = [=, &progress, by = erased(filter)](const receivers& to) {
+            umbrage::image<float> visibility(to.depth.size());
+            umbrage::visibility(std::as_const(*projected).view(), umbrage::depth32f{}, to.planes(),
+                                on_planes{by, to.slope}, visibility.view(), progress.bands());
+            return visibility;
+        };
     });
-    return visibility;
+    return out;
 }
 
 }  // namespace shadow_render

@@ -39,7 +39,7 @@ namespace {
 /// The whole way, in order.
 void render(const options& o, const example::scene& scene) {
     const glm::ivec2 sample_size = glm::ivec2(o.width, o.height) * o.samples;
-    example::progress progress(o.compare ? 5 + example::filter_names().size() : 7, o.quiet);
+    example::progress progress(o.compare ? 5 + filter_names().size() : 8, o.quiet);
 
     // Light and camera: how they see the world.
     view view{.scene = scene, .lamp = make_light(o, scene), .camera = make_camera(o, scene), .seen{}};
@@ -59,14 +59,12 @@ void render(const options& o, const example::scene& scene) {
     // Camera pass: the triangle behind each sample, and where that looks into the map.
     progress.stage("camera pass", [&] { view.seen = example::camera_pass(scene.geometry, view.camera, sample_size); });
     if (o.compare) return compare(o, view, map, progress);
-    const receivers receivers = progress.stage("receivers", [&] {
-        const float reach = o.reach.value_or(example::covered(example::reach_of(o.filter, o.radius)));
-        return receivers_of(view, o, reach, map.below, progress);
-    });
+    const receivers receivers = progress.stage(
+        "receivers", [&] { return receivers_of(view, o, reach_of(o), map.below, progress, compares_projected(o)); });
 
-    // Visibility: fetch, compare, filter.
-    const auto visibility =
-        progress.stage("visibility", [&] { return visibility_of(o, map.depth, view.lamp, receivers, progress); });
+    // Visibility: fetch, compare, filter; some filter the map first.
+    const look_up filter = progress.stage("filter", [&] { return prepare(o, map.depth, view.lamp, progress); });
+    const auto visibility = progress.stage("visibility", [&] { return filter(receivers); });
 
     // Shade.
     auto picture = progress.stage("shade", [&] { return shade(view, visibility, o.samples, progress.bands()); });

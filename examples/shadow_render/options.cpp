@@ -8,6 +8,8 @@
 #include <choices.hpp>
 #include <command_line.hpp>
 
+#include "filter.hpp"
+
 namespace shadow_render {
 namespace {
 
@@ -65,6 +67,9 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.add_option("--distance", o.distance, "of the spot from the scene's middle")->check(within(4, 100));
     app.add_option("--cone", o.cone, "full angle of the spot, degrees")->check(within(1, 150));
 
+    app.add_option("--light-size", o.light_size, "its diameter, world units: of pcss and dpcf, and of --compare")
+        ->check(within(0, 4));
+
     group("Shadow map");
     app.add_option("--map-size", o.map_size, "texels along an edge; cascades have a quarter of it each")
         ->check(within(1, 8192));
@@ -73,8 +78,11 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     add_choice(app, "--edge", o.edge, edges, "of a code's interval, that decoding answers");
 
     group("Filter");
-    example::add_filter(app, o.filter);
-    app.add_option("--radius", o.radius, "of a box, whole, or a disc, texels")->check(within(0, 8));
+    example::add_filter(app, o.filter, filter_names());
+    app.add_option("--radius", o.radius, "of a disc, or, whole, a box or a filtered map's blur, texels")
+        ->check(within(0, 8));
+    app.add_option("--widest", o.widest, "radius of the widest penumbra of pcss and dpcf, texels")
+        ->check(within(0, 15));
 
     group("Bias");
     example::add_bias(app, o.bias);
@@ -95,7 +103,6 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
         app.add_flag("--compare", o.compare,
                      "every filter against rays to an area light: compare.png alone, a contact sheet; "
                      "pictures of 480 x 320 without --width and --height");
-    app.add_option("--light-size", o.light_size, "diameter of that light, world units")->check(within(0, 4));
     app.add_option("--shaders", o.shaders,
                    "shaders.tsv of make bench-shaders, for what filters cost on RDNA2; without it "
                    "the one in build/bench-shaders, if any");

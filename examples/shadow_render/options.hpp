@@ -22,7 +22,8 @@ struct options {
 
     light_kind light = light_kind::spot;
     float azimuth = 60, elevation = 40, distance = 8;
-    float cone = 60;  ///< the spot's full angle
+    float cone = 60;          ///< the spot's full angle
+    float light_size = 0.4f;  ///< diameter: what contact hardening knows of it, and rays that filters are compared with
 
     int map_size = 1024;    ///< of cascades: of the atlas of four
     bool draw_all = false;  ///< instances beside a cascade's map too
@@ -30,7 +31,8 @@ struct options {
     float edge = umbrage::upper_edge<float>;  ///< of a code's interval, that decoding answers
 
     std::string filter = "pcf_2x2";
-    float radius = 2;  ///< of a box or a disc
+    float radius = 2;  ///< of a box, a disc or a map's blur
+    float widest = 8;  ///< penumbra's radius that contact hardening makes, texels
     std::string bias = "normal_offset";
     std::optional<float> reach{};  ///< texels that the bias covers; without one what the filter needs
 
@@ -38,7 +40,6 @@ struct options {
     float camera_azimuth = 0, camera_elevation = 30, camera_distance = 7.5f, fov = 35;
 
     bool compare = false;
-    float light_size = 0.4f;          ///< diameter of the area light that filters are compared with
     std::filesystem::path shaders{};  ///< shaders.tsv of `make bench-shaders`
 
     bool light_report = false, stability_report = false;

@@ -16,7 +16,7 @@ namespace {
 /// A row of samples under a bias. Lanes that are computed together, so that compilers can use vectors.
 template <class Bias>
 void place_row(const view& v, const example::bias_light& light, const Bias& bias, const glm::mat4& to_texels,
-               float error, int y, receivers& out) {
+               float error, bool projected, int y, receivers& out) {
     float *const to_x = out.x.view().row(y), *const to_y = out.y.view().row(y),
                  *const to_depth = out.depth.view().row(y);
     example::for_each_run(v.seen, y, [&](int first, int last, std::uint32_t triangle) {
@@ -36,11 +36,10 @@ void place_row(const view& v, const example::bias_light& light, const Bias& bias
                 at.set(i, umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, at[i])));
             for (int i = 0; i < lanes; ++i)
                 at.z[i] = umbrage::biased(v.lamp.even_depth(umbrage::biased(at.z[i], by[i].depth)), error);
+            if (projected)
+                for (float& z : at.z) z = v.lamp.projected_depth(z);
             if (!out.slope.empty())
-                for (int i = 0; i < count; ++i) {
-                    out.slope[{x + i, y}] = by[i].slope;
-                    at.z[i] = v.lamp.projected_depth(at.z[i]);
-                }
+                for (int i = 0; i < count; ++i) out.slope[{x + i, y}] = by[i].slope;
             std::copy_n(at.x, count, to_x + x);
             std::copy_n(at.y, count, to_y + x);
             std::copy_n(at.z, count, to_depth + x);
@@ -50,7 +49,8 @@ void place_row(const view& v, const example::bias_light& light, const Bias& bias
 
 }  // namespace
 
-receivers receivers_of(const view& v, const options& o, float reach, float below, example::progress& progress) {
+receivers receivers_of(const view& v, const options& o, float reach, float below, example::progress& progress,
+                       bool projected) {
     constexpr float rounding = 0x1p-18f;  // the depth pass and we compute the same depth, in float
     const glm::ivec2 map_size(o.map_size);
     const glm::mat4 to_texels = umbrage::texture_matrix(v.lamp.space, map_size);
@@ -58,13 +58,13 @@ receivers receivers_of(const view& v, const options& o, float reach, float below
         example::make_bias_light(v.lamp.space, v.lamp.direction, map_size, reach, v.lamp.w(v.scene.target));
     receivers out(v.seen.size());
     float error = rounding + below;
-    if (example::moves_stored_depths(o.bias)) {
+    if (projected && example::moves_stored_depths(o.bias)) {
         out.slope = umbrage::image<glm::vec2>(v.seen.size());
         error *= 2;  // of texels nearer to the light than the receiver z/w has more a world unit
     }
     example::with_bias(o.bias, [&](const auto& bias) {
         progress.bands()(v.seen.size().y, [&](int first, int last) {
-            for (int y = first; y < last; ++y) place_row(v, light, bias, to_texels, error, y, out);
+            for (int y = first; y < last; ++y) place_row(v, light, bias, to_texels, error, projected, y, out);
         });
     });
     return out;

@@ -21,7 +21,7 @@ namespace shadow_render {
 /// Coordinates in texels and depths, biased.
 struct receivers {
     umbrage::image<float> x, y, depth;
-    umbrage::image<glm::vec2> slope{};  ///< of stored depths that the bias moves, a texel; then all depths are z/w
+    umbrage::image<glm::vec2> slope{};  ///< of stored depths that the bias moves, a texel
 
     explicit receivers(glm::ivec2 size, glm::vec3 value = umbrage::project_coordinate(glm::vec4(0)))  // lit in any map
         : x(size, value.x), y(size, value.y), depth(size, value.z) {}
@@ -29,9 +29,10 @@ struct receivers {
     [[nodiscard]] umbrage::receiver_planes planes() const { return {x, y, depth}; }
 };
 
-/// @param reach   texels that the options' bias covers
-/// @param below   how far the encoding may answer below the depth it was given
+/// @param reach       texels that the options' bias covers
+/// @param below       how far the encoding may answer below the depth it was given
+/// @param projected   depths are z/w instead of growing evenly, as a bias asks for that moves stored ones
 [[nodiscard]] receivers receivers_of(const view& v, const options& o, float reach, float below,
-                                     example::progress& progress);
+                                     example::progress& progress, bool projected = false);
 
 }  // namespace shadow_render

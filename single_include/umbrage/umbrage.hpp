@@ -12354,6 +12354,9 @@ namespace umbrage::filters {
 
 using all = list_of<hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box, hierarchical_box, window, rotated_disc>;
 
+/// Beside them those that know the light's size: their maps hold z/w.
+using soft = list_of<pcss, dpcf>;
+
 }  // namespace umbrage::filters
 
 namespace umbrage {
@@ -12483,11 +12486,11 @@ UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap&
     });
 }
 
-/// Rows first <= y < last: each along y into a line, and that along x.
-template <int Channels>
-void blur_rows(image_view<const float> from, image_view<float> to, const blur_kernel& kernel, int first, int last) {
+/// Rows first <= y < last: each along y into a line, and that along x; one body for texels of any channels.
+inline void blur_rows(image_view<const float> from, image_view<float> to, const blur_kernel& kernel, int channels,
+                      int first, int last) {
     const int radius = static_cast<int>(kernel.weights.size()) - 1, width = from.size.x, height = from.size.y;
-    const int border = radius * Channels;
+    const int border = radius * channels;
     std::vector<float> padded(static_cast<std::size_t>(width + 2 * border));
     std::vector<const float*> rows(2 * kernel.weights.size() - 1);
     on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
@@ -12500,12 +12503,12 @@ void blur_rows(image_view<const float> from, image_view<float> to, const blur_ke
             blur_row(
                 weights, radius, [=](int i) UMBRAGE_INLINE { return around[i]; }, line, width, row(y + radius + 1));
             for (int i = 0; i < border; ++i) {
-                line[i - border] = line[i % Channels];
-                line[width + i] = line[width - Channels + i % Channels];
+                line[i - border] = line[i % channels];
+                line[width + i] = line[width - channels + i % channels];
             }
             const float* const centre = line;
             blur_row(
-                weights, radius, [=](int i) UMBRAGE_INLINE { return centre + i * Channels; }, to.row(y), width);
+                weights, radius, [=](int i) UMBRAGE_INLINE { return centre + i * channels; }, to.row(y), width);
         }
     });
 }
@@ -12538,7 +12541,7 @@ void blur(image_view<From> from, image_view<T> to, const blur_kernel& kernel, Pa
     const image_view<const float> floats_from(reinterpret_cast<const float*>(from.data), size, from.stride);
     const image_view<float> floats_to(reinterpret_cast<float*>(to.data), size, to.stride);
     parallel(size.y,
-             [&](int first, int last) { detail::blur_rows<channels>(floats_from, floats_to, kernel, first, last); });
+             [&](int first, int last) { detail::blur_rows(floats_from, floats_to, kernel, channels, first, last); });
 }
 
 /// The same where one of the two is an image.

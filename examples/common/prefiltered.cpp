@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "soft.hpp"
+
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include <glm/common.hpp>
+
+#include <umbrage/images/blur.hpp>
+#include <umbrage/images/prefilter.hpp>
+#include <umbrage/images/variance_table.hpp>
+
+namespace example {
+namespace {
+
+namespace prefilters = umbrage::prefilters;
+
+constexpr std::string_view table_name = "summed_variance";
+
+/// Bytes of a texel, and what its target makes of it: floats hold what they are given, but turned moments are made for
+/// four channels of 16 bits.
+template <class Prefilter>
+constexpr int bytes_of(const Prefilter&) {
+    return sizeof(typename Prefilter::texel);
+}
+constexpr int bytes_of(const prefilters::msm_turned&) { return 8; }
+template <class Prefilter>
+void store(const Prefilter&, umbrage::image<typename Prefilter::texel>&) {}
+void store(const prefilters::msm_turned&, umbrage::image<glm::vec4>& texels) {
+    for (glm::vec4& t : texels.texels()) t = glm::floor(glm::clamp(t, 0.0f, 1.0f) * 65535.0f + 0.5f) / 65535.0f;
+}
+
+umbrage::blur_kernel kernel_of(int radius) {
+    return radius > 0 ? umbrage::make_gaussian_kernel(2 * radius + 1, 0.5f * static_cast<float>(radius))
+                      : umbrage::blur_kernel{{1.0f}};
+}
+
+template <class Prefilter>
+look_up of_moments(const Prefilter& filter, umbrage::image_view<const float> map, int radius, progress& progress) {
+    using image = umbrage::image<typename Prefilter::texel>;
+    image moments(map.size);
+    const auto blurred = std::make_shared<image>(map.size);
+    umbrage::encode_moments(map, moments.view(), filter, progress.bands());
+    store(filter, moments);
+    umbrage::blur(moments, *blurred, kernel_of(radius), progress.bands());
+    store(filter, *blurred);
+    return [=, &progress](const umbrage::receiver_planes& receivers, umbrage::image_view<float> visibility) {
+        umbrage::look_up(std::as_const(*blurred).view(), receivers, filter, visibility, progress.bands());
+    };
+}
+
+look_up of_table(umbrage::image_view<const float> map, int radius, progress& progress) {
+    const umbrage::variance_table of{.bits = 12, .radius = radius};
+    const auto table =
+        std::make_shared<const umbrage::image<glm::u16vec4>>(umbrage::make_variance_table(map, of, progress.bands()));
+    return [=, &progress](const umbrage::receiver_planes& r, umbrage::image_view<float> visibility) {
+        umbrage::image<glm::vec3> receivers(visibility.size);
+        for (glm::ivec2 p{0}; p.y < visibility.size.y; ++p.y)
+            for (p.x = 0; p.x < visibility.size.x; ++p.x) receivers[p] = {r.x[p], r.y[p], r.depth[p]};
+        umbrage::summed_visibility(table->view(), of, std::as_const(receivers).view(), radius, visibility,
+                                   progress.bands());
+    };
+}
+
+}  // namespace
+
+const std::vector<std::string>& prefilter_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        prefilters::all::for_each([&](const auto& filter) { all.emplace_back(filter.name); });
+        all.emplace_back(table_name);
+        return all;
+    }();
+    return names;
+}
+
+int prefilter_bytes(std::string_view name) {
+    int bytes = sizeof(glm::u16vec4);
+    prefilters::all::with(name, [&](const auto& filter) { bytes = bytes_of(filter); });
+    return bytes;
+}
+
+float prefilter_reach(std::string_view name) { return name == table_name ? 0.5f : 0.0f; }
+
+look_up prefiltered(std::string_view name, umbrage::image_view<const float> map, int radius, progress& progress) {
+    if (name == table_name) return of_table(map, radius, progress);
+    look_up out;
+    prefilters::all::with(name, [&](const auto& filter) { out = of_moments(filter, map, radius, progress); });
+    if (!out) throw std::invalid_argument("no prefiltered map is called " + std::string(name));
+    return out;
+}
+
+}  // namespace example

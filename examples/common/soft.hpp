@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// Soft shadows by name: contact hardening over a map of depths, and maps that are filtered ahead.
+//
+//     const example::look_up soft = example::prefiltered("evsm4", map, 2, progress);
+//     soft(receivers, visibility);
+//
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <umbrage/filter/blocker/penumbra.hpp>
+#include <umbrage/image.hpp>
+#include <umbrage/images/receivers.hpp>
+
+#include "progress.hpp"
+
+namespace example {
+
+/// Visibility of receivers, by a filter that was made ready for a map.
+using look_up = std::function<void(const umbrage::receiver_planes&, umbrage::image_view<float>)>;
+
+/// Those of umbrage::filters::soft.
+[[nodiscard]] const std::vector<std::string>& hardening_names();
+
+/// Those of umbrage::prefilters, and summed_variance.
+[[nodiscard]] const std::vector<std::string>& prefilter_names();
+
+/// Bytes a texel of a prefiltered map.
+[[nodiscard]] int prefilter_bytes(std::string_view name);
+
+/// Texels between a receiver and the middle of what a prefiltered map answers for it: where that is a plane, its mean
+/// depth is the middle's.
+[[nodiscard]] float prefilter_reach(std::string_view name);
+
+/// @param map      z/w; outlives what is returned, as does progress
+/// @throws std::invalid_argument  none of hardening_names()
+[[nodiscard]] look_up contact_hardening(std::string_view name, umbrage::image_view<const float> map,
+                                        const umbrage::light_softness& softness, progress& progress);
+
+/// @param map      depths that grow evenly
+/// @param radius   of a Gaussian with half of it as deviation, or of a summed-area table's box, texels
+/// @throws std::invalid_argument  none of prefilter_names()
+[[nodiscard]] look_up prefiltered(std::string_view name, umbrage::image_view<const float> map, int radius,
+                                  progress& progress);
+
+}  // namespace example
