@@ -15,6 +15,9 @@
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/light/warp/perspective.hpp>
+#include <umbrage/light/warp/plane_optimal.hpp>
+#include <umbrage/light/warp/warp_fit.hpp>
 #include <umbrage/unorm.hpp>
 #include <umbrage/view/false_colour.hpp>
 
@@ -63,6 +66,14 @@ placed_maps cascades(const lit_view& v, const frustum& range, double lambda, boo
     return maps;
 }
 
+placed_maps warped(const lit_view& v, const umbrage::warped_light<double>& warp) {
+    const glm::ivec2 size(v.map_size);
+    return {size, {-v.light.direction, 0}, {umbrage::texture_matrix(warp.light, size)}};
+}
+umbrage::warp_fit<double> warp_fit(const lit_view& v, const frustum& range) {
+    return {.camera = range, .direction = v.light.direction, .receivers = seen(v, range), .casters = whole(v.scene)};
+}
+
 std::vector<set_up> all_set_ups() {
     std::vector<set_up> all{
         {"whole scene", [](const lit_view& v) { return directional(v, whole(v.scene), v.light.up); }},
@@ -77,6 +88,9 @@ std::vector<set_up> all_set_ups() {
         add("sphere", [=, range = range](const lit_view& v) {
             return directional(v, umbrage::sphere_around(v.*range), v.light.up, v.map_size);
         });
+        add("perspective", [=, range = range](const lit_view& v) {
+            return warped(v, umbrage::fit_perspective(warp_fit(v, v.*range)));
+        });
         for (const bool stable : {true, false})
             for (const auto& [name, lambda] : {std::pair("uniform", 0.0), {"practical", 0.9}, {"logarithmic", 1.0}})
                 add(std::string("4 ") + name + (stable ? " spheres" : " tight"),
@@ -84,6 +98,10 @@ std::vector<set_up> all_set_ups() {
                         return cascades(v, v.*range, lambda, stable);
                     });
     }
+    all.push_back({"plane-optimal on the ground", [](const lit_view& v) {
+                       const glm::dvec4 ground(0, 1, 0, -v.scene.low.y);
+                       return warped(v, umbrage::fit_plane_optimal(warp_fit(v, v.planes), ground));
+                   }});
     return all;
 }
 

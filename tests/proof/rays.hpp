@@ -25,36 +25,13 @@
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/light/warp/perspective.hpp>
+#include <umbrage/light/warp/plane_optimal.hpp>
 #include <umbrage/light/warp/trapezoidal.hpp>
 
+#include "light_kinds.hpp"
+
 namespace proof {
-
-/// What a light is set up around, and how. Without casters of its own it clamps them onto its near plane.
-struct light_kind {
-    enum class fitted_to { cone, box, points, frustum, sphere, perspective, trapezoid };
-    const char* name;
-    bool is_spot;
-    fitted_to receivers;
-    umbrage::near_plane at_near = umbrage::near_plane::clips;
-    bool has_far_plane = true;
-
-    [[nodiscard]] constexpr bool sees_camera_only() const { return receivers >= fitted_to::frustum; }
-};
-inline constexpr std::array light_kinds{
-    light_kind{"directional: box", false, light_kind::fitted_to::box},
-    light_kind{"directional: points", false, light_kind::fitted_to::points},
-    light_kind{"directional: frustum, casters apart", false, light_kind::fitted_to::frustum},
-    light_kind{"directional: sphere, snapped", false, light_kind::fitted_to::sphere},
-    light_kind{"directional: depth clamp", false, light_kind::fitted_to::frustum, umbrage::near_plane::clamps},
-    light_kind{"directional: light-space perspective", false, light_kind::fitted_to::perspective},
-    light_kind{"directional: trapezoidal", false, light_kind::fitted_to::trapezoid},
-    light_kind{"directional: trapezoidal, depth clamp", false, light_kind::fitted_to::trapezoid,
-               umbrage::near_plane::clamps},
-    light_kind{"spot: cone", true, light_kind::fitted_to::cone},
-    light_kind{"spot: receivers, casters apart", true, light_kind::fitted_to::frustum},
-    light_kind{"spot: depth clamp", true, light_kind::fitted_to::frustum, umbrage::near_plane::clamps},
-    light_kind{"spot: no far plane", true, light_kind::fitted_to::frustum, umbrage::near_plane::clips, false}};
-inline constexpr std::uint64_t clip_space_count = 16, setting_count = light_kinds.size() * clip_space_count;
 
 /// What look-ups found, of the receivers at which rays tell.
 struct verdicts {
@@ -109,11 +86,12 @@ public:
             const float reach = filter.reach() + 1.0f;
             const auto within = [&](float v, float least) { return v >= least && v <= map_size - least; };
             if (!within(at.x, 0) || !within(at.y, 0) || !(at.z >= 0 && at.z <= 1)) {
-                ++found.outside;
+                found.outside += is_held(p);
                 continue;
             }
             if (!within(at.x, reach) || !within(at.y, reach) || is_near_edge(at, reach)) continue;
-            const float bias = acne_free_bias(slope(own), filter, encoding, snapping_reach<float> + 0x1p-10f);
+            const float bias =
+                acne_free_bias(slope(own), filter, encoding, snapping_reach<float> + 0x1p-10f) + rounding();
             bool is_lit = true, is_told = true;
             for (std::size_t k = 0; k < triangles_.size(); ++k) {
                 if (k == own) continue;
@@ -167,10 +145,15 @@ private:
         const polyhedron seen = intersection(camera_, box_);
         std::optional<bounding_box<float>> casters;
         if (kind_.at_near == near_plane::clips) casters = box_;
-        if (kind_.receivers >= fitted_to::perspective) {
+        if (kind_.receivers >= fitted_to::light_space) {
             const warp_fit<float> fit{camera_, direction_, seen, casters, 0.01f, clip_};
-            const bool is_trapezoid = kind_.receivers == fitted_to::trapezoid;
-            light_ = (is_trapezoid ? fit_trapezoidal(fit, real(0.5f, 4)) : fit_light_space_perspective(fit)).light;
+            const auto warped = [&]() -> warped_light<float> {
+                if (kind_.receivers == fitted_to::trapezoid) return fit_trapezoidal(fit, real(0.5f, 4));
+                if (kind_.receivers == fitted_to::perspective) return fit_perspective(fit);
+                if (kind_.receivers == fitted_to::ground) return fit_plane_optimal(fit, glm::vec4(0, 1, 0, 0));
+                return fit_light_space_perspective(fit);
+            };
+            light_ = warped().light;
         } else if (!kind_.is_spot) {
             directional_fit<float> fit{.direction = direction_, .receivers = seen, .casters = casters, .clip = clip_};
             if (kind_.receivers == fitted_to::box) fit.receivers = box_;
@@ -223,6 +206,15 @@ private:
                                                                .tan_half_y = 0.57735f,
                                                                .z_near = z_near,
                                                                .z_far = 29});
+    }
+
+    /// Whether the map has to hold what is received.
+    [[nodiscard]] bool is_held(glm::vec3 p) const {
+        return kind_.receivers != light_kind::fitted_to::ground || p.y == 0.0f;
+    }
+    /// Of depth on a plane that has no slope in the map.
+    [[nodiscard]] float rounding() const {
+        return kind_.receivers == light_kind::fitted_to::ground ? umbrage::plane_optimal_rounding<float> : 0.0f;
     }
 
     /// How far before a receiver, in depth, a triangle meets the line to the light, below 0 behind it; NaN where it

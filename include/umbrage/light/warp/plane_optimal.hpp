@@ -25,6 +25,12 @@
 #include <umbrage/light/warp/warp_fit.hpp>
 
 namespace umbrage {
+
+/// What matrices in float leave of the plane's own depth, which is the same all over the map: acne_free_bias, that sees
+/// no slope, is to be given this much more.
+template <real T>
+inline constexpr T plane_optimal_rounding = T(0x1p-20);
+
 namespace detail {
 
 /// Where a plane cuts a body's edges: the corners of what they have in common.

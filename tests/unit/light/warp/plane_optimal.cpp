@@ -37,7 +37,7 @@ TEST_CASE("fit_plane_optimal: the plane is the screen, rays are texels, what is 
     std::mt19937 random(3);
     constexpr double size = 2048;
     int cast = 0, lost = 0, bent = 0, disordered = 0, mirrored = 0;
-    double off_screen = 0, rounded_texels = 0;
+    double off_screen = 0, rounded_texels = 0, rounded_depth = 0;
     for (int i = 0; i < 1200; ++i) {
         warp_fit<double> fit = reference_view::warp_under({90, 0});
         fit.clip = all_clip_spaces()[std::size_t(i % 16)];
@@ -56,8 +56,9 @@ TEST_CASE("fit_plane_optimal: the plane is the screen, rays are texels, what is 
             if (fit.clip.origin == texture_origin::top) found.y = -found.y;
             if (fit.clip.hand == handedness::left) found.x = -found.x;
             off_screen = std::max(off_screen, glm::length(found - screen));
-            const glm::dvec2 float_at(through(rounded, ground));
-            rounded_texels = std::max(rounded_texels, size * glm::length(float_at - glm::dvec2(at)));
+            const glm::dvec3 off = through(rounded, ground) - at;
+            rounded_texels = std::max(rounded_texels, size * glm::length(glm::dvec2(off)));
+            rounded_depth = std::max(rounded_depth, std::abs(off.z));
 
             const auto turn = [&](const glm::dmat4& m) {
                 const glm::dvec2 p(through(m, ground)), x(through(m, ground + glm::dvec3(0.1, 0, 0))),
@@ -83,6 +84,7 @@ TEST_CASE("fit_plane_optimal: the plane is the screen, rays are texels, what is 
     }
     CHECK(off_screen < 1e-9);
     CHECK(rounded_texels <= 0.004);
+    CHECK(rounded_depth <= plane_optimal_rounding<double>);
     CHECK(mirrored == 0);
     CHECK(lost == 0);
     CHECK(bent == 0);
