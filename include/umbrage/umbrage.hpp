@@ -12,6 +12,7 @@
 #include <umbrage/images/encode.hpp>
 #include <umbrage/images/filter_bounds.hpp>
 #include <umbrage/images/instances.hpp>
+#include <umbrage/images/light_choice.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/min_max.hpp>
 #include <umbrage/images/overlay.hpp>

@@ -13038,6 +13038,192 @@ template <class Bounds>
 
 }  // namespace umbrage
 
+// ---- umbrage/images/quality.hpp
+// How good a light's set-up is for a view: pixels that a texel's longer axis covers, 1 or less where the map resolves
+// what the screen does. As an image, and in five numbers.
+//
+//     auto report = umbrage::measure_quality({.screen = size, .map_size = {2048, 2048}}, [&](glm::ivec2 pixel) {
+//         return umbrage::pixels_per_texel(to_texels, to_pixels, position[pixel], normal[pixel]);
+//     });
+//     std::printf("mean %.2f, 95 of 100 below %.2f, greatest %.2f\n", report.mean, report.p95, report.greatest);
+//
+
+namespace umbrage {
+
+/// How far on the screen a texel's step goes.
+///
+/// @param texture_matrix   world to texels: the light's
+/// @param to_pixels        world to pixels: texture_matrix of the camera
+/// @param world, normal    a point before both, and its surface's normal there, of any length > 0
+/// @return                 columns: the pixels of a step of one texel in x and in y; not finite where the surface is
+///                         parallel to the light
+/// @formula                d(pixel) / d(texel) on the plane through the point
+template <real T>
+[[nodiscard]] glm::mat<2, 2, T> pixels_per_texel(const glm::mat<4, 4, T>& texture_matrix,
+                                                 const glm::mat<4, 4, T>& to_pixels, glm::vec<3, T> world,
+                                                 glm::vec<3, T> normal) {
+    const auto along = detail::across(detail::unit(normal));
+    const auto steps = [&](const glm::mat<4, 4, T>& m) {
+        return glm::mat<2, 2, T>(detail::step(m, world, along[0]), detail::step(m, world, along[1]));
+    };
+    const glm::mat<2, 2, T> texels = steps(texture_matrix);
+    const T det = glm::determinant(texels);
+    const glm::mat<2, 2, T> back(texels[1][1] / det, -texels[0][1] / det, -texels[1][0] / det, texels[0][0] / det);
+    return steps(to_pixels) * back;
+}
+
+/// The longer axis of a texel's image on the screen, an ellipse's.
+/// @param pixels   pixels_per_texel
+/// @return         its greatest singular value
+/// @formula        s^2 = (t + sqrt(t^2 - 4 det^2)) / 2, t the sum of the squares
+template <real T>
+[[nodiscard]] T longest_extent(const glm::mat<2, 2, T>& pixels) {
+    const T a = pixels[0][0], b = pixels[1][0], c = pixels[0][1], d = pixels[1][1];
+    // t +- 2 det as sums of squares, of which no difference loses digits
+    return (std::hypot(a + d, b - c) + std::hypot(a - d, b + c)) / T(2);
+}
+
+/// A set-up in numbers, over all pixels that were measured.
+struct quality_report {
+    double mean = 0, p95 = 0, greatest = 0;  ///< of longest_extent, pixels
+    double storage_factor = 0;               ///< texels over pixels, of maps that would resolve all of the screen
+    std::size_t measured = 0, skipped = 0;   ///< pixels; skipped: of surfaces parallel to the light
+};
+
+/// What a set-up is measured over.
+struct measured_view {
+    glm::ivec2 screen{1};    ///< pixels, each >= 1
+    glm::ivec2 map_size{1};  ///< texels of a map, each >= 1
+    int maps = 1;            ///< how many of them there are: cascades
+    int step = 1;            ///< from pixel to pixel, >= 1
+};
+
+/// Measures a set-up over a view.
+///
+/// @param at        (glm::ivec2 pixel) -> pixels_per_texel of the map that the pixel looks into, float or double; of
+///                  zeros where there is nothing to see
+/// @param extents   gets longest_extent of each pixel measured, 0 where there was nothing to measure; empty, or of the
+///                  screen's size over the step, rounded up
+/// @throws std::invalid_argument  sizes and counts below 1, extents of another size
+/// @formula         storage_factor = maps (width max |dp/dx|) (height max |dp/dy|) / pixels, dp/dx and dp/dy columns
+/// @cite            Lloyd, Govindaraju, Quammen, Molnar, Manocha: Practical Logarithmic Rasterization for Low-Error
+///                  Shadow Maps, Graphics Hardware 2007
+template <class At>
+[[nodiscard]] quality_report measure_quality(const measured_view& view, At&& at, image_view<float> extents = {}) {
+    constexpr auto function = "measure_quality";
+    const auto [screen, map_size, maps, step] = view;
+    detail::require(screen.x >= 1 && screen.y >= 1, function, "screen", "must be above 0");
+    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
+    detail::require(maps >= 1, function, "maps", "must be above 0");
+    detail::require(step >= 1, function, "step", "must be above 0");
+    const glm::ivec2 size((screen.x - 1) / step + 1, (screen.y - 1) / step + 1);
+    const bool draws = extents.size != glm::ivec2(0);
+    detail::require(!draws || extents.size == size, function, "extents", "must have the screen's size over the step");
+    quality_report report;
+    std::vector<double> all;
+    glm::dvec2 longest(0);
+    double sum = 0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const glm::dmat2 pixels(at(glm::ivec2(x, y) * step));
+            if (draws) extents[{x, y}] = 0.0f;
+            if (pixels == glm::dmat2(0)) continue;
+            const double extent = longest_extent(pixels);
+            if (!is_finite(extent)) {
+                ++report.skipped;
+                continue;
+            }
+            if (draws) extents[{x, y}] = static_cast<float>(extent);
+            all.push_back(extent);
+            sum += extent;
+            longest = glm::max(longest, glm::dvec2(glm::length(pixels[0]), glm::length(pixels[1])));
+        }
+    report.measured = all.size();
+    if (all.empty()) return report;
+    report.mean = sum / double(all.size());
+    report.greatest = *std::max_element(all.begin(), all.end());
+    const auto nth = all.begin() + static_cast<std::ptrdiff_t>(double(all.size() - 1) * 0.95);
+    std::nth_element(all.begin(), nth, all.end());
+    report.p95 = *nth;
+    report.storage_factor = maps * (map_size.x * longest.x) * (map_size.y * longest.y) / (double(screen.x) * screen.y);
+    return report;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/light_choice.hpp
+// Which of several maps serves a view best: a warp where it pays, a uniform map where it does not, and no flicker
+// between them.
+//
+//     // a receiver from each 64 pixels squared or so: what the camera saw a frame ago will do
+//     std::vector<umbrage::seen_point> seen = ...;
+//     const std::array lights{umbrage::fit_directional_light(uniform), umbrage::fit_light_space_perspective(fit).light};
+//     choice = umbrage::choose_light<float>(lights, seen, {.to_pixels = camera, .map_size = {2048, 2048}}, choice.kept);
+//     draw_depths(lights[choice.kept]);
+//
+
+namespace umbrage {
+
+/// A point of a surface that the camera sees, world.
+struct seen_point {
+    glm::dvec3 position{0};
+    glm::dvec3 normal{0, 1, 0};  ///< any length > 0
+};
+
+struct choice_terms {
+    glm::dmat4 to_pixels{1};  ///< world to pixels: texture_matrix of the camera
+    glm::ivec2 map_size{1};   ///< texels, each >= 1
+    double better = 0.1;      ///< share by which another light has to be better before it takes over, 0 .. 1
+};
+
+struct light_choice {
+    std::size_t kept = 0;     ///< which of the lights to take
+    std::vector<double> p95;  ///< of each: pixels that a texel's longer axis covers, at most, for 95 of 100 points;
+                              ///< infinite where a map does not hold as many, 0 without points
+};
+
+/// Measures each light over the points, and keeps the one that it had unless another is better by a margin.
+///
+/// @param lights   one or more, of any kinds
+/// @param seen     a coarse grid over the screen: some hundred points tell; those of surfaces parallel to the light
+///                 count for nothing
+/// @param before   which of the lights was taken last, light_choice::kept
+/// @throws std::invalid_argument  no lights, before beyond them, sizes below 1, better out of range, and matrices that
+///                                are not finite
+template <real T>
+[[nodiscard]] light_choice choose_light(std::span<const light_space<T>> lights, std::span<const seen_point> seen,
+                                        const choice_terms& terms, std::size_t before = 0) {
+    constexpr auto function = "choose_light";
+    detail::require(!lights.empty(), function, "lights", "must not be empty");
+    detail::require(before < lights.size(), function, "before", "must be one of the lights");
+    detail::require(terms.better >= 0 && terms.better <= 1, function, "better", "must lie between 0 and 1");
+    detail::require(detail::all_finite(terms.to_pixels), function, "to_pixels", "must be finite");
+    light_choice choice{before, {}};
+    for (const light_space<T>& light : lights) {
+        const glm::dmat4 to_texels =
+            texture_matrix<double>({glm::dmat4(light.view), glm::dmat4(light.projection), light.clip}, terms.map_size);
+        std::vector<double> extents;
+        for (const seen_point& p : seen) {
+            const glm::dvec4 h = shadow_coordinate(to_texels, p.position);
+            const glm::dvec2 at = glm::dvec2(h) / h.w;
+            const bool held = h.w > 0 && at.x >= 0 && at.y >= 0 && at.x <= terms.map_size.x && at.y <= terms.map_size.y;
+            const double extent = longest_extent(pixels_per_texel(to_texels, terms.to_pixels, p.position, p.normal));
+            if (!held) extents.push_back(std::numeric_limits<double>::infinity());
+            else if (is_finite(extent)) extents.push_back(extent);
+        }
+        choice.p95.push_back(0);
+        if (extents.empty()) continue;
+        const auto nth = extents.begin() + static_cast<std::ptrdiff_t>(double(extents.size() - 1) * 0.95);
+        std::nth_element(extents.begin(), nth, extents.end());
+        choice.p95.back() = *nth;
+    }
+    const auto best = std::min_element(choice.p95.begin(), choice.p95.end());
+    if (*best < choice.p95[before] * (1 - terms.better)) choice.kept = std::size_t(best - choice.p95.begin());
+    return choice;
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/images/min_max.hpp
 // Least and greatest depth of every square of 2 x 2, 4 x 4, ... texels of a map.
 //
@@ -13413,119 +13599,6 @@ void look_up(image_view<const typename Prefilter::texel> texels, const Receivers
             }
         });
     });
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/quality.hpp
-// How good a light's set-up is for a view: pixels that a texel's longer axis covers, 1 or less where the map resolves
-// what the screen does. As an image, and in five numbers.
-//
-//     auto report = umbrage::measure_quality({.screen = size, .map_size = {2048, 2048}}, [&](glm::ivec2 pixel) {
-//         return umbrage::pixels_per_texel(to_texels, to_pixels, position[pixel], normal[pixel]);
-//     });
-//     std::printf("mean %.2f, 95 of 100 below %.2f, greatest %.2f\n", report.mean, report.p95, report.greatest);
-//
-
-namespace umbrage {
-
-/// How far on the screen a texel's step goes.
-///
-/// @param texture_matrix   world to texels: the light's
-/// @param to_pixels        world to pixels: texture_matrix of the camera
-/// @param world, normal    a point before both, and its surface's normal there, of any length > 0
-/// @return                 columns: the pixels of a step of one texel in x and in y; not finite where the surface is
-///                         parallel to the light
-/// @formula                d(pixel) / d(texel) on the plane through the point
-template <real T>
-[[nodiscard]] glm::mat<2, 2, T> pixels_per_texel(const glm::mat<4, 4, T>& texture_matrix,
-                                                 const glm::mat<4, 4, T>& to_pixels, glm::vec<3, T> world,
-                                                 glm::vec<3, T> normal) {
-    const auto along = detail::across(detail::unit(normal));
-    const auto steps = [&](const glm::mat<4, 4, T>& m) {
-        return glm::mat<2, 2, T>(detail::step(m, world, along[0]), detail::step(m, world, along[1]));
-    };
-    const glm::mat<2, 2, T> texels = steps(texture_matrix);
-    const T det = glm::determinant(texels);
-    const glm::mat<2, 2, T> back(texels[1][1] / det, -texels[0][1] / det, -texels[1][0] / det, texels[0][0] / det);
-    return steps(to_pixels) * back;
-}
-
-/// The longer axis of a texel's image on the screen, an ellipse's.
-/// @param pixels   pixels_per_texel
-/// @return         its greatest singular value
-/// @formula        s^2 = (t + sqrt(t^2 - 4 det^2)) / 2, t the sum of the squares
-template <real T>
-[[nodiscard]] T longest_extent(const glm::mat<2, 2, T>& pixels) {
-    const T a = pixels[0][0], b = pixels[1][0], c = pixels[0][1], d = pixels[1][1];
-    // t +- 2 det as sums of squares, of which no difference loses digits
-    return (std::hypot(a + d, b - c) + std::hypot(a - d, b + c)) / T(2);
-}
-
-/// A set-up in numbers, over all pixels that were measured.
-struct quality_report {
-    double mean = 0, p95 = 0, greatest = 0;  ///< of longest_extent, pixels
-    double storage_factor = 0;               ///< texels over pixels, of maps that would resolve all of the screen
-    std::size_t measured = 0, skipped = 0;   ///< pixels; skipped: of surfaces parallel to the light
-};
-
-/// What a set-up is measured over.
-struct measured_view {
-    glm::ivec2 screen{1};    ///< pixels, each >= 1
-    glm::ivec2 map_size{1};  ///< texels of a map, each >= 1
-    int maps = 1;            ///< how many of them there are: cascades
-    int step = 1;            ///< from pixel to pixel, >= 1
-};
-
-/// Measures a set-up over a view.
-///
-/// @param at        (glm::ivec2 pixel) -> pixels_per_texel of the map that the pixel looks into, float or double; of
-///                  zeros where there is nothing to see
-/// @param extents   gets longest_extent of each pixel measured, 0 where there was nothing to measure; empty, or of the
-///                  screen's size over the step, rounded up
-/// @throws std::invalid_argument  sizes and counts below 1, extents of another size
-/// @formula         storage_factor = maps (width max |dp/dx|) (height max |dp/dy|) / pixels, dp/dx and dp/dy columns
-/// @cite            Lloyd, Govindaraju, Quammen, Molnar, Manocha: Practical Logarithmic Rasterization for Low-Error
-///                  Shadow Maps, Graphics Hardware 2007
-template <class At>
-[[nodiscard]] quality_report measure_quality(const measured_view& view, At&& at, image_view<float> extents = {}) {
-    constexpr auto function = "measure_quality";
-    const auto [screen, map_size, maps, step] = view;
-    detail::require(screen.x >= 1 && screen.y >= 1, function, "screen", "must be above 0");
-    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
-    detail::require(maps >= 1, function, "maps", "must be above 0");
-    detail::require(step >= 1, function, "step", "must be above 0");
-    const glm::ivec2 size((screen.x - 1) / step + 1, (screen.y - 1) / step + 1);
-    const bool draws = extents.size != glm::ivec2(0);
-    detail::require(!draws || extents.size == size, function, "extents", "must have the screen's size over the step");
-    quality_report report;
-    std::vector<double> all;
-    glm::dvec2 longest(0);
-    double sum = 0;
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) {
-            const glm::dmat2 pixels(at(glm::ivec2(x, y) * step));
-            if (draws) extents[{x, y}] = 0.0f;
-            if (pixels == glm::dmat2(0)) continue;
-            const double extent = longest_extent(pixels);
-            if (!is_finite(extent)) {
-                ++report.skipped;
-                continue;
-            }
-            if (draws) extents[{x, y}] = static_cast<float>(extent);
-            all.push_back(extent);
-            sum += extent;
-            longest = glm::max(longest, glm::dvec2(glm::length(pixels[0]), glm::length(pixels[1])));
-        }
-    report.measured = all.size();
-    if (all.empty()) return report;
-    report.mean = sum / double(all.size());
-    report.greatest = *std::max_element(all.begin(), all.end());
-    const auto nth = all.begin() + static_cast<std::ptrdiff_t>(double(all.size() - 1) * 0.95);
-    std::nth_element(all.begin(), nth, all.end());
-    report.p95 = *nth;
-    report.storage_factor = maps * (map_size.x * longest.x) * (map_size.y * longest.y) / (double(screen.x) * screen.y);
-    return report;
 }
 
 }  // namespace umbrage

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+//
+// Which of several maps serves a view best: a warp where it pays, a uniform map where it does not, and no flicker
+// between them.
+//
+//     // a receiver from each 64 pixels squared or so: what the camera saw a frame ago will do
+//     std::vector<umbrage::seen_point> seen = ...;
+//     const std::array lights{umbrage::fit_directional_light(uniform), umbrage::fit_light_space_perspective(fit).light};
+//     choice = umbrage::choose_light<float>(lights, seen, {.to_pixels = camera, .map_size = {2048, 2048}}, choice.kept);
+//     draw_depths(lights[choice.kept]);
+//
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/images/quality.hpp>
+#include <umbrage/light/light_space.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/scalar.hpp>
+
+namespace umbrage {
+
+/// A point of a surface that the camera sees, world.
+struct seen_point {
+    glm::dvec3 position{0};
+    glm::dvec3 normal{0, 1, 0};  ///< any length > 0
+};
+
+struct choice_terms {
+    glm::dmat4 to_pixels{1};  ///< world to pixels: texture_matrix of the camera
+    glm::ivec2 map_size{1};   ///< texels, each >= 1
+    double better = 0.1;      ///< share by which another light has to be better before it takes over, 0 .. 1
+};
+
+struct light_choice {
+    std::size_t kept = 0;     ///< which of the lights to take
+    std::vector<double> p95;  ///< of each: pixels that a texel's longer axis covers, at most, for 95 of 100 points;
+                              ///< infinite where a map does not hold as many, 0 without points
+};
+
+/// Measures each light over the points, and keeps the one that it had unless another is better by a margin.
+///
+/// @param lights   one or more, of any kinds
+/// @param seen     a coarse grid over the screen: some hundred points tell; those of surfaces parallel to the light
+///                 count for nothing
+/// @param before   which of the lights was taken last, light_choice::kept
+/// @throws std::invalid_argument  no lights, before beyond them, sizes below 1, better out of range, and matrices that
+///                                are not finite
+template <real T>
+[[nodiscard]] light_choice choose_light(std::span<const light_space<T>> lights, std::span<const seen_point> seen,
+                                        const choice_terms& terms, std::size_t before = 0) {
+    constexpr auto function = "choose_light";
+    detail::require(!lights.empty(), function, "lights", "must not be empty");
+    detail::require(before < lights.size(), function, "before", "must be one of the lights");
+    detail::require(terms.better >= 0 && terms.better <= 1, function, "better", "must lie between 0 and 1");
+    detail::require(detail::all_finite(terms.to_pixels), function, "to_pixels", "must be finite");
+    light_choice choice{before, {}};
+    for (const light_space<T>& light : lights) {
+        const glm::dmat4 to_texels =
+            texture_matrix<double>({glm::dmat4(light.view), glm::dmat4(light.projection), light.clip}, terms.map_size);
+        std::vector<double> extents;
+        for (const seen_point& p : seen) {
+            const glm::dvec4 h = shadow_coordinate(to_texels, p.position);
+            const glm::dvec2 at = glm::dvec2(h) / h.w;
+            const bool held = h.w > 0 && at.x >= 0 && at.y >= 0 && at.x <= terms.map_size.x && at.y <= terms.map_size.y;
+            const double extent = longest_extent(pixels_per_texel(to_texels, terms.to_pixels, p.position, p.normal));
+            if (!held) extents.push_back(std::numeric_limits<double>::infinity());
+            else if (is_finite(extent)) extents.push_back(extent);
+        }
+        choice.p95.push_back(0);
+        if (extents.empty()) continue;
+        const auto nth = extents.begin() + static_cast<std::ptrdiff_t>(double(extents.size() - 1) * 0.95);
+        std::nth_element(extents.begin(), nth, extents.end());
+        choice.p95.back() = *nth;
+    }
+    const auto best = std::min_element(choice.p95.begin(), choice.p95.end());
+    if (*best < choice.p95[before] * (1 - terms.better)) choice.kept = std::size_t(best - choice.p95.begin());
+    return choice;
+}
+
+}  // namespace umbrage
