@@ -123,6 +123,10 @@ export const cube_tile: Snippet;
 export const cube_atlas_texel: Snippet;
 /** direction that reads an atlas' texel from a texture of a cube */
 export const cube_atlas_direction: Snippet;
+/** paraboloid map, and where in it, that sees a direction */
+export const dual_paraboloid_coordinate: Snippet;
+/** a vertex of a paraboloid map's depth pass */
+export const dual_paraboloid_position: Snippet;
 /** casters before the near plane, onto it */
 export const pancaked: Snippet;
 /** texel inside a map */

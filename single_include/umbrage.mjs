@@ -498,6 +498,29 @@ UMBRAGE_HIGHP vec3 umbrage_cube_atlas_direction(UMBRAGE_HIGHP vec2 texel, UMBRAG
     return umbrage_cube_point(part.z, vec3(uv, size));
 }
 `,
+            "dual_paraboloid_coordinate": `
+// umbrage_dual_paraboloid_coordinate: (s, t, map) of a direction: 0.0 to 1.0 over the map's square, map 0.0 or 1.0
+UMBRAGE_HIGHP vec3 umbrage_dual_paraboloid_coordinate(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square =
+        direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    bool behind = direction.z < 0.0;
+    UMBRAGE_HIGHP float m = sqrt(square) + (behind ? -direction.z : direction.z);
+    UMBRAGE_HIGHP float x = behind ? direction.x : -direction.x;
+    return vec3((x + m) / (m + m), (direction.y + m) / (m + m), behind ? 1.0 : 0.0);
+}
+`,
+            "dual_paraboloid_position": `
+// umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
+//   direction  from the light to the vertex;   map  0.0 or 1.0
+UMBRAGE_HIGHP vec4 umbrage_dual_paraboloid_position(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP float map) {
+    bool behind = map > 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square =
+        direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    UMBRAGE_HIGHP float distance_to = sqrt(square);
+    UMBRAGE_HIGHP float w = distance_to + (behind ? -direction.z : direction.z);
+    return vec4(behind ? direction.x : -direction.x, direction.y, distance_to * w, w);
+}
+`,
             "pancaked": `
 // umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
@@ -3393,6 +3416,27 @@ float3 umbrage_cube_atlas_direction(float2 texel, float size) {
     return umbrage_cube_point(part.z, float3(uv, size));
 }
 `,
+            "dual_paraboloid_coordinate": `
+// umbrage_dual_paraboloid_coordinate: (s, t, map) of a direction: 0.0 to 1.0 over the map's square, map 0.0 or 1.0
+float3 umbrage_dual_paraboloid_coordinate(float3 direction) {
+    precise float square = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    bool behind = direction.z < 0.0;
+    float m = sqrt(square) + (behind ? -direction.z : direction.z);
+    float x = behind ? direction.x : -direction.x;
+    return float3((x + m) / (m + m), (direction.y + m) / (m + m), behind ? 1.0 : 0.0);
+}
+`,
+            "dual_paraboloid_position": `
+// umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
+//   direction  from the light to the vertex;   map  0.0 or 1.0
+float4 umbrage_dual_paraboloid_position(float3 direction, float map) {
+    bool behind = map > 0.5;
+    precise float square = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    float distance_to = sqrt(square);
+    float w = distance_to + (behind ? -direction.z : direction.z);
+    return float4(behind ? direction.x : -direction.x, direction.y, distance_to * w, w);
+}
+`,
             "pancaked": `
 // umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
@@ -6086,6 +6130,27 @@ inline float3 umbrage_cube_atlas_direction(float2 texel, float size) {
     float3 part = umbrage_cube_atlas_texel(texel, size);
     float2 uv = float2(part.x, part.y) * 2.0 + (1.0 - size);
     return umbrage_cube_point(part.z, float3(uv, size));
+}
+`,
+            "dual_paraboloid_coordinate": `
+// umbrage_dual_paraboloid_coordinate: (s, t, map) of a direction: 0.0 to 1.0 over the map's square, map 0.0 or 1.0
+inline float3 umbrage_dual_paraboloid_coordinate(float3 direction) {
+    float square = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    bool behind = direction.z < 0.0;
+    float m = metal::sqrt(square) + (behind ? -direction.z : direction.z);
+    float x = behind ? direction.x : -direction.x;
+    return float3((x + m) / (m + m), (direction.y + m) / (m + m), behind ? 1.0 : 0.0);
+}
+`,
+            "dual_paraboloid_position": `
+// umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
+//   direction  from the light to the vertex;   map  0.0 or 1.0
+inline float4 umbrage_dual_paraboloid_position(float3 direction, float map) {
+    bool behind = map > 0.5;
+    float square = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    float distance_to = metal::sqrt(square);
+    float w = distance_to + (behind ? -direction.z : direction.z);
+    return float4(behind ? direction.x : -direction.x, direction.y, distance_to * w, w);
 }
 `,
             "pancaked": `
@@ -8791,6 +8856,27 @@ fn umbrage_cube_atlas_direction(texel: vec2f, size: f32) -> vec3f {
     return umbrage_cube_point(part.z, vec3f(uv, size));
 }
 `,
+            "dual_paraboloid_coordinate": `
+// umbrage_dual_paraboloid_coordinate: (s, t, map) of a direction: 0.0 to 1.0 over the map's square, map 0.0 or 1.0
+fn umbrage_dual_paraboloid_coordinate(direction: vec3f) -> vec3f {
+    let square: f32 = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    let behind: bool = direction.z < 0.0;
+    let m: f32 = sqrt(square) + select(direction.z, -direction.z, behind);
+    let x: f32 = select(-direction.x, direction.x, behind);
+    return vec3f((x + m) / (m + m), (direction.y + m) / (m + m), select(0.0, 1.0, behind));
+}
+`,
+            "dual_paraboloid_position": `
+// umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
+//   direction  from the light to the vertex;   map  0.0 or 1.0
+fn umbrage_dual_paraboloid_position(direction: vec3f, map: f32) -> vec4f {
+    let behind: bool = map > 0.5;
+    let square: f32 = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    let distance_to: f32 = sqrt(square);
+    let w: f32 = distance_to + select(direction.z, -direction.z, behind);
+    return vec4f(select(-direction.x, direction.x, behind), direction.y, distance_to * w, w);
+}
+`,
             "pancaked": `
 // umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
@@ -11272,6 +11358,8 @@ const rows = [
     ["cube_tile", "cube_tile", "first texel of a face in an atlas", "a", 0, 0, "100", "none", false, []],
     ["cube_atlas_texel", "cube_atlas_texel", "face that a texel of an atlas belongs to, and where on it", "a", 0, 0, "100", "none", false, []],
     ["cube_atlas_direction", "cube_atlas_direction", "direction that reads an atlas' texel from a texture of a cube", "a", 0, 0, "100", "none", false, ["cube_atlas_texel", "cube_point"]],
+    ["dual_paraboloid_coordinate", "dual_paraboloid_coordinate", "paraboloid map, and where in it, that sees a direction", "c", 1, 0, "100", "none", false, []],
+    ["dual_paraboloid_position", "dual_paraboloid_position", "a vertex of a paraboloid map's depth pass", "c", 1, 0, "100", "none", false, []],
     ["pancaked", "pancaked", "casters before the near plane, onto it", "b", 0, 0, "100", "none", false, []],
     ["texel", "texel", "texel inside a map", "a", 0, 0, "100", "texel", false, []],
     ["from_unorm", "from_unorm", "value read from an 8-bit texture to channel 0..255", "a", 0, 0, "100", "none", false, []],
@@ -11519,4 +11607,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, power_of_two, exp2_polynomial, exp2_steps, forward_depth, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, turn_moments_back, moment_atoms, bias_moments, decode_msm, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, power_of_two, exp2_polynomial, exp2_steps, forward_depth, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, turn_moments_back, moment_atoms, bias_moments, decode_msm, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

@@ -69,6 +69,7 @@
 #include <umbrage/light/cube_map.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/directional_light.hpp>
+#include <umbrage/light/dual_paraboloid.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/pancake.hpp>
 #include <umbrage/light/point_light.hpp>

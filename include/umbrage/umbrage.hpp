@@ -9,6 +9,7 @@
 
 #include <umbrage/images/blur.hpp>
 #include <umbrage/images/depth_span.hpp>
+#include <umbrage/images/dual_paraboloid_pass.hpp>
 #include <umbrage/images/encode.hpp>
 #include <umbrage/images/filter_bounds.hpp>
 #include <umbrage/images/instances.hpp>
@@ -22,6 +23,7 @@
 #include <umbrage/images/rasterize.hpp>
 #include <umbrage/images/stability.hpp>
 #include <umbrage/images/summed_area.hpp>
+#include <umbrage/images/tessellate.hpp>
 #include <umbrage/images/variance_table.hpp>
 #include <umbrage/images/visibility.hpp>
 

@@ -66,6 +66,7 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -9409,6 +9410,148 @@ template <real T = float>
 
 }  // namespace umbrage
 
+// ---- umbrage/light/dual_paraboloid.hpp
+// Two square maps around a point light, a paraboloid's image of either half of all directions in each. Shadows go by
+// distance, and straight edges become arcs: draw a mesh that tessellate has cut.
+//
+//     auto light = umbrage::make_dual_paraboloid_light<float>({.position = p, .range = 30, .border = 2});
+//     auto cut = umbrage::tessellate(mesh, {p, umbrage::paraboloid_edge_angle(512, 2), 30});
+//     for (int map : {0, 1}) umbrage::rasterize_dual_paraboloid(maps[map].view(), cut.view(), light, map);
+//
+//     glm::vec3 at = umbrage::dual_paraboloid_coordinate(world - p);  // (s, t, map)
+//     glm::vec2 texel = glm::vec2(at) * float(512 - 2 * 2) + 2.0f;    // in maps[int(at.z)]
+//     float depth = umbrage::distance_depth(world - p, 1.0f / 30.0f);
+//
+// A vertex shader's gl_Position is projection * umbrage_dual_paraboloid_position(world - p, map), of the mesh as it is
+// cut. What is behind the map needs a clip distance: position.w - 0.1 * distance, say.
+//
+// A border of texels sees past the half: filters then need no other map, as in point_light.hpp.
+
+namespace umbrage {
+
+template <real T = float>
+struct dual_paraboloid_light {
+    glm::vec<3, T> position{T(0)};
+    T range = T(100);    ///< > 0, world units: distances from the light that have a depth
+    int map_size = 512;  ///< of either map, in texels, >= 16
+    int border = 0;      ///< texels around the half's circle, within map_size, at most an eighth of it
+    clip_space clip{};
+};
+
+/// Where in its map a direction is seen: the first holds +z, the other -z, each the way round that a right-handed view
+/// along it with y up shows. Beyond its circle a map goes on in the other one, at 1 - s and the same t.
+/// @param direction   of any length of 1e-18 to 1e18; zero and NaN give coordinates that are NaN, which every filter
+///                    takes as lit
+/// @return            (s, t, map): s and t from 0 to 1 over the map's square, within its circle; map 0 or 1
+/// @formula           s = 1/2 + -x / 2 (|p| + |z|), for z < 0 with x, t = 1/2 + y / 2 (|p| + |z|): a texel is as wide
+///                    as it is high, 2 (1 + |z| / |p|) / map_size radians, in the middle twice of what it is at the rim
+/// @exactness         C: a square root and divisions, of each of which GLSL allows 2.5 ulp and more; 0 seen
+/// @cite              Brabec, Annen, Seidel: Shadow Mapping for Hemispherical and Omnidirectional Light Sources, 2002
+template <real T>
+[[nodiscard]] glm::vec<3, T> dual_paraboloid_coordinate(glm::vec<3, T> direction) {
+    const T square = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    const bool behind = direction.z < T(0);
+    const T m = std::sqrt(square) + (behind ? -direction.z : direction.z);
+    return {((behind ? direction.x : -direction.x) + m) / (m + m), (direction.y + m) / (m + m), T(behind ? 1 : 0)};
+}
+
+/// A vertex of the depth pass, before the projection of make_dual_paraboloid_light.
+/// @param direction   from the light to the vertex
+/// @param map         0 or 1
+/// @return            (x w, y w, distance w, w): x and y from -1 to 1 in the map's half, farther out beyond it; w is 0
+///                    in the middle of the other half, and never below
+/// @formula           w = |p| + z, of map 1 |p| - z
+/// @exactness         C: a square root; 0 seen
+template <real T>
+[[nodiscard]] glm::vec<4, T> dual_paraboloid_position(glm::vec<3, T> direction, T map) {
+    const bool behind = map > T(0.5);
+    const T length = std::sqrt(direction.x * direction.x + direction.y * direction.y + direction.z * direction.z);
+    const T w = length + (behind ? -direction.z : direction.z);
+    return {behind ? direction.x : -direction.x, direction.y, length * w, w};
+}
+
+/// What both maps' depth passes share: a translation to the light, and the projection for dual_paraboloid_position,
+/// with the first texel at (0, 0) of dual_paraboloid_coordinate in every convention and depths that are distance_depth,
+/// or 1 less it. Where clip is left-handed or has its first row on top, one of them, the projection is a mirror.
+/// @throws std::invalid_argument  too few texels, too wide a border, and what gives matrices that are not finite
+template <real T = float>
+[[nodiscard]] light_space<T> make_dual_paraboloid_light(const dual_paraboloid_light<T>& light) {
+    constexpr auto function = "make_dual_paraboloid_light";
+    detail::require(light.map_size >= 16, function, "map_size", "must be at least 16");
+    detail::require(light.border >= 0 && light.border <= light.map_size / 8, function, "border",
+                    "must be at least 0 and at most an eighth of map_size");
+    detail::require(detail::all_finite(light.position), function, "position", "must be finite");
+    const bool in_range = light.range > T(0) && detail::is_normal(light.range) && detail::is_normal(T(1) / light.range);
+    detail::require(in_range, function, "range", "must be above 0, and it and 1 / range finite");
+    const auto [at_light, at_range] = detail::ends<T>(light.clip);
+    light_space<T> space{.clip = light.clip};
+    space.view[3] = glm::vec<4, T>(-light.position, T(1));
+    space.projection = glm::mat<4, 4, T>(T(0));
+    space.projection[0][0] = T(light.map_size - 2 * light.border) / T(light.map_size);
+    space.projection[1][1] =
+        light.clip.origin == texture_origin::bottom ? space.projection[0][0] : -space.projection[0][0];
+    space.projection[2][2] = (at_range - at_light) / light.range;
+    space.projection[3][2] = at_light;
+    space.projection[3][3] = T(1);
+    return detail::checked<T>(space, function, "position and range");
+}
+
+/// The angle from end to end, seen from the light, up to which a straight edge is drawn within half a texel of where it
+/// is seen, within the circle and the border.
+/// @param map_size, border   of the light
+/// @return                   radians
+/// @formula                  2 sqrt(2 / n) 2 / (1 + r^2), n = map_size - 2 border, r = map_size / n: over the chord of
+///                           an angle a arcs are up to n / 16 (a (1 + r^2) / 2)^2 texels high, r circles out
+template <real T = float>
+[[nodiscard]] T paraboloid_edge_angle(int map_size, int border = 0) {
+    const T inner = T(map_size - 2 * border), rim = T(map_size) / inner;
+    return T(2) * std::sqrt(T(2) / inner) * (T(2) / (T(1) + rim * rim));
+}
+
+namespace glsl {
+
+inline constexpr snippet dual_paraboloid_coordinate{
+    .name = "dual_paraboloid_coordinate",
+    .summary = "paraboloid map, and where in it, that sees a direction",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
+// umbrage_dual_paraboloid_coordinate: (s, t, map) of a direction: 0.0 to 1.0 over the map's square, map 0.0 or 1.0
+UMBRAGE_HIGHP vec3 umbrage_dual_paraboloid_coordinate(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square =
+        direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    bool behind = direction.z < 0.0;
+    UMBRAGE_HIGHP float m = sqrt(square) + (behind ? -direction.z : direction.z);
+    UMBRAGE_HIGHP float x = behind ? direction.x : -direction.x;
+    return vec3((x + m) / (m + m), (direction.y + m) / (m + m), behind ? 1.0 : 0.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet dual_paraboloid_position{
+    .name = "dual_paraboloid_position",
+    .summary = "a vertex of a paraboloid map's depth pass",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
+// umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
+//   direction  from the light to the vertex;   map  0.0 or 1.0
+UMBRAGE_HIGHP vec4 umbrage_dual_paraboloid_position(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP float map) {
+    bool behind = map > 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square =
+        direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    UMBRAGE_HIGHP float distance_to = sqrt(square);
+    UMBRAGE_HIGHP float w = distance_to + (behind ? -direction.z : direction.z);
+    return vec4(behind ? direction.x : -direction.x, direction.y, distance_to * w, w);
+}
+)GLSL",
+};
+
+inline constexpr auto dual_paraboloid_snippets = list<&dual_paraboloid_coordinate, &dual_paraboloid_position>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/light/pancake.hpp
 // Casters before the near plane, pressed onto it by the vertex shader where the rasterizer cannot clamp depth.
 //
@@ -12633,282 +12776,6 @@ template <real T>
 
 }  // namespace umbrage
 
-// ---- umbrage/simd/blocks/codec.hpp
-// Encodings over blocks of 64 depths, in loops that vectorise: bit for bit what their own encode and decode give.
-//
-//     const auto codec = umbrage::detail::codec_of(umbrage::rg<11>{});
-//     codec.encode(depths, texels);
-//
-
-namespace umbrage::detail {
-
-/// saturate() as saturate_bits has it, NaN to `highest` or, reversed, to 0.
-struct saturated {
-    std::int32_t last_kept;  ///< greatest magnitude, as bits, that is not taken for 0
-
-    explicit saturated(depth_direction direction)
-        : last_kept(direction == depth_direction::forward ? 0x7FFFFFFF : 0x7F800000) {}
-    [[nodiscard]] UMBRAGE_INLINE float operator()(float v, float highest) const {
-        const auto bits = bit_cast<std::int32_t>(v);
-        return bit_cast<float>(bit_cast<std::int32_t>(saturate_bits(v, highest)) &
-                               -std::int32_t((bits & 0x7FFFFFFF) <= last_kept));
-    }
-    /// to_code: what is 1 or more has the code of the last float below 1.
-    [[nodiscard]] UMBRAGE_INLINE std::int32_t code(float depth, float codes) const {
-        return static_cast<std::int32_t>((*this)(depth, 0x1.fffffep-1f) * codes);
-    }
-};
-
-/// Any encoding, texel by texel.
-template <class Encoding>
-struct codec {
-    using texel = typename Encoding::texel;
-    Encoding encoding;
-
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
-    }
-    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
-        for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
-    }
-};
-template <class Encoding>
-[[nodiscard]] codec<Encoding> codec_of(const Encoding& encoding) {
-    return {encoding};
-}
-
-/// rg of any number of bits. Texels are 16-bit words, so that twice as many fit a register.
-struct rg_codec {
-    using texel = glm::u8vec2;
-    int bits;
-    float edge;
-    saturated saturate_depth;
-
-    /// R | G << 8 to what this machine has in memory, and back.
-    static UMBRAGE_INLINE std::uint16_t in_memory(std::uint16_t word) {
-        if constexpr (std::endian::native == std::endian::little) return word;
-        else return static_cast<std::uint16_t>(word << 8 | word >> 8);
-    }
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        const saturated s = saturate_depth;  // copies: as far as a compiler knows, texels may overwrite the others
-        const auto codes = static_cast<float>(1 << bits);
-        const auto up = static_cast<std::uint16_t>(1 << (16 - bits));
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            const auto x = static_cast<std::uint16_t>(s.code(depth[i], codes));
-            const std::uint16_t word = in_memory(static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) * up));
-            std::memcpy(static_cast<void*>(texels + i), &word, sizeof word);
-        }
-    }
-    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
-        const float from = edge, step = 1.0f / static_cast<float>(1 << bits);
-        const auto up = static_cast<std::uint16_t>(1 << (bits - 8));
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            std::uint16_t word;
-            std::memcpy(&word, texels + i, sizeof word);
-            word = in_memory(word);
-            const auto x = static_cast<std::uint16_t>((word & 0xFF) + (word >> 8) * up);
-            depth[i] = (static_cast<float>(x) + from) * step;
-        }
-    }
-};
-template <int Bits>
-[[nodiscard]] rg_codec codec_of(const rg<Bits>& encoding) {
-    return {Bits, encoding.edge, saturated(encoding.direction)};
-}
-
-template <>
-struct codec<rgb24> {
-    using texel = glm::u8vec3;
-    rgb24 encoding;
-
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        const saturated s(encoding.direction);
-        alignas(64) std::int32_t x[block];
-        for (int i = 0; i < block; ++i) x[i] = s.code(depth[i], 0x1p24f);
-        for (int i = 0; i < block; ++i)
-            texels[i] = {static_cast<std::uint8_t>(x[i] >> 16), static_cast<std::uint8_t>(x[i] >> 8 & 0xFF),
-                         static_cast<std::uint8_t>(x[i] & 0xFF)};
-    }
-    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
-        const float edge = encoding.edge;
-        for (int i = 0; i < block; ++i) {
-            const std::int32_t x = (texels[i].x << 16) + (texels[i].y << 8) + texels[i].z;
-            depth[i] = from_code<24>(static_cast<float>(x), edge);
-        }
-    }
-};
-
-template <>
-struct codec<float_bits> {
-    static_assert(sizeof(glm::u8vec4) == sizeof(float));
-    using texel = glm::u8vec4;
-    float_bits encoding;
-
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        if constexpr (std::endian::native == std::endian::little)
-            std::memcpy(static_cast<void*>(texels), depth, block * sizeof(float));
-        else
-            for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
-    }
-    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
-        if constexpr (std::endian::native == std::endian::little) std::memcpy(depth, texels, block * sizeof(float));
-        else
-            for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
-    }
-};
-
-template <>
-struct codec<depth32f> {
-    using texel = float;
-    depth32f encoding;
-
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        const saturated s(encoding.direction);
-        for (int i = 0; i < block; ++i) texels[i] = s(depth[i], 1.0f);
-    }
-    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
-        std::memcpy(depth, texels, block * sizeof(float));
-    }
-};
-
-}  // namespace umbrage::detail
-
-// ---- umbrage/images/encode.hpp
-// Whole depth images into texels of an encoding, and back, about as fast as memory can be copied.
-//
-//     umbrage::image<glm::u8vec2> packed(depth.size());
-//     umbrage::encode(depth, packed, umbrage::rg<11>{});
-//
-// Bit for bit what the encoding's own encode and decode give. The encodings of this library have loops of their own
-// that compilers can vectorise; any other type like them works as well.
-
-namespace umbrage {
-namespace detail {
-
-/// A row in blocks; the last one goes through copies as long as a block.
-template <class From, class To, class Convert>
-UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert) {
-    int x = 0;
-    for (; x + block <= count; x += block) convert(from + x, to + x);
-    if (x == count) return;
-    From padded[block]{};
-    To result[block];
-    for (int i = 0; i < count - x; ++i) padded[i] = from[x + i];
-    convert(padded, result);
-    for (int i = 0; i < count - x; ++i) to[x + i] = result[i];
-}
-
-template <class Codec, class ParallelFor>
-void encode_rows(image_view<const float> depth, image_view<typename Codec::texel> texels, const Codec& codec,
-                 ParallelFor&& parallel) {
-    using texel = typename Codec::texel;
-    if (depth.size != texels.size) fail("umbrage::encode: sizes differ");
-    if (depth.empty()) return;
-    const bool large = past_cache(texels);
-    parallel(depth.size.y, [&](int first, int last) {
-        on_best_isa([&](auto) UMBRAGE_INLINE {
-            const auto in_place = [&](const float* from, texel* to) UMBRAGE_INLINE { codec.encode(from, to); };
-            const auto by_a_copy = [&](const float* from, texel* to) UMBRAGE_INLINE {
-                alignas(64) texel texels_of_block[block];
-                codec.encode(from, texels_of_block);
-                stream_block(to, texels_of_block);
-            };
-            for (int y = first; y < last; ++y)
-                if (large) convert_row(depth.row(y), texels.row(y), depth.size.x, by_a_copy);
-                else convert_row(depth.row(y), texels.row(y), depth.size.x, in_place);
-        });
-        if (large) finish_streaming();
-    });
-}
-
-template <class Codec, class ParallelFor>
-void decode_rows(image_view<const typename Codec::texel> texels, image_view<float> depth, const Codec& codec,
-                 ParallelFor&& parallel) {
-    if (depth.size != texels.size) fail("umbrage::decode: sizes differ");
-    if (depth.empty()) return;
-    parallel(depth.size.y, [&](int first, int last) {
-        on_best_isa([&](auto) UMBRAGE_INLINE {
-            for (int y = first; y < last; ++y)
-                convert_row(texels.row(y), depth.row(y), depth.size.x,
-                            [&](const auto* from, auto* to) UMBRAGE_INLINE { codec.decode(from, to); });
-        });
-    });
-}
-
-}  // namespace detail
-
-/// @param depth      any values; what the encoding makes of them
-/// @param texels     same size, in memory of its own
-/// @param encoding   one of the library's (encodings.hpp), or a type like them: texel, encode, decode
-/// @param parallel   cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  sizes differ
-template <class Encoding, class ParallelFor = serial>
-void encode(image_view<const float> depth, image_view<typename Encoding::texel> texels, const Encoding& encoding,
-            ParallelFor&& parallel = {}) {
-    static_assert(detail::is_encoding<Encoding>());
-    detail::encode_rows(depth, texels, detail::codec_of(encoding), parallel);
-}
-
-/// @param texels     any texels of the encoding
-/// @param depth      same size, in memory of its own
-/// @param parallel   cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  sizes differ
-template <class Encoding, class ParallelFor = serial>
-void decode(image_view<const typename Encoding::texel> texels, image_view<float> depth, const Encoding& encoding,
-            ParallelFor&& parallel = {}) {
-    static_assert(detail::is_encoding<Encoding>());
-    detail::decode_rows(texels, depth, detail::codec_of(encoding), parallel);
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/filter_bounds.hpp
-// Bounds of the texels that a filter may touch, for bounds_lit: made once a map, a texture with a fourth of its texels,
-// a sixteenth for filters that reach far.
-//
-//     const auto [bounds, place] = umbrage::make_filter_bounds(map.view(), filter.reach());
-//     float lit = umbrage::bounds_lit(umbrage::clamped(bounds), coord, depth - bias, place);
-//     if (lit < 0) lit = filter(umbrage::clamped(map), coord, depth - bias);
-//
-
-namespace umbrage {
-
-struct filter_bounds {
-    image<glm::vec2> bounds;  ///< least and greatest; the least is a NaN where a texel is, the greatest where all are
-    glm::vec2 place;          ///< bounds_lit's
-};
-
-/// @param map       depths, any values
-/// @param reach     of the filter, in texels, 0 .. 256
-/// @param border    what counts outside the map, as cleared_depth(direction); none: the nearest texel inside
-/// @param parallel  cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  empty map, another reach
-/// @exactness       A: selects, never computes
-template <class ParallelFor = serial>
-[[nodiscard]] filter_bounds make_filter_bounds(image_view<const float> map, float reach,
-                                               std::optional<float> border = {}, ParallelFor&& parallel = {}) {
-    if (map.empty() || !(reach >= 0.0f && reach <= 256.0f))
-        detail::fail("umbrage::make_filter_bounds: empty map, or reach");
-    image<float> ringed;
-    if (border) {
-        ringed = image<float>(map.size + 2, *border);
-        for (int y = 0; y < map.size.y; ++y) std::copy_n(map.row(y), map.size.x, ringed.view().row(y + 1) + 1);
-        map = ringed.view();
-    }
-    const detail::reached_texels reached(reach);
-    detail::box_bounds tree(map, reached.count(), parallel);
-    const int steps = 256 << tree.level;
-    image<glm::vec2> bounds(tree.last + 1);
-    for (int y = 0; y <= tree.last.y; ++y)
-        std::copy_n(tree.bounds.view().row(y), bounds.size().x, bounds.view().row(y));
-    const int first = reached.before() + (tree.cells - 1) * steps + (border ? 256 : 0);
-    return {std::move(bounds), {static_cast<float>(first), 1.0f / static_cast<float>(steps)}};
-}
-
-}  // namespace umbrage
-
 // ---- umbrage/images/mesh.hpp
 // What the depth pass draws: triangles, once or as instances, each under its matrix.
 //
@@ -12943,665 +12810,6 @@ enum class near_plane { clips, clamps };
 
 }  // namespace umbrage
 UMBRAGE_END_STRICT_MATH
-
-// ---- umbrage/images/instances.hpp
-// Which instances of a mesh a map has to draw: a cascade's holds a small part of the world, and most casters lie beside
-// it.
-//
-//     const umbrage::bounding_box<float> box = umbrage::bounds_of(tree);  // once
-//     for (const auto& c : cascades) {
-//         const glm::mat4 world_to_clip = c.light.projection * c.light.view;
-//         umbrage::rasterize_depth(map, tree, umbrage::instances_in_map(box, trees, world_to_clip, clip),
-//                                  world_to_clip, clip);
-//     }
-//
-
-namespace umbrage {
-
-/// The box around a mesh's positions.
-/// @param mesh   positions that are not finite do not count, as the depth pass leaves their triangles out
-/// @return       low above high where there is none: nothing is then drawn, and corners() refuses it
-[[nodiscard]] inline bounding_box<float> bounds_of(const mesh_view& mesh) {
-    bounding_box<float> box{glm::vec3(std::numeric_limits<float>::max()),
-                            glm::vec3(std::numeric_limits<float>::lowest())};
-    for (const glm::vec3& p : mesh.positions)
-        if (detail::all_finite(p)) box.low = glm::min(box.low, p), box.high = glm::max(box.high, p);
-    return box;
-}
-
-namespace detail {
-
-/// Whether a body, within a box around its middle, may mark a texel; the rest as for umbrage::may_mark.
-/// @param reach   dvec3 normal -> how far the body goes from its middle along it, times its length
-template <class Reach>
-[[nodiscard]] bool may_mark(const glm::dvec3& middle, const glm::dvec3& half, const Reach& reach,
-                            const glm::mat4& to_clip, clip_space clip, near_plane at_near) {
-    if (!all_finite(to_clip)) return false;
-    if (!all_finite(middle) || !all_finite(half)) return true;
-    const glm::dmat4 rows = glm::transpose(glm::dmat4(to_clip));
-    const auto magnitude = [&](const glm::dvec4& row) {
-        return glm::dot(glm::abs(glm::dvec3(row)), glm::abs(middle) + half) + glm::abs(row.w);
-    };
-    const double of_w = magnitude(rows[3]);
-    // All of it where a multiple of w and another of a row sum to less than 0.
-    const auto beyond = [&](double w, glm::length_t row, double sign) {
-        const glm::dvec4 plane = rows[3] * w + rows[row] * sign;
-        const double farthest = glm::dot(glm::dvec3(plane), middle) + plane.w + reach(glm::dvec3(plane));
-        return farthest < -0x1p-20 * (of_w + magnitude(rows[row]));
-    };
-    const bool forward = clip.direction == depth_direction::forward, clips = at_near == near_plane::clips;
-    const double low = clip.range == depth_range::zero_to_one ? 0.0 : 1.0;  // z >= 0, or w + z >= 0
-    return !(beyond(1, 0, 1) || beyond(1, 0, -1) || beyond(1, 1, 1) || beyond(1, 1, -1) || beyond(1, 3, 0) ||
-             ((clips || !forward) && beyond(low, 2, 1)) || ((clips || forward) && beyond(1, 2, -1)));
-}
-
-}  // namespace detail
-
-/// Whether a mesh within bounds may mark a texel of a map: false only where all of it lies beyond one side, beyond the
-/// far plane, behind the eye, or, if that clips, before the near plane. Where the near plane clamps, casters between
-/// it and the light stay.
-///
-/// @param bounds    in the mesh's own space; low above high, or a radius below 0: there is nothing, false; not finite:
-///                  anything may be there, true
-/// @param to_clip   model_to_clip, or any matrix that the mesh is drawn with; not finite: nothing is drawn, false
-/// @param at_near   as the depth pass has it
-/// @exactness       conservative: with 2^-20 to spare of the sums that a shader's floats round
-[[nodiscard]] inline bool may_mark(const bounding_box<float>& bounds, const glm::mat4& to_clip, clip_space clip,
-                                   near_plane at_near = near_plane::clips) {
-    if (glm::any(glm::greaterThan(bounds.low, bounds.high))) return false;
-    const glm::dvec3 low(bounds.low), high(bounds.high), half = (high - low) * 0.5;
-    const auto reach = [&](const glm::dvec3& normal) { return glm::dot(glm::abs(normal), half); };
-    return detail::may_mark((low + high) * 0.5, half, reach, to_clip, clip, at_near);
-}
-[[nodiscard]] inline bool may_mark(const bounding_sphere<float>& bounds, const glm::mat4& to_clip, clip_space clip,
-                                   near_plane at_near = near_plane::clips) {
-    if (bounds.radius < 0.0f) return false;
-    const auto radius = static_cast<double>(bounds.radius);
-    const auto reach = [&](const glm::dvec3& normal) { return glm::length(normal) * radius; };
-    return detail::may_mark(glm::dvec3(bounds.centre), glm::dvec3(radius), reach, to_clip, clip, at_near);
-}
-
-/// The instances that may mark a map, in their order: the depth pass of these has the bits of that of all.
-/// @param bounds          of the mesh: box or sphere
-/// @param instances       model to world, a matrix each
-/// @param world_to_clip   projection * view
-/// The rest as for may_mark.
-template <class Bounds>
-[[nodiscard]] std::vector<glm::mat4> instances_in_map(const Bounds& bounds, std::span<const glm::mat4> instances,
-                                                      const glm::mat4& world_to_clip, clip_space clip,
-                                                      near_plane at_near = near_plane::clips) {
-    std::vector<glm::mat4> kept;
-    for (const glm::mat4& model : instances)
-        if (may_mark(bounds, model_to_clip(world_to_clip, model), clip, at_near)) kept.push_back(model);
-    return kept;
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/quality.hpp
-// How good a light's set-up is for a view: pixels that a texel's longer axis covers, 1 or less where the map resolves
-// what the screen does. As an image, and in five numbers.
-//
-//     auto report = umbrage::measure_quality({.screen = size, .map_size = {2048, 2048}}, [&](glm::ivec2 pixel) {
-//         return umbrage::pixels_per_texel(to_texels, to_pixels, position[pixel], normal[pixel]);
-//     });
-//     std::printf("mean %.2f, 95 of 100 below %.2f, greatest %.2f\n", report.mean, report.p95, report.greatest);
-//
-
-namespace umbrage {
-
-/// How far on the screen a texel's step goes.
-///
-/// @param texture_matrix   world to texels: the light's
-/// @param to_pixels        world to pixels: texture_matrix of the camera
-/// @param world, normal    a point before both, and its surface's normal there, of any length > 0
-/// @return                 columns: the pixels of a step of one texel in x and in y; not finite where the surface is
-///                         parallel to the light
-/// @formula                d(pixel) / d(texel) on the plane through the point
-template <real T>
-[[nodiscard]] glm::mat<2, 2, T> pixels_per_texel(const glm::mat<4, 4, T>& texture_matrix,
-                                                 const glm::mat<4, 4, T>& to_pixels, glm::vec<3, T> world,
-                                                 glm::vec<3, T> normal) {
-    const auto along = detail::across(detail::unit(normal));
-    const auto steps = [&](const glm::mat<4, 4, T>& m) {
-        return glm::mat<2, 2, T>(detail::step(m, world, along[0]), detail::step(m, world, along[1]));
-    };
-    const glm::mat<2, 2, T> texels = steps(texture_matrix);
-    const T det = glm::determinant(texels);
-    const glm::mat<2, 2, T> back(texels[1][1] / det, -texels[0][1] / det, -texels[1][0] / det, texels[0][0] / det);
-    return steps(to_pixels) * back;
-}
-
-/// The longer axis of a texel's image on the screen, an ellipse's.
-/// @param pixels   pixels_per_texel
-/// @return         its greatest singular value
-/// @formula        s^2 = (t + sqrt(t^2 - 4 det^2)) / 2, t the sum of the squares
-template <real T>
-[[nodiscard]] T longest_extent(const glm::mat<2, 2, T>& pixels) {
-    const T a = pixels[0][0], b = pixels[1][0], c = pixels[0][1], d = pixels[1][1];
-    // t +- 2 det as sums of squares, of which no difference loses digits
-    return (std::hypot(a + d, b - c) + std::hypot(a - d, b + c)) / T(2);
-}
-
-/// A set-up in numbers, over all pixels that were measured.
-struct quality_report {
-    double mean = 0, p95 = 0, greatest = 0;  ///< of longest_extent, pixels
-    double storage_factor = 0;               ///< texels over pixels, of maps that would resolve all of the screen
-    std::size_t measured = 0, skipped = 0;   ///< pixels; skipped: of surfaces parallel to the light
-};
-
-/// What a set-up is measured over.
-struct measured_view {
-    glm::ivec2 screen{1};    ///< pixels, each >= 1
-    glm::ivec2 map_size{1};  ///< texels of a map, each >= 1
-    int maps = 1;            ///< how many of them there are: cascades
-    int step = 1;            ///< from pixel to pixel, >= 1
-};
-
-/// Measures a set-up over a view.
-///
-/// @param at        (glm::ivec2 pixel) -> pixels_per_texel of the map that the pixel looks into, float or double; of
-///                  zeros where there is nothing to see
-/// @param extents   gets longest_extent of each pixel measured, 0 where there was nothing to measure; empty, or of the
-///                  screen's size over the step, rounded up
-/// @throws std::invalid_argument  sizes and counts below 1, extents of another size
-/// @formula         storage_factor = maps (width max |dp/dx|) (height max |dp/dy|) / pixels, dp/dx and dp/dy columns
-/// @cite            Lloyd, Govindaraju, Quammen, Molnar, Manocha: Practical Logarithmic Rasterization for Low-Error
-///                  Shadow Maps, Graphics Hardware 2007
-template <class At>
-[[nodiscard]] quality_report measure_quality(const measured_view& view, At&& at, image_view<float> extents = {}) {
-    constexpr auto function = "measure_quality";
-    const auto [screen, map_size, maps, step] = view;
-    detail::require(screen.x >= 1 && screen.y >= 1, function, "screen", "must be above 0");
-    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
-    detail::require(maps >= 1, function, "maps", "must be above 0");
-    detail::require(step >= 1, function, "step", "must be above 0");
-    const glm::ivec2 size((screen.x - 1) / step + 1, (screen.y - 1) / step + 1);
-    const bool draws = extents.size != glm::ivec2(0);
-    detail::require(!draws || extents.size == size, function, "extents", "must have the screen's size over the step");
-    quality_report report;
-    std::vector<double> all;
-    glm::dvec2 longest(0);
-    double sum = 0;
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) {
-            const glm::dmat2 pixels(at(glm::ivec2(x, y) * step));
-            if (draws) extents[{x, y}] = 0.0f;
-            if (pixels == glm::dmat2(0)) continue;
-            const double extent = longest_extent(pixels);
-            if (!is_finite(extent)) {
-                ++report.skipped;
-                continue;
-            }
-            if (draws) extents[{x, y}] = static_cast<float>(extent);
-            all.push_back(extent);
-            sum += extent;
-            longest = glm::max(longest, glm::dvec2(glm::length(pixels[0]), glm::length(pixels[1])));
-        }
-    report.measured = all.size();
-    if (all.empty()) return report;
-    report.mean = sum / double(all.size());
-    report.greatest = *std::max_element(all.begin(), all.end());
-    const auto nth = all.begin() + static_cast<std::ptrdiff_t>(double(all.size() - 1) * 0.95);
-    std::nth_element(all.begin(), nth, all.end());
-    report.p95 = *nth;
-    report.storage_factor = maps * (map_size.x * longest.x) * (map_size.y * longest.y) / (double(screen.x) * screen.y);
-    return report;
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/light_choice.hpp
-// Which of several maps serves a view best: a warp where it pays, a uniform map where it does not, and no flicker
-// between them.
-//
-//     // a receiver from each 64 pixels squared or so: what the camera saw a frame ago will do
-//     std::vector<umbrage::seen_point> seen = ...;
-//     const std::array lights{umbrage::fit_directional_light(uniform), umbrage::fit_light_space_perspective(fit).light};
-//     choice = umbrage::choose_light<float>(lights, seen, {.to_pixels = camera, .map_size = {2048, 2048}}, choice.kept);
-//     draw_depths(lights[choice.kept]);
-//
-
-namespace umbrage {
-
-/// A point of a surface that the camera sees, world.
-struct seen_point {
-    glm::dvec3 position{0};
-    glm::dvec3 normal{0, 1, 0};  ///< any length > 0
-};
-
-struct choice_terms {
-    glm::dmat4 to_pixels{1};  ///< world to pixels: texture_matrix of the camera
-    glm::ivec2 map_size{1};   ///< texels, each >= 1
-    double better = 0.1;      ///< share by which another light has to be better before it takes over, 0 .. 1
-};
-
-struct light_choice {
-    std::size_t kept = 0;     ///< which of the lights to take
-    std::vector<double> p95;  ///< of each: pixels that a texel's longer axis covers, at most, for 95 of 100 points;
-                              ///< infinite where a map does not hold as many, 0 without points
-};
-
-/// Measures each light over the points, and keeps the one that it had unless another is better by a margin.
-///
-/// @param lights   one or more, of any kinds
-/// @param seen     a coarse grid over the screen: some hundred points tell; those of surfaces parallel to the light
-///                 count for nothing
-/// @param before   which of the lights was taken last, light_choice::kept
-/// @throws std::invalid_argument  no lights, before beyond them, sizes below 1, better out of range, and matrices that
-///                                are not finite
-template <real T>
-[[nodiscard]] light_choice choose_light(std::span<const light_space<T>> lights, std::span<const seen_point> seen,
-                                        const choice_terms& terms, std::size_t before = 0) {
-    constexpr auto function = "choose_light";
-    detail::require(!lights.empty(), function, "lights", "must not be empty");
-    detail::require(before < lights.size(), function, "before", "must be one of the lights");
-    detail::require(terms.better >= 0 && terms.better <= 1, function, "better", "must lie between 0 and 1");
-    detail::require(detail::all_finite(terms.to_pixels), function, "to_pixels", "must be finite");
-    light_choice choice{before, {}};
-    for (const light_space<T>& light : lights) {
-        const glm::dmat4 to_texels =
-            texture_matrix<double>({glm::dmat4(light.view), glm::dmat4(light.projection), light.clip}, terms.map_size);
-        std::vector<double> extents;
-        for (const seen_point& p : seen) {
-            const glm::dvec4 h = shadow_coordinate(to_texels, p.position);
-            const glm::dvec2 at = glm::dvec2(h) / h.w;
-            const bool held = h.w > 0 && at.x >= 0 && at.y >= 0 && at.x <= terms.map_size.x && at.y <= terms.map_size.y;
-            const double extent = longest_extent(pixels_per_texel(to_texels, terms.to_pixels, p.position, p.normal));
-            if (!held) extents.push_back(std::numeric_limits<double>::infinity());
-            else if (is_finite(extent)) extents.push_back(extent);
-        }
-        choice.p95.push_back(0);
-        if (extents.empty()) continue;
-        const auto nth = extents.begin() + static_cast<std::ptrdiff_t>(double(extents.size() - 1) * 0.95);
-        std::nth_element(extents.begin(), nth, extents.end());
-        choice.p95.back() = *nth;
-    }
-    const auto best = std::min_element(choice.p95.begin(), choice.p95.end());
-    if (*best < choice.p95[before] * (1 - terms.better)) choice.kept = std::size_t(best - choice.p95.begin());
-    return choice;
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/min_max.hpp
-// Least and greatest depth of every square of 2 x 2, 4 x 4, ... texels of a map.
-//
-//     const auto levels = umbrage::make_min_max_pyramid(map.view(), 3);
-//     float nearest = levels[1].least[texel / 4];  // of the 4 x 4 texels that `texel` is one of
-//
-
-namespace umbrage {
-
-/// One level: an element for each square, those at the far borders cut off by them.
-struct depth_bounds {
-    image<float> least;     ///< NaN where a texel is NaN
-    image<float> greatest;  ///< of the texels that are numbers; NaN where none is
-};
-
-namespace detail {
-
-/// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it. The two images may be one.
-template <class ParallelFor>
-void halve(image_view<const float> least, image_view<const float> greatest, depth_bounds& to, ParallelFor&& parallel) {
-    const glm::ivec2 size = to.least.size();
-    parallel(size.y, [&](int first, int last) {
-        on_best_isa([&](auto) UMBRAGE_INLINE {
-            const bool both = least.data != greatest.data;
-            alignas(64) std::int32_t keys[4][block];
-            alignas(64) float ends[2][2 * block];
-            for (int y = first; y < last; ++y)
-                for (int x = 0; x < size.x; x += block) {
-                    const int count = size.x - x < block ? size.x - x : block;
-                    const auto load = [&](const image_view<const float>& from) UMBRAGE_INLINE {
-                        const float* low = from.row(2 * y) + 2 * x;
-                        const float* high = from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y) + 2 * x;
-                        if (const int there = from.size.x - 2 * x; there < 2 * block) {
-                            for (int i = 0; i < 2 * block; ++i) {
-                                const int k = i < there ? i : there - 1;
-                                ends[0][i] = low[k];
-                                ends[1][i] = high[k];
-                            }
-                            low = ends[0];
-                            high = ends[1];
-                        }
-                        for (int i = 0; i < block; ++i) {
-                            keys[0][i] = order_key(low[2 * i]);
-                            keys[1][i] = order_key(low[2 * i + 1]);
-                            keys[2][i] = order_key(high[2 * i]);
-                            keys[3][i] = order_key(high[2 * i + 1]);
-                        }
-                    };
-                    const auto store = [&](auto pick, float* result) UMBRAGE_INLINE {
-                        alignas(64) float depths[block];
-                        for (int i = 0; i < block; ++i)
-                            depths[i] =
-                                from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
-                        copy_floats(result + x, depths, count);
-                    };
-                    load(least);
-                    store(least_of{}, to.least.view().row(y));
-                    if (both) load(greatest);
-                    store(greatest_of{}, to.greatest.view().row(y));
-                }
-        });
-    });
-}
-
-}  // namespace detail
-
-/// @param map       depths, any values
-/// @param levels    how many: the first has squares of 2 x 2 texels, each next one of twice the side
-/// @param parallel  cuts the rows into pieces, see parallel.hpp
-/// @return          as many levels; a level of a single element is followed by more of them
-/// @throws std::invalid_argument  empty map, or negative levels
-/// @exactness       A: selects, never computes
-template <class ParallelFor = serial>
-[[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels,
-                                                             ParallelFor&& parallel = {}) {
-    if (map.empty() || levels < 0) detail::fail("umbrage::make_min_max_pyramid: empty map or negative levels");
-    std::vector<depth_bounds> pyramid;
-    for (int level = 0; level < levels; ++level) {
-        const image_view<const float> least = level ? pyramid.back().least.view() : map;
-        const image_view<const float> greatest = level ? pyramid.back().greatest.view() : map;
-        const glm::ivec2 size((least.size.x + 1) / 2, (least.size.y + 1) / 2);
-        depth_bounds next{image<float>(size), image<float>(size)};
-        detail::halve(least, greatest, next, parallel);
-        pyramid.push_back(std::move(next));
-    }
-    return pyramid;
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/overlay.hpp
-// A shadow map in the corner of the picture it shadowed, stretched in contrast so that people see something.
-//
-//     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
-//     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {
-//         return umbrage::false_colour(s(depth));
-//     });
-//
-
-namespace umbrage {
-
-/// Maps low..high to 0..1; values outside clamp, NaN becomes 1.
-struct contrast_stretch {
-    float low = 0.0f, high = 1.0f;
-
-    [[nodiscard]] float operator()(float v) const {
-        if (is_nan(v) || v >= high) return 1.0f;
-        return v > low ? static_cast<float>((double(v) - double(low)) / (double(high) - double(low))) : 0.0f;
-    }
-};
-
-/// The range that a map's depths fill, without the texels that nothing was drawn to.
-///
-/// @param cleared   texels of this value are left out, as are NaN and the infinities
-/// @param outliers  share of the depths to give up at either end, 0 <= outliers < 1/2
-/// @return      0..1 when no texel is left
-/// @throws std::invalid_argument  outliers out of range
-[[nodiscard]] inline contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f,
-                                              double outliers = 0.01) {
-    if (!(outliers >= 0.0 && outliers < 0.5)) detail::fail("umbrage::stretch: outliers not in [0, 1/2)");
-    std::vector<float> depths;
-    for (int y = 0; y < map.size.y && !map.empty(); ++y)
-        for (int x = 0; x < map.size.x; ++x)
-            if (const float depth = map.row(y)[x]; is_finite(depth) && depth != cleared) depths.push_back(depth);
-    if (depths.empty()) return {};
-    const auto given_up = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(depths.size()));
-    const auto ranked = [&](std::ptrdiff_t rank) {
-        std::nth_element(depths.begin(), depths.begin() + rank, depths.end());
-        return depths[static_cast<std::size_t>(rank)];
-    };
-    return {ranked(given_up), ranked(std::ssize(depths) - 1 - given_up)};
-}
-
-/// Where an overlay goes: the top left corner, as people see it.
-struct overlay_placement {
-    glm::ivec2 size{0, 0};                                ///< in texels of the picture; a zero takes the map's own side
-    texture_origin map_origin = texture_origin::bottom;   ///< where row 0 of the map is
-    texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
-};
-
-/// Draws a map into the top left corner of a picture, scaled to the nearest texel, the one that `overlay_texel` says.
-/// What does not fit is cut off.
-///
-/// @param colour  float -> colour, given the map's texels as they are: a float is a grey, a vec3 red, green and blue,
-///                all in [0, 1]
-/// @throws std::invalid_argument  negative size
-template <class Colour>
-void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
-             Colour&& colour) {
-    if (place.size.x < 0 || place.size.y < 0) detail::fail("umbrage::overlay: negative size");
-    if (map.empty()) return;
-    const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
-    const auto nearest = [](int i, double count, double from) {
-        return static_cast<int>(overlay_texel(i + 0.5, count, from, from / count));
-    };
-    const auto row_from_top = [](int y, int count, texture_origin origin) {
-        return origin == texture_origin::top ? y : count - 1 - y;
-    };
-    for (int y = 0; y < std::min(size.y, picture.size.y); ++y) {
-        const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
-        glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
-        for (int x = 0; x < std::min(size.x, picture.size.x); ++x)
-            out[x] = store_unorm8(glm::vec3(colour(depths[nearest(x, size.x, map.size.x)])));
-    }
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/prefilter.hpp
-// Whole prefiltered maps: depth to moments, their mip chain, and what an image of receivers sees of them.
-//
-//     const umbrage::prefilters::vsm filter{.min_variance = 1e-5f};
-//     umbrage::image<glm::vec2> moments(depth.size()), blurred(depth.size());
-//     umbrage::encode_moments(depth, moments, filter);
-//     umbrage::blur(moments, blurred, umbrage::make_gaussian_kernel(7, 1.5f));
-//     umbrage::look_up(blurred, receivers, filter, visibility);
-//
-
-namespace umbrage {
-namespace detail {
-
-/// A block of texels, channel after channel: only so do loops over them vectorise.
-template <class Texel>
-struct texel_planes {
-    static constexpr int channels = static_cast<int>(sizeof(Texel) / sizeof(float));
-
-    alignas(64) float values[channels * block];
-
-    UMBRAGE_INLINE void set(int i, const Texel& t) {
-        if constexpr (channels == 1) values[i] = t;
-        else values[i] = t.x, values[block + i] = t.y;
-        if constexpr (channels == 4) values[2 * block + i] = t.z, values[3 * block + i] = t.w;
-    }
-    [[nodiscard]] UMBRAGE_INLINE Texel operator[](int i) const {
-        if constexpr (channels == 1) return values[i];
-        else if constexpr (channels == 2) return {values[i], values[block + i]};
-        else return {values[i], values[block + i], values[2 * block + i], values[3 * block + i]};
-    }
-    UMBRAGE_INLINE void copy_to(Texel* to) const {
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) to[i] = (*this)[i];
-    }
-};
-
-/// fetch_bilinear for a block of receivers, channel after channel; those that are not compared get some texel.
-template <class Texel>
-struct bilinear_block {
-    static constexpr int channels = texel_planes<Texel>::channels;
-
-    texel_planes<Texel> means;
-    alignas(64) std::int32_t compared[block], left[block], right[block], low[block], high[block];
-    alignas(64) float hi_x[block], hi_y[block];
-
-    template <class Receivers>
-    UMBRAGE_INLINE void place(const Receivers& r, glm::ivec2 size, bool forward) {
-        const auto axis = [](float coord, int highest, float& hi, std::int32_t& here, std::int32_t& next)
-                              UMBRAGE_INLINE {
-                                  const std::int32_t x = floor_int(coord * 256.0f) - 128;
-                                  here = clamp_int(x >> 8, highest);
-                                  next = clamp_int((x >> 8) + 1, highest);
-                                  hi = static_cast<float>(x & 255);
-                              };
-        const std::int32_t towards_far = forward ? -1 : 0;
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            const float x = r.x(i), y = r.y(i);
-            const std::int32_t beyond =
-                (beyond_far_mask<true>(r.z(i)) & towards_far) | (beyond_far_mask<false>(r.z(i)) & ~towards_far);
-            const std::int32_t inside = texel_space_mask(x, y);
-            compared[i] = inside & ~beyond;
-            axis(masked(x, inside), size.x - 1, hi_x[i], left[i], right[i]);
-            axis(masked(y, inside), size.y - 1, hi_y[i], low[i], high[i]);
-        }
-    }
-    UMBRAGE_INLINE void fetch(const image_view<const Texel>& texels) {
-        for (int i = 0; i < block; ++i) {
-            const auto row = [&](int y) UMBRAGE_INLINE {
-                return reinterpret_cast<const float*>(reinterpret_cast<const std::byte*>(texels.data) +
-                                                      y * texels.stride);
-            };
-            const float *const below = row(low[i]), *const above = row(high[i]);
-            const int l = left[i] * channels, h = right[i] * channels;
-            const float hx = hi_x[i], hy = hi_y[i], lx = 256.0f - hx, ly = 256.0f - hy;
-            float mean[channels];
-            for (int c = 0; c < channels; ++c) {
-                const float first = below[l + c] * lx + below[h + c] * hx;
-                const float second = above[l + c] * lx + above[h + c] * hx;
-                mean[c] = (first * ly + second * hy) * (1.0f / 65536.0f);
-            }
-            for (int c = 0; c < channels; ++c) means.values[c * block + i] = mean[c];
-        }
-    }
-};
-
-template <class Prefilter>
-UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_planes<typename Prefilter::texel>& means,
-                                        const float* depths, float* visibility) {
-    UMBRAGE_NO_OVERLAP
-    for (int i = 0; i < block; ++i) visibility[i] = filter.decode(means[i], depths[i]);
-}
-
-/// decode_msm in three loops: compilers vectorise none that takes a root, as it may set errno.
-template <class Prefilter>
-requires requires(const Prefilter& f, typename Prefilter::texel t) { f.moments(t); }
-UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_planes<typename Prefilter::texel>& means,
-                                        const float* depths, float* visibility) {
-    alignas(64) float x[block], d[block], D[block], E[block], h[block], a[block], B[block], c[block], roots[block];
-    const float far = cleared_depth(filter.direction);
-    for (int i = 0; i < block; ++i) {
-        const glm::vec4 m = filter.moments(means[i]);
-        d[i] = forward_depth(depths[i], far);
-        x[i] = moment_depth(d[i]) - m.x;
-        const atom_equation<float> e(m, x[i]);
-        D[i] = e.D, E[i] = e.E, h[i] = e.h, a[i] = e.a, B[i] = e.B, c[i] = e.c, roots[i] = e.square;
-    }
-    for (float& root : roots) root = std::sqrt(root);
-    UMBRAGE_NO_OVERLAP
-    for (int i = 0; i < block; ++i) {
-        atom_equation<float> e;
-        e.D = D[i], e.E = E[i], e.h = h[i], e.a = a[i], e.B = B[i], e.c = c[i];
-        visibility[i] = lit_by_atoms(e.atoms(roots[i]), x[i], d[i]);
-    }
-}
-
-}  // namespace detail
-
-/// @param depth      any values; clamped to [0, 1], NaN counts as far
-/// @param texels     same size
-/// @param filter     one of prefilters::, or a type like them: texel, encode
-/// @param parallel   cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  sizes differ
-/// @exactness        the filter's encode, bit for bit
-template <class Prefilter, class ParallelFor = serial>
-void encode_moments(image_view<const float> depth, image_view<typename Prefilter::texel> texels,
-                    const Prefilter& filter, ParallelFor&& parallel = {}) {
-    using texel = typename Prefilter::texel;
-    if (depth.size != texels.size) detail::fail("umbrage::encode_moments: sizes differ");
-    if (depth.empty()) return;
-    parallel(depth.size.y, [&](int first, int last) {
-        detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
-            const Prefilter own = filter;  // in registers
-            for (int y = first; y < last; ++y) {
-                detail::convert_row(depth.row(y), texels.row(y), depth.size.x,
-                                    [&](const float* from, texel* to) UMBRAGE_INLINE {
-                                        detail::texel_planes<texel> planes;
-                                        for (int i = 0; i < detail::block; ++i) planes.set(i, own.encode(from[i]));
-                                        planes.copy_to(to);
-                                    });
-            }
-        });
-    });
-}
-
-/// @param texels     of a prefiltered map: float, vec2, vec4
-/// @param levels     how many: the first has half the size, rounded up, each next one half of that
-/// @param parallel   cuts the rows into pieces, see parallel.hpp
-/// @return           as many levels; a level of a single texel is followed by more of them
-/// @throws std::invalid_argument  empty map, or negative levels
-/// @exactness        halve_texels, bit for bit
-template <class Texel, class ParallelFor = serial>
-[[nodiscard]] std::vector<image<std::remove_const_t<Texel>>> make_mip_chain(image_view<Texel> texels, int levels,
-                                                                            ParallelFor&& parallel = {}) {
-    using texel = std::remove_const_t<Texel>;
-    if (texels.empty() || levels < 0) detail::fail("umbrage::make_mip_chain: empty map or negative levels");
-    std::vector<image<texel>> chain;
-    for (int level = 0; level < levels; ++level) {
-        const image_view<const texel> from =
-            level ? std::as_const(chain.back()).view() : image_view<const texel>(texels);
-        image<texel> next({(from.size.x + 1) / 2, (from.size.y + 1) / 2});
-        parallel(next.size().y, [&, to = next.view()](int first, int last) {
-            for (int y = first; y < last; ++y)
-                for (int x = 0; x < to.size.x; ++x) to.row(y)[x] = halve_texels(clamped(from), glm::ivec2(x, y));
-        });
-        chain.push_back(std::move(next));
-    }
-    return chain;
-}
-template <class Texel, class ParallelFor = serial>
-[[nodiscard]] std::vector<image<Texel>> make_mip_chain(const image<Texel>& texels, int levels,
-                                                       ParallelFor&& parallel = {}) {
-    return make_mip_chain(texels.view(), levels, parallel);
-}
-
-/// @param texels     a prefiltered map, blurred
-/// @param receivers  (x, y) in texels of the map, z depth, biased: an image of vec3, receiver_planes, depth_receivers
-/// @param filter     as encode_moments had it
-/// @param out        visibility, 1 lit; same size as receivers
-/// @param parallel   cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  sizes differ, or the map is empty
-/// @exactness        the filter's decode of fetch_bilinear, bit for bit; who is not compared is lit
-template <class Prefilter, class Receivers, class ParallelFor = serial>
-void look_up(image_view<const typename Prefilter::texel> texels, const Receivers& receivers, const Prefilter& filter,
-             image_view<float> out, ParallelFor&& parallel = {}) {
-    if (detail::size_of(receivers) != out.size) detail::fail("umbrage::look_up: sizes differ");
-    if (texels.empty()) detail::fail("umbrage::look_up: empty map");
-    if (out.empty()) return;
-    const bool forward = filter.direction == depth_direction::forward;
-    parallel(out.size.y, [&](int first, int last) {
-        detail::on_best_isa_without_fma([&](auto set) UMBRAGE_INLINE {
-            detail::bilinear_block<typename Prefilter::texel> of_block;
-            alignas(64) float depths[detail::block], visibility[detail::block];
-            const Prefilter own = filter;  // in registers
-            for (detail::block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
-                detail::use_receivers(receivers, at, set, [&](const auto& r) UMBRAGE_INLINE {
-                    of_block.place(r, texels.size, forward);
-                    for (int i = 0; i < detail::block; ++i) depths[i] = r.z(i);
-                });
-                of_block.fetch(texels);
-                detail::decode_block(own, of_block.means, depths, visibility);
-                for (int i = 0; i < detail::block; ++i)
-                    visibility[i] = detail::select(of_block.compared[i], visibility[i], 1.0f);
-                detail::copy_floats(out.row(at.y) + at.x, visibility, at.count());
-            }
-        });
-    });
-}
-
-}  // namespace umbrage
 
 // ---- umbrage/simd/raster/projection.hpp
 // From world positions to vertices on the 1/256 texel grid: projected and snapped, one at a time or in blocks.
@@ -14775,6 +13983,983 @@ void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to
 }  // namespace umbrage
 UMBRAGE_END_STRICT_MATH
 
+// ---- umbrage/images/dual_paraboloid_pass.hpp
+// The depth pass of a dual paraboloid map on the CPU.
+//
+//     for (int map : {0, 1}) umbrage::rasterize_dual_paraboloid(maps[map].view(), cut.view(), light, map);
+//
+
+namespace umbrage {
+
+/// Renders distances from the light into one of its two maps.
+///
+/// @param depth      of light.map_size^2 texels, cleared or of an earlier pass
+/// @param mesh       as tessellate cuts it: between its vertices places and distances are straight lines' here
+/// @param light      make_dual_paraboloid_light's
+/// @param map        0 or 1
+/// @throws std::invalid_argument  as rasterize_depth
+/// @exactness        of vertices C, square roots in double; then as rasterize_depth
+template <class ParallelFor = serial>
+void rasterize_dual_paraboloid(image_view<float> depth, const mesh_view& mesh, const light_space<float>& light, int map,
+                               ParallelFor&& parallel = {}) {
+    const glm::dvec3 position = -glm::dvec3(light.view[3]);
+    const glm::dmat4 projection(light.projection);
+    std::vector<glm::vec3> placed;
+    std::vector<bool> within;  // the map's square, out to whose edges its circle and border go
+    placed.reserve(mesh.positions.size());
+    within.reserve(mesh.positions.size());
+    for (const glm::vec3& p : mesh.positions) {
+        const glm::dvec4 h = projection * dual_paraboloid_position(glm::dvec3(p) - position, double(map));
+        placed.emplace_back(glm::dvec3(h) / h.w);
+        within.push_back(h.w > 0 && glm::length(glm::dvec2(h)) <= h.w);
+    }
+    std::vector<glm::uvec3> drawn;
+    for (const glm::uvec3& t : mesh.triangles) {
+        bool is_drawn = false;  // not so with all vertices beyond the circle: directions there are a convex cone's
+        for (glm::length_t i = 0; i < 3; ++i) is_drawn = is_drawn || t[i] >= within.size() || within[t[i]];
+        if (is_drawn) drawn.push_back(t);
+    }
+    rasterize_depth(depth, {placed, drawn}, glm::mat4(1), light.clip, cull_mode::none,
+                    std::forward<ParallelFor>(parallel));
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/simd/blocks/codec.hpp
+// Encodings over blocks of 64 depths, in loops that vectorise: bit for bit what their own encode and decode give.
+//
+//     const auto codec = umbrage::detail::codec_of(umbrage::rg<11>{});
+//     codec.encode(depths, texels);
+//
+
+namespace umbrage::detail {
+
+/// saturate() as saturate_bits has it, NaN to `highest` or, reversed, to 0.
+struct saturated {
+    std::int32_t last_kept;  ///< greatest magnitude, as bits, that is not taken for 0
+
+    explicit saturated(depth_direction direction)
+        : last_kept(direction == depth_direction::forward ? 0x7FFFFFFF : 0x7F800000) {}
+    [[nodiscard]] UMBRAGE_INLINE float operator()(float v, float highest) const {
+        const auto bits = bit_cast<std::int32_t>(v);
+        return bit_cast<float>(bit_cast<std::int32_t>(saturate_bits(v, highest)) &
+                               -std::int32_t((bits & 0x7FFFFFFF) <= last_kept));
+    }
+    /// to_code: what is 1 or more has the code of the last float below 1.
+    [[nodiscard]] UMBRAGE_INLINE std::int32_t code(float depth, float codes) const {
+        return static_cast<std::int32_t>((*this)(depth, 0x1.fffffep-1f) * codes);
+    }
+};
+
+/// Any encoding, texel by texel.
+template <class Encoding>
+struct codec {
+    using texel = typename Encoding::texel;
+    Encoding encoding;
+
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
+        for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    }
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
+        for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
+    }
+};
+template <class Encoding>
+[[nodiscard]] codec<Encoding> codec_of(const Encoding& encoding) {
+    return {encoding};
+}
+
+/// rg of any number of bits. Texels are 16-bit words, so that twice as many fit a register.
+struct rg_codec {
+    using texel = glm::u8vec2;
+    int bits;
+    float edge;
+    saturated saturate_depth;
+
+    /// R | G << 8 to what this machine has in memory, and back.
+    static UMBRAGE_INLINE std::uint16_t in_memory(std::uint16_t word) {
+        if constexpr (std::endian::native == std::endian::little) return word;
+        else return static_cast<std::uint16_t>(word << 8 | word >> 8);
+    }
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
+        const saturated s = saturate_depth;  // copies: as far as a compiler knows, texels may overwrite the others
+        const auto codes = static_cast<float>(1 << bits);
+        const auto up = static_cast<std::uint16_t>(1 << (16 - bits));
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const auto x = static_cast<std::uint16_t>(s.code(depth[i], codes));
+            const std::uint16_t word = in_memory(static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) * up));
+            std::memcpy(static_cast<void*>(texels + i), &word, sizeof word);
+        }
+    }
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
+        const float from = edge, step = 1.0f / static_cast<float>(1 << bits);
+        const auto up = static_cast<std::uint16_t>(1 << (bits - 8));
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            std::uint16_t word;
+            std::memcpy(&word, texels + i, sizeof word);
+            word = in_memory(word);
+            const auto x = static_cast<std::uint16_t>((word & 0xFF) + (word >> 8) * up);
+            depth[i] = (static_cast<float>(x) + from) * step;
+        }
+    }
+};
+template <int Bits>
+[[nodiscard]] rg_codec codec_of(const rg<Bits>& encoding) {
+    return {Bits, encoding.edge, saturated(encoding.direction)};
+}
+
+template <>
+struct codec<rgb24> {
+    using texel = glm::u8vec3;
+    rgb24 encoding;
+
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
+        const saturated s(encoding.direction);
+        alignas(64) std::int32_t x[block];
+        for (int i = 0; i < block; ++i) x[i] = s.code(depth[i], 0x1p24f);
+        for (int i = 0; i < block; ++i)
+            texels[i] = {static_cast<std::uint8_t>(x[i] >> 16), static_cast<std::uint8_t>(x[i] >> 8 & 0xFF),
+                         static_cast<std::uint8_t>(x[i] & 0xFF)};
+    }
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
+        const float edge = encoding.edge;
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t x = (texels[i].x << 16) + (texels[i].y << 8) + texels[i].z;
+            depth[i] = from_code<24>(static_cast<float>(x), edge);
+        }
+    }
+};
+
+template <>
+struct codec<float_bits> {
+    static_assert(sizeof(glm::u8vec4) == sizeof(float));
+    using texel = glm::u8vec4;
+    float_bits encoding;
+
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
+        if constexpr (std::endian::native == std::endian::little)
+            std::memcpy(static_cast<void*>(texels), depth, block * sizeof(float));
+        else
+            for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    }
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
+        if constexpr (std::endian::native == std::endian::little) std::memcpy(depth, texels, block * sizeof(float));
+        else
+            for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
+    }
+};
+
+template <>
+struct codec<depth32f> {
+    using texel = float;
+    depth32f encoding;
+
+    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
+        const saturated s(encoding.direction);
+        for (int i = 0; i < block; ++i) texels[i] = s(depth[i], 1.0f);
+    }
+    UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
+        std::memcpy(depth, texels, block * sizeof(float));
+    }
+};
+
+}  // namespace umbrage::detail
+
+// ---- umbrage/images/encode.hpp
+// Whole depth images into texels of an encoding, and back, about as fast as memory can be copied.
+//
+//     umbrage::image<glm::u8vec2> packed(depth.size());
+//     umbrage::encode(depth, packed, umbrage::rg<11>{});
+//
+// Bit for bit what the encoding's own encode and decode give. The encodings of this library have loops of their own
+// that compilers can vectorise; any other type like them works as well.
+
+namespace umbrage {
+namespace detail {
+
+/// A row in blocks; the last one goes through copies as long as a block.
+template <class From, class To, class Convert>
+UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert) {
+    int x = 0;
+    for (; x + block <= count; x += block) convert(from + x, to + x);
+    if (x == count) return;
+    From padded[block]{};
+    To result[block];
+    for (int i = 0; i < count - x; ++i) padded[i] = from[x + i];
+    convert(padded, result);
+    for (int i = 0; i < count - x; ++i) to[x + i] = result[i];
+}
+
+template <class Codec, class ParallelFor>
+void encode_rows(image_view<const float> depth, image_view<typename Codec::texel> texels, const Codec& codec,
+                 ParallelFor&& parallel) {
+    using texel = typename Codec::texel;
+    if (depth.size != texels.size) fail("umbrage::encode: sizes differ");
+    if (depth.empty()) return;
+    const bool large = past_cache(texels);
+    parallel(depth.size.y, [&](int first, int last) {
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            const auto in_place = [&](const float* from, texel* to) UMBRAGE_INLINE { codec.encode(from, to); };
+            const auto by_a_copy = [&](const float* from, texel* to) UMBRAGE_INLINE {
+                alignas(64) texel texels_of_block[block];
+                codec.encode(from, texels_of_block);
+                stream_block(to, texels_of_block);
+            };
+            for (int y = first; y < last; ++y)
+                if (large) convert_row(depth.row(y), texels.row(y), depth.size.x, by_a_copy);
+                else convert_row(depth.row(y), texels.row(y), depth.size.x, in_place);
+        });
+        if (large) finish_streaming();
+    });
+}
+
+template <class Codec, class ParallelFor>
+void decode_rows(image_view<const typename Codec::texel> texels, image_view<float> depth, const Codec& codec,
+                 ParallelFor&& parallel) {
+    if (depth.size != texels.size) fail("umbrage::decode: sizes differ");
+    if (depth.empty()) return;
+    parallel(depth.size.y, [&](int first, int last) {
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            for (int y = first; y < last; ++y)
+                convert_row(texels.row(y), depth.row(y), depth.size.x,
+                            [&](const auto* from, auto* to) UMBRAGE_INLINE { codec.decode(from, to); });
+        });
+    });
+}
+
+}  // namespace detail
+
+/// @param depth      any values; what the encoding makes of them
+/// @param texels     same size, in memory of its own
+/// @param encoding   one of the library's (encodings.hpp), or a type like them: texel, encode, decode
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ
+template <class Encoding, class ParallelFor = serial>
+void encode(image_view<const float> depth, image_view<typename Encoding::texel> texels, const Encoding& encoding,
+            ParallelFor&& parallel = {}) {
+    static_assert(detail::is_encoding<Encoding>());
+    detail::encode_rows(depth, texels, detail::codec_of(encoding), parallel);
+}
+
+/// @param texels     any texels of the encoding
+/// @param depth      same size, in memory of its own
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ
+template <class Encoding, class ParallelFor = serial>
+void decode(image_view<const typename Encoding::texel> texels, image_view<float> depth, const Encoding& encoding,
+            ParallelFor&& parallel = {}) {
+    static_assert(detail::is_encoding<Encoding>());
+    detail::decode_rows(texels, depth, detail::codec_of(encoding), parallel);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/filter_bounds.hpp
+// Bounds of the texels that a filter may touch, for bounds_lit: made once a map, a texture with a fourth of its texels,
+// a sixteenth for filters that reach far.
+//
+//     const auto [bounds, place] = umbrage::make_filter_bounds(map.view(), filter.reach());
+//     float lit = umbrage::bounds_lit(umbrage::clamped(bounds), coord, depth - bias, place);
+//     if (lit < 0) lit = filter(umbrage::clamped(map), coord, depth - bias);
+//
+
+namespace umbrage {
+
+struct filter_bounds {
+    image<glm::vec2> bounds;  ///< least and greatest; the least is a NaN where a texel is, the greatest where all are
+    glm::vec2 place;          ///< bounds_lit's
+};
+
+/// @param map       depths, any values
+/// @param reach     of the filter, in texels, 0 .. 256
+/// @param border    what counts outside the map, as cleared_depth(direction); none: the nearest texel inside
+/// @param parallel  cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  empty map, another reach
+/// @exactness       A: selects, never computes
+template <class ParallelFor = serial>
+[[nodiscard]] filter_bounds make_filter_bounds(image_view<const float> map, float reach,
+                                               std::optional<float> border = {}, ParallelFor&& parallel = {}) {
+    if (map.empty() || !(reach >= 0.0f && reach <= 256.0f))
+        detail::fail("umbrage::make_filter_bounds: empty map, or reach");
+    image<float> ringed;
+    if (border) {
+        ringed = image<float>(map.size + 2, *border);
+        for (int y = 0; y < map.size.y; ++y) std::copy_n(map.row(y), map.size.x, ringed.view().row(y + 1) + 1);
+        map = ringed.view();
+    }
+    const detail::reached_texels reached(reach);
+    detail::box_bounds tree(map, reached.count(), parallel);
+    const int steps = 256 << tree.level;
+    image<glm::vec2> bounds(tree.last + 1);
+    for (int y = 0; y <= tree.last.y; ++y)
+        std::copy_n(tree.bounds.view().row(y), bounds.size().x, bounds.view().row(y));
+    const int first = reached.before() + (tree.cells - 1) * steps + (border ? 256 : 0);
+    return {std::move(bounds), {static_cast<float>(first), 1.0f / static_cast<float>(steps)}};
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/instances.hpp
+// Which instances of a mesh a map has to draw: a cascade's holds a small part of the world, and most casters lie beside
+// it.
+//
+//     const umbrage::bounding_box<float> box = umbrage::bounds_of(tree);  // once
+//     for (const auto& c : cascades) {
+//         const glm::mat4 world_to_clip = c.light.projection * c.light.view;
+//         umbrage::rasterize_depth(map, tree, umbrage::instances_in_map(box, trees, world_to_clip, clip),
+//                                  world_to_clip, clip);
+//     }
+//
+
+namespace umbrage {
+
+/// The box around a mesh's positions.
+/// @param mesh   positions that are not finite do not count, as the depth pass leaves their triangles out
+/// @return       low above high where there is none: nothing is then drawn, and corners() refuses it
+[[nodiscard]] inline bounding_box<float> bounds_of(const mesh_view& mesh) {
+    bounding_box<float> box{glm::vec3(std::numeric_limits<float>::max()),
+                            glm::vec3(std::numeric_limits<float>::lowest())};
+    for (const glm::vec3& p : mesh.positions)
+        if (detail::all_finite(p)) box.low = glm::min(box.low, p), box.high = glm::max(box.high, p);
+    return box;
+}
+
+namespace detail {
+
+/// Whether a body, within a box around its middle, may mark a texel; the rest as for umbrage::may_mark.
+/// @param reach   dvec3 normal -> how far the body goes from its middle along it, times its length
+template <class Reach>
+[[nodiscard]] bool may_mark(const glm::dvec3& middle, const glm::dvec3& half, const Reach& reach,
+                            const glm::mat4& to_clip, clip_space clip, near_plane at_near) {
+    if (!all_finite(to_clip)) return false;
+    if (!all_finite(middle) || !all_finite(half)) return true;
+    const glm::dmat4 rows = glm::transpose(glm::dmat4(to_clip));
+    const auto magnitude = [&](const glm::dvec4& row) {
+        return glm::dot(glm::abs(glm::dvec3(row)), glm::abs(middle) + half) + glm::abs(row.w);
+    };
+    const double of_w = magnitude(rows[3]);
+    // All of it where a multiple of w and another of a row sum to less than 0.
+    const auto beyond = [&](double w, glm::length_t row, double sign) {
+        const glm::dvec4 plane = rows[3] * w + rows[row] * sign;
+        const double farthest = glm::dot(glm::dvec3(plane), middle) + plane.w + reach(glm::dvec3(plane));
+        return farthest < -0x1p-20 * (of_w + magnitude(rows[row]));
+    };
+    const bool forward = clip.direction == depth_direction::forward, clips = at_near == near_plane::clips;
+    const double low = clip.range == depth_range::zero_to_one ? 0.0 : 1.0;  // z >= 0, or w + z >= 0
+    return !(beyond(1, 0, 1) || beyond(1, 0, -1) || beyond(1, 1, 1) || beyond(1, 1, -1) || beyond(1, 3, 0) ||
+             ((clips || !forward) && beyond(low, 2, 1)) || ((clips || forward) && beyond(1, 2, -1)));
+}
+
+}  // namespace detail
+
+/// Whether a mesh within bounds may mark a texel of a map: false only where all of it lies beyond one side, beyond the
+/// far plane, behind the eye, or, if that clips, before the near plane. Where the near plane clamps, casters between
+/// it and the light stay.
+///
+/// @param bounds    in the mesh's own space; low above high, or a radius below 0: there is nothing, false; not finite:
+///                  anything may be there, true
+/// @param to_clip   model_to_clip, or any matrix that the mesh is drawn with; not finite: nothing is drawn, false
+/// @param at_near   as the depth pass has it
+/// @exactness       conservative: with 2^-20 to spare of the sums that a shader's floats round
+[[nodiscard]] inline bool may_mark(const bounding_box<float>& bounds, const glm::mat4& to_clip, clip_space clip,
+                                   near_plane at_near = near_plane::clips) {
+    if (glm::any(glm::greaterThan(bounds.low, bounds.high))) return false;
+    const glm::dvec3 low(bounds.low), high(bounds.high), half = (high - low) * 0.5;
+    const auto reach = [&](const glm::dvec3& normal) { return glm::dot(glm::abs(normal), half); };
+    return detail::may_mark((low + high) * 0.5, half, reach, to_clip, clip, at_near);
+}
+[[nodiscard]] inline bool may_mark(const bounding_sphere<float>& bounds, const glm::mat4& to_clip, clip_space clip,
+                                   near_plane at_near = near_plane::clips) {
+    if (bounds.radius < 0.0f) return false;
+    const auto radius = static_cast<double>(bounds.radius);
+    const auto reach = [&](const glm::dvec3& normal) { return glm::length(normal) * radius; };
+    return detail::may_mark(glm::dvec3(bounds.centre), glm::dvec3(radius), reach, to_clip, clip, at_near);
+}
+
+/// The instances that may mark a map, in their order: the depth pass of these has the bits of that of all.
+/// @param bounds          of the mesh: box or sphere
+/// @param instances       model to world, a matrix each
+/// @param world_to_clip   projection * view
+/// The rest as for may_mark.
+template <class Bounds>
+[[nodiscard]] std::vector<glm::mat4> instances_in_map(const Bounds& bounds, std::span<const glm::mat4> instances,
+                                                      const glm::mat4& world_to_clip, clip_space clip,
+                                                      near_plane at_near = near_plane::clips) {
+    std::vector<glm::mat4> kept;
+    for (const glm::mat4& model : instances)
+        if (may_mark(bounds, model_to_clip(world_to_clip, model), clip, at_near)) kept.push_back(model);
+    return kept;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/quality.hpp
+// How good a light's set-up is for a view: pixels that a texel's longer axis covers, 1 or less where the map resolves
+// what the screen does. As an image, and in five numbers.
+//
+//     auto report = umbrage::measure_quality({.screen = size, .map_size = {2048, 2048}}, [&](glm::ivec2 pixel) {
+//         return umbrage::pixels_per_texel(to_texels, to_pixels, position[pixel], normal[pixel]);
+//     });
+//     std::printf("mean %.2f, 95 of 100 below %.2f, greatest %.2f\n", report.mean, report.p95, report.greatest);
+//
+
+namespace umbrage {
+
+/// How far on the screen a texel's step goes.
+///
+/// @param texture_matrix   world to texels: the light's
+/// @param to_pixels        world to pixels: texture_matrix of the camera
+/// @param world, normal    a point before both, and its surface's normal there, of any length > 0
+/// @return                 columns: the pixels of a step of one texel in x and in y; not finite where the surface is
+///                         parallel to the light
+/// @formula                d(pixel) / d(texel) on the plane through the point
+template <real T>
+[[nodiscard]] glm::mat<2, 2, T> pixels_per_texel(const glm::mat<4, 4, T>& texture_matrix,
+                                                 const glm::mat<4, 4, T>& to_pixels, glm::vec<3, T> world,
+                                                 glm::vec<3, T> normal) {
+    const auto along = detail::across(detail::unit(normal));
+    const auto steps = [&](const glm::mat<4, 4, T>& m) {
+        return glm::mat<2, 2, T>(detail::step(m, world, along[0]), detail::step(m, world, along[1]));
+    };
+    const glm::mat<2, 2, T> texels = steps(texture_matrix);
+    const T det = glm::determinant(texels);
+    const glm::mat<2, 2, T> back(texels[1][1] / det, -texels[0][1] / det, -texels[1][0] / det, texels[0][0] / det);
+    return steps(to_pixels) * back;
+}
+
+/// The longer axis of a texel's image on the screen, an ellipse's.
+/// @param pixels   pixels_per_texel
+/// @return         its greatest singular value
+/// @formula        s^2 = (t + sqrt(t^2 - 4 det^2)) / 2, t the sum of the squares
+template <real T>
+[[nodiscard]] T longest_extent(const glm::mat<2, 2, T>& pixels) {
+    const T a = pixels[0][0], b = pixels[1][0], c = pixels[0][1], d = pixels[1][1];
+    // t +- 2 det as sums of squares, of which no difference loses digits
+    return (std::hypot(a + d, b - c) + std::hypot(a - d, b + c)) / T(2);
+}
+
+/// A set-up in numbers, over all pixels that were measured.
+struct quality_report {
+    double mean = 0, p95 = 0, greatest = 0;  ///< of longest_extent, pixels
+    double storage_factor = 0;               ///< texels over pixels, of maps that would resolve all of the screen
+    std::size_t measured = 0, skipped = 0;   ///< pixels; skipped: of surfaces parallel to the light
+};
+
+/// What a set-up is measured over.
+struct measured_view {
+    glm::ivec2 screen{1};    ///< pixels, each >= 1
+    glm::ivec2 map_size{1};  ///< texels of a map, each >= 1
+    int maps = 1;            ///< how many of them there are: cascades
+    int step = 1;            ///< from pixel to pixel, >= 1
+};
+
+/// Measures a set-up over a view.
+///
+/// @param at        (glm::ivec2 pixel) -> pixels_per_texel of the map that the pixel looks into, float or double; of
+///                  zeros where there is nothing to see
+/// @param extents   gets longest_extent of each pixel measured, 0 where there was nothing to measure; empty, or of the
+///                  screen's size over the step, rounded up
+/// @throws std::invalid_argument  sizes and counts below 1, extents of another size
+/// @formula         storage_factor = maps (width max |dp/dx|) (height max |dp/dy|) / pixels, dp/dx and dp/dy columns
+/// @cite            Lloyd, Govindaraju, Quammen, Molnar, Manocha: Practical Logarithmic Rasterization for Low-Error
+///                  Shadow Maps, Graphics Hardware 2007
+template <class At>
+[[nodiscard]] quality_report measure_quality(const measured_view& view, At&& at, image_view<float> extents = {}) {
+    constexpr auto function = "measure_quality";
+    const auto [screen, map_size, maps, step] = view;
+    detail::require(screen.x >= 1 && screen.y >= 1, function, "screen", "must be above 0");
+    detail::require(map_size.x >= 1 && map_size.y >= 1, function, "map_size", "must be above 0");
+    detail::require(maps >= 1, function, "maps", "must be above 0");
+    detail::require(step >= 1, function, "step", "must be above 0");
+    const glm::ivec2 size((screen.x - 1) / step + 1, (screen.y - 1) / step + 1);
+    const bool draws = extents.size != glm::ivec2(0);
+    detail::require(!draws || extents.size == size, function, "extents", "must have the screen's size over the step");
+    quality_report report;
+    std::vector<double> all;
+    glm::dvec2 longest(0);
+    double sum = 0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const glm::dmat2 pixels(at(glm::ivec2(x, y) * step));
+            if (draws) extents[{x, y}] = 0.0f;
+            if (pixels == glm::dmat2(0)) continue;
+            const double extent = longest_extent(pixels);
+            if (!is_finite(extent)) {
+                ++report.skipped;
+                continue;
+            }
+            if (draws) extents[{x, y}] = static_cast<float>(extent);
+            all.push_back(extent);
+            sum += extent;
+            longest = glm::max(longest, glm::dvec2(glm::length(pixels[0]), glm::length(pixels[1])));
+        }
+    report.measured = all.size();
+    if (all.empty()) return report;
+    report.mean = sum / double(all.size());
+    report.greatest = *std::max_element(all.begin(), all.end());
+    const auto nth = all.begin() + static_cast<std::ptrdiff_t>(double(all.size() - 1) * 0.95);
+    std::nth_element(all.begin(), nth, all.end());
+    report.p95 = *nth;
+    report.storage_factor = maps * (map_size.x * longest.x) * (map_size.y * longest.y) / (double(screen.x) * screen.y);
+    return report;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/light_choice.hpp
+// Which of several maps serves a view best: a warp where it pays, a uniform map where it does not, and no flicker
+// between them.
+//
+//     // a receiver from each 64 pixels squared or so: what the camera saw a frame ago will do
+//     std::vector<umbrage::seen_point> seen = ...;
+//     const std::array lights{umbrage::fit_directional_light(uniform), umbrage::fit_light_space_perspective(fit).light};
+//     choice = umbrage::choose_light<float>(lights, seen, {.to_pixels = camera, .map_size = {2048, 2048}}, choice.kept);
+//     draw_depths(lights[choice.kept]);
+//
+
+namespace umbrage {
+
+/// A point of a surface that the camera sees, world.
+struct seen_point {
+    glm::dvec3 position{0};
+    glm::dvec3 normal{0, 1, 0};  ///< any length > 0
+};
+
+struct choice_terms {
+    glm::dmat4 to_pixels{1};  ///< world to pixels: texture_matrix of the camera
+    glm::ivec2 map_size{1};   ///< texels, each >= 1
+    double better = 0.1;      ///< share by which another light has to be better before it takes over, 0 .. 1
+};
+
+struct light_choice {
+    std::size_t kept = 0;     ///< which of the lights to take
+    std::vector<double> p95;  ///< of each: pixels that a texel's longer axis covers, at most, for 95 of 100 points;
+                              ///< infinite where a map does not hold as many, 0 without points
+};
+
+/// Measures each light over the points, and keeps the one that it had unless another is better by a margin.
+///
+/// @param lights   one or more, of any kinds
+/// @param seen     a coarse grid over the screen: some hundred points tell; those of surfaces parallel to the light
+///                 count for nothing
+/// @param before   which of the lights was taken last, light_choice::kept
+/// @throws std::invalid_argument  no lights, before beyond them, sizes below 1, better out of range, and matrices that
+///                                are not finite
+template <real T>
+[[nodiscard]] light_choice choose_light(std::span<const light_space<T>> lights, std::span<const seen_point> seen,
+                                        const choice_terms& terms, std::size_t before = 0) {
+    constexpr auto function = "choose_light";
+    detail::require(!lights.empty(), function, "lights", "must not be empty");
+    detail::require(before < lights.size(), function, "before", "must be one of the lights");
+    detail::require(terms.better >= 0 && terms.better <= 1, function, "better", "must lie between 0 and 1");
+    detail::require(detail::all_finite(terms.to_pixels), function, "to_pixels", "must be finite");
+    light_choice choice{before, {}};
+    for (const light_space<T>& light : lights) {
+        const glm::dmat4 to_texels =
+            texture_matrix<double>({glm::dmat4(light.view), glm::dmat4(light.projection), light.clip}, terms.map_size);
+        std::vector<double> extents;
+        for (const seen_point& p : seen) {
+            const glm::dvec4 h = shadow_coordinate(to_texels, p.position);
+            const glm::dvec2 at = glm::dvec2(h) / h.w;
+            const bool held = h.w > 0 && at.x >= 0 && at.y >= 0 && at.x <= terms.map_size.x && at.y <= terms.map_size.y;
+            const double extent = longest_extent(pixels_per_texel(to_texels, terms.to_pixels, p.position, p.normal));
+            if (!held) extents.push_back(std::numeric_limits<double>::infinity());
+            else if (is_finite(extent)) extents.push_back(extent);
+        }
+        choice.p95.push_back(0);
+        if (extents.empty()) continue;
+        const auto nth = extents.begin() + static_cast<std::ptrdiff_t>(double(extents.size() - 1) * 0.95);
+        std::nth_element(extents.begin(), nth, extents.end());
+        choice.p95.back() = *nth;
+    }
+    const auto best = std::min_element(choice.p95.begin(), choice.p95.end());
+    if (*best < choice.p95[before] * (1 - terms.better)) choice.kept = std::size_t(best - choice.p95.begin());
+    return choice;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/min_max.hpp
+// Least and greatest depth of every square of 2 x 2, 4 x 4, ... texels of a map.
+//
+//     const auto levels = umbrage::make_min_max_pyramid(map.view(), 3);
+//     float nearest = levels[1].least[texel / 4];  // of the 4 x 4 texels that `texel` is one of
+//
+
+namespace umbrage {
+
+/// One level: an element for each square, those at the far borders cut off by them.
+struct depth_bounds {
+    image<float> least;     ///< NaN where a texel is NaN
+    image<float> greatest;  ///< of the texels that are numbers; NaN where none is
+};
+
+namespace detail {
+
+/// Each element from 2 x 2, in blocks of 64; what is beyond a border repeats it. The two images may be one.
+template <class ParallelFor>
+void halve(image_view<const float> least, image_view<const float> greatest, depth_bounds& to, ParallelFor&& parallel) {
+    const glm::ivec2 size = to.least.size();
+    parallel(size.y, [&](int first, int last) {
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            const bool both = least.data != greatest.data;
+            alignas(64) std::int32_t keys[4][block];
+            alignas(64) float ends[2][2 * block];
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < size.x; x += block) {
+                    const int count = size.x - x < block ? size.x - x : block;
+                    const auto load = [&](const image_view<const float>& from) UMBRAGE_INLINE {
+                        const float* low = from.row(2 * y) + 2 * x;
+                        const float* high = from.row(2 * y + 1 < from.size.y ? 2 * y + 1 : 2 * y) + 2 * x;
+                        if (const int there = from.size.x - 2 * x; there < 2 * block) {
+                            for (int i = 0; i < 2 * block; ++i) {
+                                const int k = i < there ? i : there - 1;
+                                ends[0][i] = low[k];
+                                ends[1][i] = high[k];
+                            }
+                            low = ends[0];
+                            high = ends[1];
+                        }
+                        for (int i = 0; i < block; ++i) {
+                            keys[0][i] = order_key(low[2 * i]);
+                            keys[1][i] = order_key(low[2 * i + 1]);
+                            keys[2][i] = order_key(high[2 * i]);
+                            keys[3][i] = order_key(high[2 * i + 1]);
+                        }
+                    };
+                    const auto store = [&](auto pick, float* result) UMBRAGE_INLINE {
+                        alignas(64) float depths[block];
+                        for (int i = 0; i < block; ++i)
+                            depths[i] =
+                                from_order_key(pick(pick(keys[0][i], keys[1][i]), pick(keys[2][i], keys[3][i])));
+                        copy_floats(result + x, depths, count);
+                    };
+                    load(least);
+                    store(least_of{}, to.least.view().row(y));
+                    if (both) load(greatest);
+                    store(greatest_of{}, to.greatest.view().row(y));
+                }
+        });
+    });
+}
+
+}  // namespace detail
+
+/// @param map       depths, any values
+/// @param levels    how many: the first has squares of 2 x 2 texels, each next one of twice the side
+/// @param parallel  cuts the rows into pieces, see parallel.hpp
+/// @return          as many levels; a level of a single element is followed by more of them
+/// @throws std::invalid_argument  empty map, or negative levels
+/// @exactness       A: selects, never computes
+template <class ParallelFor = serial>
+[[nodiscard]] std::vector<depth_bounds> make_min_max_pyramid(image_view<const float> map, int levels,
+                                                             ParallelFor&& parallel = {}) {
+    if (map.empty() || levels < 0) detail::fail("umbrage::make_min_max_pyramid: empty map or negative levels");
+    std::vector<depth_bounds> pyramid;
+    for (int level = 0; level < levels; ++level) {
+        const image_view<const float> least = level ? pyramid.back().least.view() : map;
+        const image_view<const float> greatest = level ? pyramid.back().greatest.view() : map;
+        const glm::ivec2 size((least.size.x + 1) / 2, (least.size.y + 1) / 2);
+        depth_bounds next{image<float>(size), image<float>(size)};
+        detail::halve(least, greatest, next, parallel);
+        pyramid.push_back(std::move(next));
+    }
+    return pyramid;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/overlay.hpp
+// A shadow map in the corner of the picture it shadowed, stretched in contrast so that people see something.
+//
+//     umbrage::overlay(picture, map, {.size = {256, 256}}, umbrage::stretch(map));
+//     umbrage::overlay(picture, map, {.size = {256, 256}}, [s = umbrage::stretch(map)](float depth) {
+//         return umbrage::false_colour(s(depth));
+//     });
+//
+
+namespace umbrage {
+
+/// Maps low..high to 0..1; values outside clamp, NaN becomes 1.
+struct contrast_stretch {
+    float low = 0.0f, high = 1.0f;
+
+    [[nodiscard]] float operator()(float v) const {
+        if (is_nan(v) || v >= high) return 1.0f;
+        return v > low ? static_cast<float>((double(v) - double(low)) / (double(high) - double(low))) : 0.0f;
+    }
+};
+
+/// The range that a map's depths fill, without the texels that nothing was drawn to.
+///
+/// @param cleared   texels of this value are left out, as are NaN and the infinities
+/// @param outliers  share of the depths to give up at either end, 0 <= outliers < 1/2
+/// @return      0..1 when no texel is left
+/// @throws std::invalid_argument  outliers out of range
+[[nodiscard]] inline contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f,
+                                              double outliers = 0.01) {
+    if (!(outliers >= 0.0 && outliers < 0.5)) detail::fail("umbrage::stretch: outliers not in [0, 1/2)");
+    std::vector<float> depths;
+    for (int y = 0; y < map.size.y && !map.empty(); ++y)
+        for (int x = 0; x < map.size.x; ++x)
+            if (const float depth = map.row(y)[x]; is_finite(depth) && depth != cleared) depths.push_back(depth);
+    if (depths.empty()) return {};
+    const auto given_up = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(depths.size()));
+    const auto ranked = [&](std::ptrdiff_t rank) {
+        std::nth_element(depths.begin(), depths.begin() + rank, depths.end());
+        return depths[static_cast<std::size_t>(rank)];
+    };
+    return {ranked(given_up), ranked(std::ssize(depths) - 1 - given_up)};
+}
+
+/// Where an overlay goes: the top left corner, as people see it.
+struct overlay_placement {
+    glm::ivec2 size{0, 0};                                ///< in texels of the picture; a zero takes the map's own side
+    texture_origin map_origin = texture_origin::bottom;   ///< where row 0 of the map is
+    texture_origin picture_origin = texture_origin::top;  ///< where row 0 of the picture is; image files: at the top
+};
+
+/// Draws a map into the top left corner of a picture, scaled to the nearest texel, the one that `overlay_texel` says.
+/// What does not fit is cut off.
+///
+/// @param colour  float -> colour, given the map's texels as they are: a float is a grey, a vec3 red, green and blue,
+///                all in [0, 1]
+/// @throws std::invalid_argument  negative size
+template <class Colour>
+void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const overlay_placement& place,
+             Colour&& colour) {
+    if (place.size.x < 0 || place.size.y < 0) detail::fail("umbrage::overlay: negative size");
+    if (map.empty()) return;
+    const glm::ivec2 size{place.size.x ? place.size.x : map.size.x, place.size.y ? place.size.y : map.size.y};
+    const auto nearest = [](int i, double count, double from) {
+        return static_cast<int>(overlay_texel(i + 0.5, count, from, from / count));
+    };
+    const auto row_from_top = [](int y, int count, texture_origin origin) {
+        return origin == texture_origin::top ? y : count - 1 - y;
+    };
+    for (int y = 0; y < std::min(size.y, picture.size.y); ++y) {
+        const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
+        glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
+        for (int x = 0; x < std::min(size.x, picture.size.x); ++x)
+            out[x] = store_unorm8(glm::vec3(colour(depths[nearest(x, size.x, map.size.x)])));
+    }
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/prefilter.hpp
+// Whole prefiltered maps: depth to moments, their mip chain, and what an image of receivers sees of them.
+//
+//     const umbrage::prefilters::vsm filter{.min_variance = 1e-5f};
+//     umbrage::image<glm::vec2> moments(depth.size()), blurred(depth.size());
+//     umbrage::encode_moments(depth, moments, filter);
+//     umbrage::blur(moments, blurred, umbrage::make_gaussian_kernel(7, 1.5f));
+//     umbrage::look_up(blurred, receivers, filter, visibility);
+//
+
+namespace umbrage {
+namespace detail {
+
+/// A block of texels, channel after channel: only so do loops over them vectorise.
+template <class Texel>
+struct texel_planes {
+    static constexpr int channels = static_cast<int>(sizeof(Texel) / sizeof(float));
+
+    alignas(64) float values[channels * block];
+
+    UMBRAGE_INLINE void set(int i, const Texel& t) {
+        if constexpr (channels == 1) values[i] = t;
+        else values[i] = t.x, values[block + i] = t.y;
+        if constexpr (channels == 4) values[2 * block + i] = t.z, values[3 * block + i] = t.w;
+    }
+    [[nodiscard]] UMBRAGE_INLINE Texel operator[](int i) const {
+        if constexpr (channels == 1) return values[i];
+        else if constexpr (channels == 2) return {values[i], values[block + i]};
+        else return {values[i], values[block + i], values[2 * block + i], values[3 * block + i]};
+    }
+    UMBRAGE_INLINE void copy_to(Texel* to) const {
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) to[i] = (*this)[i];
+    }
+};
+
+/// fetch_bilinear for a block of receivers, channel after channel; those that are not compared get some texel.
+template <class Texel>
+struct bilinear_block {
+    static constexpr int channels = texel_planes<Texel>::channels;
+
+    texel_planes<Texel> means;
+    alignas(64) std::int32_t compared[block], left[block], right[block], low[block], high[block];
+    alignas(64) float hi_x[block], hi_y[block];
+
+    template <class Receivers>
+    UMBRAGE_INLINE void place(const Receivers& r, glm::ivec2 size, bool forward) {
+        const auto axis = [](float coord, int highest, float& hi, std::int32_t& here, std::int32_t& next)
+                              UMBRAGE_INLINE {
+                                  const std::int32_t x = floor_int(coord * 256.0f) - 128;
+                                  here = clamp_int(x >> 8, highest);
+                                  next = clamp_int((x >> 8) + 1, highest);
+                                  hi = static_cast<float>(x & 255);
+                              };
+        const std::int32_t towards_far = forward ? -1 : 0;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const float x = r.x(i), y = r.y(i);
+            const std::int32_t beyond =
+                (beyond_far_mask<true>(r.z(i)) & towards_far) | (beyond_far_mask<false>(r.z(i)) & ~towards_far);
+            const std::int32_t inside = texel_space_mask(x, y);
+            compared[i] = inside & ~beyond;
+            axis(masked(x, inside), size.x - 1, hi_x[i], left[i], right[i]);
+            axis(masked(y, inside), size.y - 1, hi_y[i], low[i], high[i]);
+        }
+    }
+    UMBRAGE_INLINE void fetch(const image_view<const Texel>& texels) {
+        for (int i = 0; i < block; ++i) {
+            const auto row = [&](int y) UMBRAGE_INLINE {
+                return reinterpret_cast<const float*>(reinterpret_cast<const std::byte*>(texels.data) +
+                                                      y * texels.stride);
+            };
+            const float *const below = row(low[i]), *const above = row(high[i]);
+            const int l = left[i] * channels, h = right[i] * channels;
+            const float hx = hi_x[i], hy = hi_y[i], lx = 256.0f - hx, ly = 256.0f - hy;
+            float mean[channels];
+            for (int c = 0; c < channels; ++c) {
+                const float first = below[l + c] * lx + below[h + c] * hx;
+                const float second = above[l + c] * lx + above[h + c] * hx;
+                mean[c] = (first * ly + second * hy) * (1.0f / 65536.0f);
+            }
+            for (int c = 0; c < channels; ++c) means.values[c * block + i] = mean[c];
+        }
+    }
+};
+
+template <class Prefilter>
+UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_planes<typename Prefilter::texel>& means,
+                                        const float* depths, float* visibility) {
+    UMBRAGE_NO_OVERLAP
+    for (int i = 0; i < block; ++i) visibility[i] = filter.decode(means[i], depths[i]);
+}
+
+/// decode_msm in three loops: compilers vectorise none that takes a root, as it may set errno.
+template <class Prefilter>
+requires requires(const Prefilter& f, typename Prefilter::texel t) { f.moments(t); }
+UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_planes<typename Prefilter::texel>& means,
+                                        const float* depths, float* visibility) {
+    alignas(64) float x[block], d[block], D[block], E[block], h[block], a[block], B[block], c[block], roots[block];
+    const float far = cleared_depth(filter.direction);
+    for (int i = 0; i < block; ++i) {
+        const glm::vec4 m = filter.moments(means[i]);
+        d[i] = forward_depth(depths[i], far);
+        x[i] = moment_depth(d[i]) - m.x;
+        const atom_equation<float> e(m, x[i]);
+        D[i] = e.D, E[i] = e.E, h[i] = e.h, a[i] = e.a, B[i] = e.B, c[i] = e.c, roots[i] = e.square;
+    }
+    for (float& root : roots) root = std::sqrt(root);
+    UMBRAGE_NO_OVERLAP
+    for (int i = 0; i < block; ++i) {
+        atom_equation<float> e;
+        e.D = D[i], e.E = E[i], e.h = h[i], e.a = a[i], e.B = B[i], e.c = c[i];
+        visibility[i] = lit_by_atoms(e.atoms(roots[i]), x[i], d[i]);
+    }
+}
+
+}  // namespace detail
+
+/// @param depth      any values; clamped to [0, 1], NaN counts as far
+/// @param texels     same size
+/// @param filter     one of prefilters::, or a type like them: texel, encode
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ
+/// @exactness        the filter's encode, bit for bit
+template <class Prefilter, class ParallelFor = serial>
+void encode_moments(image_view<const float> depth, image_view<typename Prefilter::texel> texels,
+                    const Prefilter& filter, ParallelFor&& parallel = {}) {
+    using texel = typename Prefilter::texel;
+    if (depth.size != texels.size) detail::fail("umbrage::encode_moments: sizes differ");
+    if (depth.empty()) return;
+    parallel(depth.size.y, [&](int first, int last) {
+        detail::on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
+            const Prefilter own = filter;  // in registers
+            for (int y = first; y < last; ++y) {
+                detail::convert_row(depth.row(y), texels.row(y), depth.size.x,
+                                    [&](const float* from, texel* to) UMBRAGE_INLINE {
+                                        detail::texel_planes<texel> planes;
+                                        for (int i = 0; i < detail::block; ++i) planes.set(i, own.encode(from[i]));
+                                        planes.copy_to(to);
+                                    });
+            }
+        });
+    });
+}
+
+/// @param texels     of a prefiltered map: float, vec2, vec4
+/// @param levels     how many: the first has half the size, rounded up, each next one half of that
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @return           as many levels; a level of a single texel is followed by more of them
+/// @throws std::invalid_argument  empty map, or negative levels
+/// @exactness        halve_texels, bit for bit
+template <class Texel, class ParallelFor = serial>
+[[nodiscard]] std::vector<image<std::remove_const_t<Texel>>> make_mip_chain(image_view<Texel> texels, int levels,
+                                                                            ParallelFor&& parallel = {}) {
+    using texel = std::remove_const_t<Texel>;
+    if (texels.empty() || levels < 0) detail::fail("umbrage::make_mip_chain: empty map or negative levels");
+    std::vector<image<texel>> chain;
+    for (int level = 0; level < levels; ++level) {
+        const image_view<const texel> from =
+            level ? std::as_const(chain.back()).view() : image_view<const texel>(texels);
+        image<texel> next({(from.size.x + 1) / 2, (from.size.y + 1) / 2});
+        parallel(next.size().y, [&, to = next.view()](int first, int last) {
+            for (int y = first; y < last; ++y)
+                for (int x = 0; x < to.size.x; ++x) to.row(y)[x] = halve_texels(clamped(from), glm::ivec2(x, y));
+        });
+        chain.push_back(std::move(next));
+    }
+    return chain;
+}
+template <class Texel, class ParallelFor = serial>
+[[nodiscard]] std::vector<image<Texel>> make_mip_chain(const image<Texel>& texels, int levels,
+                                                       ParallelFor&& parallel = {}) {
+    return make_mip_chain(texels.view(), levels, parallel);
+}
+
+/// @param texels     a prefiltered map, blurred
+/// @param receivers  (x, y) in texels of the map, z depth, biased: an image of vec3, receiver_planes, depth_receivers
+/// @param filter     as encode_moments had it
+/// @param out        visibility, 1 lit; same size as receivers
+/// @param parallel   cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ, or the map is empty
+/// @exactness        the filter's decode of fetch_bilinear, bit for bit; who is not compared is lit
+template <class Prefilter, class Receivers, class ParallelFor = serial>
+void look_up(image_view<const typename Prefilter::texel> texels, const Receivers& receivers, const Prefilter& filter,
+             image_view<float> out, ParallelFor&& parallel = {}) {
+    if (detail::size_of(receivers) != out.size) detail::fail("umbrage::look_up: sizes differ");
+    if (texels.empty()) detail::fail("umbrage::look_up: empty map");
+    if (out.empty()) return;
+    const bool forward = filter.direction == depth_direction::forward;
+    parallel(out.size.y, [&](int first, int last) {
+        detail::on_best_isa_without_fma([&](auto set) UMBRAGE_INLINE {
+            detail::bilinear_block<typename Prefilter::texel> of_block;
+            alignas(64) float depths[detail::block], visibility[detail::block];
+            const Prefilter own = filter;  // in registers
+            for (detail::block_walk at{0, first, out.size.x}; at.y < last; at.step()) {
+                detail::use_receivers(receivers, at, set, [&](const auto& r) UMBRAGE_INLINE {
+                    of_block.place(r, texels.size, forward);
+                    for (int i = 0; i < detail::block; ++i) depths[i] = r.z(i);
+                });
+                of_block.fetch(texels);
+                detail::decode_block(own, of_block.means, depths, visibility);
+                for (int i = 0; i < detail::block; ++i)
+                    visibility[i] = detail::select(of_block.compared[i], visibility[i], 1.0f);
+                detail::copy_floats(out.row(at.y) + at.x, visibility, at.count());
+            }
+        });
+    });
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/images/stability.hpp
 // How still a light's maps stand while the camera moves: whether points of the world keep their places between texels,
 // and their light.
@@ -15071,6 +15256,143 @@ template <class T>
 
 }  // namespace umbrage
 UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/images/tessellate.hpp
+// A mesh cut for maps in which straight edges are curves: until between vertices places and distances from the light
+// are as good as straight lines between them.
+//
+//     auto cut = umbrage::tessellate(mesh, {light, umbrage::paraboloid_edge_angle(map_size, border), range});
+//     umbrage::rasterize_dual_paraboloid(map.view(), cut.view(), space, 0);
+//
+
+namespace umbrage {
+
+struct tessellated_mesh {
+    std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones; world
+    std::vector<glm::uvec3> triangles;
+
+    [[nodiscard]] mesh_view view() const { return {positions, triangles}; }
+};
+
+/// How finely a mesh is to be cut.
+struct tessellation {
+    glm::vec3 position{0};               ///< of the light, world
+    float angle = 0.1f;                  ///< radians, > 0, of the greatest edge as the light sees it
+    float range = 100;                   ///< of the light, > 0; edges wholly beyond it need not keep their distances
+    float depth_error = 1.0f / 4096.0f;  ///< above 0, below 1: of distances between an edge's ends, over range
+};
+
+namespace detail {
+
+class tessellator {
+public:
+    tessellator(const mesh_view& mesh, const tessellation& to)
+        : light_(to.position),
+          range_(to.range),
+          sag_(0.75 * double(to.depth_error) * range_),
+          least_cosine_(std::cos(std::min(double(to.angle), 3.0))),
+          greatest_cosine_(1 - std::pow(double(to.angle), 4.0) / 128),
+          cut_{{}, {}} {
+        for (const glm::vec3& p : mesh.positions) add(p);
+        for (const glm::uvec3& t : mesh.triangles) cut(t);
+    }
+
+    [[nodiscard]] tessellated_mesh take() { return std::move(cut_); }
+
+private:
+    unsigned add(glm::vec3 p) {
+        cut_.positions.push_back(p);
+        distances_.push_back(glm::length(glm::dvec3(p) - light_));
+        return static_cast<unsigned>(cut_.positions.size() - 1);
+    }
+
+    /// By how much an edge is too long: what its angle's cosine lacks to 1, or else its error; zeros where it is not.
+    /// Its ends alone decide, so that a neighbour's decides alike.
+    [[nodiscard]] std::pair<double, double> excess(unsigned a, unsigned b) const {
+        const double p = distances_[a], q = distances_[b];
+        if (std::max(p, q) < sag_) return {0, 0};
+        const glm::dvec3 to_a = glm::dvec3(cut_.positions[a]) - light_, to_b = glm::dvec3(cut_.positions[b]) - light_;
+        const double cosine = glm::dot(to_a, to_b) / (p * q);
+        if (cosine < least_cosine_) return {1 - cosine, 0};
+        if (cosine > greatest_cosine_ || std::min(p, q) * cosine > range_) return {0, 0};
+        // the mean of both ends' distances against the distance to where the angle's bisector meets the edge
+        const double sag = (p + q) / 2 - 2 * p * q * std::sqrt((1 + cosine) / 2) / (p + q);
+        return {0, sag > sag_ ? sag : 0};
+    }
+
+    /// Where the angle's bisector meets the edge, from the same end whichever comes first.
+    [[nodiscard]] glm::vec3 middle(unsigned a, unsigned b) const {
+        const auto order = [](const glm::vec3& p) { return std::tuple(p.x, p.y, p.z); };
+        if (order(cut_.positions[b]) < order(cut_.positions[a])) std::swap(a, b);
+        const double share = distances_[a] / (distances_[a] + distances_[b]);
+        return glm::vec3(glm::mix(glm::dvec3(cut_.positions[a]), glm::dvec3(cut_.positions[b]), share));
+    }
+
+    /// Cuts a triangle in two at its edge that is longest above what it may be, until none is.
+    void cut(const glm::uvec3& whole) {
+        std::vector<glm::uvec3> left{whole};
+        while (!left.empty()) {
+            const glm::uvec3 t = left.back();
+            left.pop_back();
+            glm::length_t longest = 3;
+            std::pair<double, double> most{0, 0};
+            for (glm::length_t i = 0; i < 3; ++i) {
+                const unsigned a = t[i], b = t[(i + 1) % 3];
+                const auto by = excess(a, b);
+                if (!(by > most)) continue;
+                const glm::vec3 m = middle(a, b);
+                if (m != cut_.positions[a] && m != cut_.positions[b]) longest = i, most = by;
+            }
+            if (longest == 3) {
+                cut_.triangles.push_back(t);
+                continue;
+            }
+            const unsigned a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3], m = between(a, b);
+            left.emplace_back(a, m, c);
+            left.emplace_back(m, b, c);
+        }
+    }
+
+    unsigned between(unsigned a, unsigned b) {
+        const auto [found, is_new] = middles_.try_emplace(std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), 0u);
+        if (is_new) found->second = add(middle(a, b));
+        return found->second;
+    }
+
+    glm::dvec3 light_;
+    double range_, sag_, least_cosine_, greatest_cosine_;
+    tessellated_mesh cut_;
+    std::vector<double> distances_;
+    std::unordered_map<std::uint64_t, unsigned> middles_;
+};
+
+}  // namespace detail
+
+/// Cuts a mesh's triangles at edges that are too long for a light, each at the angle's bisector.
+///
+/// @param mesh   triangles with a position that is not finite stay as they are
+/// @param to     how finely
+/// @return       the same surface: what shares an edge still does, without gaps, also where neighbours have positions
+///               of their own that are equal; of the same winding
+/// @throws std::invalid_argument  an angle, a range or an error out of bounds, an index out of range
+/// @formula      an edge with ends a and b from the light, g between them, is cut where g > angle, or where
+///               (|a| + |b|) / 2 - 2 |a| |b| cos(g / 2) / (|a| + |b|) > 3/4 depth_error range: inside of a triangle a
+///               parabola is up to 4/3 as far from its plane as on the edges. Edges nearer to the light than that error
+///               stay, and those of half a texel, angle^2 / 8, stay whatever their error: or else triangles that hold
+///               the light, or are seen edge-on, had no end
+[[nodiscard]] inline tessellated_mesh tessellate(const mesh_view& mesh, const tessellation& to) {
+    constexpr auto function = "tessellate";
+    detail::require(detail::all_finite(to.position), function, "position", "must be finite");
+    detail::require(is_finite(to.angle) && to.angle > 0, function, "angle", "must be above 0");
+    detail::require(is_finite(to.range) && to.range > 0, function, "range", "must be above 0");
+    detail::require(to.depth_error > 0 && to.depth_error < 1, function, "depth_error", "must be above 0 and below 1");
+    for (const glm::uvec3& t : mesh.triangles)
+        detail::require(std::max({t.x, t.y, t.z}) < mesh.positions.size(), function, "mesh.triangles",
+                        "must be indices of positions");
+    return detail::tessellator(mesh, to).take();
+}
+
+}  // namespace umbrage
 
 // ---- umbrage/images/variance_table.hpp
 // Summed-area tables of a shadow map's depths and their squares, and visibility of whole images from them.
@@ -16941,8 +17263,9 @@ inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr
 inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::all*>(nullptr));
 
 // The rooms.
-inline constexpr auto light = collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets,
-                                      cube_atlas_snippets, pancake_snippets, page_table_snippets);
+inline constexpr auto light =
+    collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets, cube_atlas_snippets,
+            dual_paraboloid_snippets, pancake_snippets, page_table_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes = collect(scalar_snippets, floor_divide_snippets, unorm_snippets, writers,
                                       rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);

@@ -46,6 +46,7 @@
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cube_atlas.hpp>
 #include <umbrage/light/cube_map.hpp>
+#include <umbrage/light/dual_paraboloid.hpp>
 #include <umbrage/light/pancake.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shade/lighting.hpp>
@@ -111,8 +112,9 @@ inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr
 inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::all*>(nullptr));
 
 // The rooms.
-inline constexpr auto light = collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets,
-                                      cube_atlas_snippets, pancake_snippets, page_table_snippets);
+inline constexpr auto light =
+    collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets, cube_atlas_snippets,
+            dual_paraboloid_snippets, pancake_snippets, page_table_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes = collect(scalar_snippets, floor_divide_snippets, unorm_snippets, writers,
                                       rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);

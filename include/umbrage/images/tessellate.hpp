@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+//
+// A mesh cut for maps in which straight edges are curves: until between vertices places and distances from the light
+// are as good as straight lines between them.
+//
+//     auto cut = umbrage::tessellate(mesh, {light, umbrage::paraboloid_edge_angle(map_size, border), range});
+//     umbrage::rasterize_dual_paraboloid(map.view(), cut.view(), space, 0);
+//
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <umbrage/images/mesh.hpp>
+#include <umbrage/light/light_space.hpp>
+#include <umbrage/scalar.hpp>
+
+namespace umbrage {
+
+struct tessellated_mesh {
+    std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones; world
+    std::vector<glm::uvec3> triangles;
+
+    [[nodiscard]] mesh_view view() const { return {positions, triangles}; }
+};
+
+/// How finely a mesh is to be cut.
+struct tessellation {
+    glm::vec3 position{0};               ///< of the light, world
+    float angle = 0.1f;                  ///< radians, > 0, of the greatest edge as the light sees it
+    float range = 100;                   ///< of the light, > 0; edges wholly beyond it need not keep their distances
+    float depth_error = 1.0f / 4096.0f;  ///< above 0, below 1: of distances between an edge's ends, over range
+};
+
+namespace detail {
+
+class tessellator {
+public:
+    tessellator(const mesh_view& mesh, const tessellation& to)
+        : light_(to.position),
+          range_(to.range),
+          sag_(0.75 * double(to.depth_error) * range_),
+          least_cosine_(std::cos(std::min(double(to.angle), 3.0))),
+          greatest_cosine_(1 - std::pow(double(to.angle), 4.0) / 128),
+          cut_{{}, {}} {
+        for (const glm::vec3& p : mesh.positions) add(p);
+        for (const glm::uvec3& t : mesh.triangles) cut(t);
+    }
+
+    [[nodiscard]] tessellated_mesh take() { return std::move(cut_); }
+
+private:
+    unsigned add(glm::vec3 p) {
+        cut_.positions.push_back(p);
+        distances_.push_back(glm::length(glm::dvec3(p) - light_));
+        return static_cast<unsigned>(cut_.positions.size() - 1);
+    }
+
+    /// By how much an edge is too long: what its angle's cosine lacks to 1, or else its error; zeros where it is not.
+    /// Its ends alone decide, so that a neighbour's decides alike.
+    [[nodiscard]] std::pair<double, double> excess(unsigned a, unsigned b) const {
+        const double p = distances_[a], q = distances_[b];
+        if (std::max(p, q) < sag_) return {0, 0};
+        const glm::dvec3 to_a = glm::dvec3(cut_.positions[a]) - light_, to_b = glm::dvec3(cut_.positions[b]) - light_;
+        const double cosine = glm::dot(to_a, to_b) / (p * q);
+        if (cosine < least_cosine_) return {1 - cosine, 0};
+        if (cosine > greatest_cosine_ || std::min(p, q) * cosine > range_) return {0, 0};
+        // the mean of both ends' distances against the distance to where the angle's bisector meets the edge
+        const double sag = (p + q) / 2 - 2 * p * q * std::sqrt((1 + cosine) / 2) / (p + q);
+        return {0, sag > sag_ ? sag : 0};
+    }
+
+    /// Where the angle's bisector meets the edge, from the same end whichever comes first.
+    [[nodiscard]] glm::vec3 middle(unsigned a, unsigned b) const {
+        const auto order = [](const glm::vec3& p) { return std::tuple(p.x, p.y, p.z); };
+        if (order(cut_.positions[b]) < order(cut_.positions[a])) std::swap(a, b);
+        const double share = distances_[a] / (distances_[a] + distances_[b]);
+        return glm::vec3(glm::mix(glm::dvec3(cut_.positions[a]), glm::dvec3(cut_.positions[b]), share));
+    }
+
+    /// Cuts a triangle in two at its edge that is longest above what it may be, until none is.
+    void cut(const glm::uvec3& whole) {
+        std::vector<glm::uvec3> left{whole};
+        while (!left.empty()) {
+            const glm::uvec3 t = left.back();
+            left.pop_back();
+            glm::length_t longest = 3;
+            std::pair<double, double> most{0, 0};
+            for (glm::length_t i = 0; i < 3; ++i) {
+                const unsigned a = t[i], b = t[(i + 1) % 3];
+                const auto by = excess(a, b);
+                if (!(by > most)) continue;
+                const glm::vec3 m = middle(a, b);
+                if (m != cut_.positions[a] && m != cut_.positions[b]) longest = i, most = by;
+            }
+            if (longest == 3) {
+                cut_.triangles.push_back(t);
+                continue;
+            }
+            const unsigned a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3], m = between(a, b);
+            left.emplace_back(a, m, c);
+            left.emplace_back(m, b, c);
+        }
+    }
+
+    unsigned between(unsigned a, unsigned b) {
+        const auto [found, is_new] = middles_.try_emplace(std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), 0u);
+        if (is_new) found->second = add(middle(a, b));
+        return found->second;
+    }
+
+    glm::dvec3 light_;
+    double range_, sag_, least_cosine_, greatest_cosine_;
+    tessellated_mesh cut_;
+    std::vector<double> distances_;
+    std::unordered_map<std::uint64_t, unsigned> middles_;
+};
+
+}  // namespace detail
+
+/// Cuts a mesh's triangles at edges that are too long for a light, each at the angle's bisector.
+///
+/// @param mesh   triangles with a position that is not finite stay as they are
+/// @param to     how finely
+/// @return       the same surface: what shares an edge still does, without gaps, also where neighbours have positions
+///               of their own that are equal; of the same winding
+/// @throws std::invalid_argument  an angle, a range or an error out of bounds, an index out of range
+/// @formula      an edge with ends a and b from the light, g between them, is cut where g > angle, or where
+///               (|a| + |b|) / 2 - 2 |a| |b| cos(g / 2) / (|a| + |b|) > 3/4 depth_error range: inside of a triangle a
+///               parabola is up to 4/3 as far from its plane as on the edges. Edges nearer to the light than that error
+///               stay, and those of half a texel, angle^2 / 8, stay whatever their error: or else triangles that hold
+///               the light, or are seen edge-on, had no end
+[[nodiscard]] inline tessellated_mesh tessellate(const mesh_view& mesh, const tessellation& to) {
+    constexpr auto function = "tessellate";
+    detail::require(detail::all_finite(to.position), function, "position", "must be finite");
+    detail::require(is_finite(to.angle) && to.angle > 0, function, "angle", "must be above 0");
+    detail::require(is_finite(to.range) && to.range > 0, function, "range", "must be above 0");
+    detail::require(to.depth_error > 0 && to.depth_error < 1, function, "depth_error", "must be above 0 and below 1");
+    for (const glm::uvec3& t : mesh.triangles)
+        detail::require(std::max({t.x, t.y, t.z}) < mesh.positions.size(), function, "mesh.triangles",
+                        "must be indices of positions");
+    return detail::tessellator(mesh, to).take();
+}
+
+}  // namespace umbrage

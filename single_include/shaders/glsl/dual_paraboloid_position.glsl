@@ -1,0 +1,30 @@
+// umbrage 0.1.0, MIT License: dual_paraboloid_position
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_DUAL_PARABOLOID_POSITION
+#define UMBRAGE_HAS_DUAL_PARABOLOID_POSITION
+// umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
+//   direction  from the light to the vertex;   map  0.0 or 1.0
+UMBRAGE_HIGHP vec4 umbrage_dual_paraboloid_position(UMBRAGE_HIGHP vec3 direction, UMBRAGE_HIGHP float map) {
+    bool behind = map > 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square =
+        direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    UMBRAGE_HIGHP float distance_to = sqrt(square);
+    UMBRAGE_HIGHP float w = distance_to + (behind ? -direction.z : direction.z);
+    return vec4(behind ? direction.x : -direction.x, direction.y, distance_to * w, w);
+}
+#endif

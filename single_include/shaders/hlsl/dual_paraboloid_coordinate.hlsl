@@ -1,0 +1,13 @@
+// umbrage 0.1.0, MIT License: dual_paraboloid_coordinate
+
+#ifndef UMBRAGE_HAS_DUAL_PARABOLOID_COORDINATE
+#define UMBRAGE_HAS_DUAL_PARABOLOID_COORDINATE
+// umbrage_dual_paraboloid_coordinate: (s, t, map) of a direction: 0.0 to 1.0 over the map's square, map 0.0 or 1.0
+float3 umbrage_dual_paraboloid_coordinate(float3 direction) {
+    precise float square = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    bool behind = direction.z < 0.0;
+    float m = sqrt(square) + (behind ? -direction.z : direction.z);
+    float x = behind ? direction.x : -direction.x;
+    return float3((x + m) / (m + m), (direction.y + m) / (m + m), behind ? 1.0 : 0.0);
+}
+#endif

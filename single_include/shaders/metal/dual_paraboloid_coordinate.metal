@@ -1,0 +1,17 @@
+// umbrage 0.1.0, MIT License: dual_paraboloid_coordinate
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_DUAL_PARABOLOID_COORDINATE
+#define UMBRAGE_HAS_DUAL_PARABOLOID_COORDINATE
+// umbrage_dual_paraboloid_coordinate: (s, t, map) of a direction: 0.0 to 1.0 over the map's square, map 0.0 or 1.0
+inline float3 umbrage_dual_paraboloid_coordinate(float3 direction) {
+    float square = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    bool behind = direction.z < 0.0;
+    float m = metal::sqrt(square) + (behind ? -direction.z : direction.z);
+    float x = behind ? direction.x : -direction.x;
+    return float3((x + m) / (m + m), (direction.y + m) / (m + m), behind ? 1.0 : 0.0);
+}
+#endif

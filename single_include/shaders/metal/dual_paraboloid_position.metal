@@ -1,0 +1,18 @@
+// umbrage 0.1.0, MIT License: dual_paraboloid_position
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_DUAL_PARABOLOID_POSITION
+#define UMBRAGE_HAS_DUAL_PARABOLOID_POSITION
+// umbrage_dual_paraboloid_position: (x w, y w, distance w, w) of a vertex, for the depth pass' projection
+//   direction  from the light to the vertex;   map  0.0 or 1.0
+inline float4 umbrage_dual_paraboloid_position(float3 direction, float map) {
+    bool behind = map > 0.5;
+    float square = direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+    float distance_to = metal::sqrt(square);
+    float w = distance_to + (behind ? -direction.z : direction.z);
+    return float4(behind ? direction.x : -direction.x, direction.y, distance_to * w, w);
+}
+#endif
