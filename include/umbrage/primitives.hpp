@@ -59,6 +59,8 @@
 #include <umbrage/floor_divide.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
+#include <umbrage/light/adaptive/pages.hpp>
+#include <umbrage/light/adaptive/root.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/cascades.hpp>

@@ -8082,6 +8082,242 @@ inline constexpr auto page_table_snippets = list<&page_coordinate>;
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/light/adaptive/pages.hpp
+// Which pages of a light's root square a view needs, so that shadows are as fine as the screen, and which of an
+// atlas' slots hold them: pages stay where they are from frame to frame, those least recently needed are given up.
+//
+//     umbrage::page_cache cache({.slots = {16, 16}, .deepest_level = 10});
+//     for (;;) {  // receivers: umbrage::page_receiver{coordinate in the root, longest_extent in a map of one page}
+//         const umbrage::page_update update = cache.update(receivers);
+//         umbrage::draw_pages(atlas, layout, root, update.drawn, draw);  // see images/page_atlas.hpp
+//     }
+//
+
+namespace umbrage {
+
+/// A square of the root, whose side is the root's over 2^level: the x-th from the left, the y-th from the first row.
+struct page {
+    int level = 0, x = 0, y = 0;
+
+    friend auto operator<=>(const page&, const page&) = default;  ///< coarse ones first
+    [[nodiscard]] page parent() const { return {level - 1, x / 2, y / 2}; }
+};
+
+/// The page of a level that holds a point.
+/// @param coord   1 .. 2 across the root, 2 not included
+[[nodiscard]] inline page page_at(glm::dvec2 coord, int level) {
+    const double across = std::ldexp(1.0, level);
+    return {level, static_cast<int>((coord.x - 1.0) * across), static_cast<int>((coord.y - 1.0) * across)};
+}
+
+/// A point that the view sees.
+struct page_receiver {
+    glm::vec2 coord{1};   ///< 1 .. 2 across the root
+    float extent = 0.0f;  ///< longest_extent of a texel of the coarsest page, pixels
+};
+
+namespace detail {
+
+/// The least level in which no texel's longer axis covers more pixels than wanted; -1 of receivers that want none.
+[[nodiscard]] inline int wanted_level(const page_receiver& r, double target, int deepest) {
+    const auto in_root = [](float v) { return v >= 1.0f && v < 2.0f; };
+    if (!in_root(r.coord.x) || !in_root(r.coord.y) || !is_finite(r.extent) || !(r.extent > 0.0f)) return -1;
+    return static_cast<int>(std::clamp(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
+}
+
+}  // namespace detail
+
+/// The pages of the least level in which no texel's longer axis covers more pixels than wanted.
+/// @param receivers       those beside the root, and of an extent that is not finite or not above 0, want none
+/// @param target          pixels, > 0
+/// @param deepest_level   0 .. 15, whatever that leaves
+/// @return                each once, coarse ones first
+/// @formula               level = ceil(log2(extent / target))
+/// @throws std::invalid_argument  target or deepest_level out of range
+[[nodiscard]] inline std::vector<page> wanted_pages(std::span<const page_receiver> receivers, double target,
+                                                    int deepest_level) {
+    constexpr auto function = "wanted_pages";
+    detail::require(is_finite(target) && target > 0.0, function, "target", "must be finite and above 0");
+    detail::require(deepest_level >= 0 && deepest_level <= deepest_page_level, function, "deepest_level",
+                    "must lie between 0 and 15");
+    std::vector<page> pages;
+    for (const page_receiver& r : receivers) {
+        const int level = detail::wanted_level(r, target, deepest_level);
+        if (level < 0) continue;
+        const page p = page_at(r.coord, level);
+        if (pages.empty() || p != pages.back()) pages.push_back(p);
+    }
+    std::sort(pages.begin(), pages.end());
+    pages.erase(std::unique(pages.begin(), pages.end()), pages.end());
+    return pages;
+}
+
+/// What a cache is made for.
+struct page_budget {
+    glm::ivec2 slots{16};    ///< columns and rows of pages that the atlas has, each 1 .. 256
+    int deepest_level = 10;  ///< 0 .. 15: of the finest pages; a table has 2^deepest_level texels a side
+    double target = 1.0;     ///< pixels that a texel may cover, > 0
+};
+
+/// A page and where the atlas holds it.
+struct placed_page {
+    umbrage::page page;
+    glm::ivec2 slot;
+};
+
+/// What has changed from one view to the next.
+struct page_update {
+    std::vector<placed_page> drawn{};  ///< pages that are to be drawn, coarse ones first
+    double target = 0.0;               ///< pixels that a texel covers at most: the budget's target, or more
+    std::size_t kept = 0;              ///< pages needed that were there
+    std::size_t given_up = 0;          ///< pages that others took the place of,
+    std::size_t forced = 0;            ///< and of these such as the view needs for the budget's target: shadows pop
+};
+
+/// Pages that stay in their slots as long as nothing finer, nearer or newer wants these.
+///
+/// The root's own page is always there, so that there is shadow everywhere in it; where the view needs no finer pages
+/// any more, those that are left serve until others need their slots. Where the wanted pages are more than the slots,
+/// the target is raised by steps of a sixteenth of an octave until they fit; it comes down again when as many as seven
+/// eighths of the slots suffice, so that it does not swing.
+/// @cite   Fernando, Fernandez, Bala, Greenberg: Adaptive Shadow Maps, SIGGRAPH 2001
+class page_cache {
+public:
+    /// @throws std::invalid_argument  slots, deepest_level or target out of range
+    explicit page_cache(const page_budget& budget) : budget_(budget), target_(budget.target) {
+        constexpr auto function = "page_cache";
+        const auto fits = [](int n) { return n >= 1 && n <= 256; };
+        detail::require(fits(budget.slots.x) && fits(budget.slots.y), function, "slots", "must be 1 to 256 each");
+        detail::require(budget.deepest_level >= 0 && budget.deepest_level <= deepest_page_level, function,
+                        "deepest_level", "must lie between 0 and 15");
+        detail::require(is_finite(budget.target) && budget.target > 0.0, function, "target",
+                        "must be finite and above 0");
+        for (glm::ivec2 slot{0}; slot.y < budget.slots.y; ++slot.y)
+            for (slot.x = 0; slot.x < budget.slots.x; ++slot.x) free_.push_back(slot);
+        std::reverse(free_.begin(), free_.end());
+    }
+
+    /// Takes in what a view sees.
+    page_update update(std::span<const page_receiver> receivers) {
+        ++now_;
+        page_update result;
+        std::vector<page> missing;
+        for (const page& p : fitting(receivers))
+            if (const auto found = resident_.find(p); found != resident_.end())
+                found->second.needed = now_, ++result.kept;
+            else missing.push_back(p);
+        const std::vector<page> given_up =
+            give_up(missing.size() > free_.size() ? missing.size() - free_.size() : std::size_t(0));
+        for (const page& p : missing) {
+            result.drawn.push_back({p, free_.back()});
+            resident_[p] = {free_.back(), now_};
+            free_.pop_back();
+        }
+        result.target = target_;
+        result.given_up = given_up.size();
+        if (target_ > budget_.target && !given_up.empty()) result.forced = popped(receivers, given_up);
+        return result;
+    }
+
+    /// All that must be drawn anew: casters or the light have moved.
+    void forget() {
+        for (const auto& [p, in] : resident_) free_.push_back(in.slot);
+        resident_.clear();
+    }
+
+    [[nodiscard]] const page_budget& budget() const { return budget_; }
+    [[nodiscard]] std::size_t size() const { return resident_.size(); }
+
+    /// Calls use(page, slot) for every page that is there, coarse ones first.
+    template <class Use>
+    void for_each(Use&& use) const {
+        for (const auto& [p, in] : resident_) use(p, in.slot);
+    }
+
+    /// The level of the finest page that holds a point; -1 where there is none.
+    /// @param coord   1 .. 2 across the root, 2 not included
+    [[nodiscard]] int level_at(glm::dvec2 coord) const {
+        int level = budget_.deepest_level;
+        while (level >= 0 && !resident_.contains(page_at(coord, level))) --level;
+        return level;
+    }
+
+private:
+    struct held {
+        glm::ivec2 slot;
+        std::uint64_t needed;  ///< in which update last
+    };
+
+    [[nodiscard]] std::size_t slots() const {
+        return static_cast<std::size_t>(budget_.slots.x) * static_cast<std::size_t>(budget_.slots.y);
+    }
+
+    /// The root and what is wanted besides, with the target moved until it fits.
+    [[nodiscard]] std::vector<page> fitting(std::span<const page_receiver> receivers) {
+        const double step = std::exp2(1.0 / 16.0);
+        const auto wanted = [&](double target) {
+            std::vector<page> pages = wanted_pages(receivers, target, budget_.deepest_level);
+            if (pages.empty() || pages.front() != page{}) pages.insert(pages.begin(), page{});
+            return pages;
+        };
+        std::vector<page> pages = wanted(target_);
+        while (pages.size() > slots()) pages = wanted(target_ *= step);
+        while (target_ > budget_.target) {
+            const double finer = std::max(target_ / step, budget_.target);
+            std::vector<page> more = wanted(finer);
+            if (more.size() * 8 > slots() * 7) break;
+            target_ = finer;
+            pages.swap(more);
+        }
+        return pages;
+    }
+
+    /// Frees slots: of the pages not needed now the least recently needed, of these the finest.
+    /// @return   the pages, in their order
+    std::vector<page> give_up(std::size_t count) {
+        std::vector<std::pair<std::uint64_t, page>> others;
+        for (const auto& [p, in] : resident_)
+            if (in.needed < now_) others.emplace_back(in.needed, p);
+        std::sort(others.begin(), others.end(), [](const auto& a, const auto& b) {
+            return a.first != b.first ? a.first < b.first : b.second < a.second;
+        });
+        std::vector<page> pages;
+        for (std::size_t i = 0; i < count; ++i) {
+            const page p = pages.emplace_back(others[i].second);
+            free_.push_back(resident_[p].slot);
+            resident_.erase(p);
+        }
+        std::sort(pages.begin(), pages.end());
+        return pages;
+    }
+
+    /// How many of the pages given up some receiver looked into that the budget's target would have it look into still.
+    [[nodiscard]] std::size_t popped(std::span<const page_receiver> receivers,
+                                     const std::vector<page>& given_up) const {
+        std::vector<bool> pops(given_up.size());
+        for (const page_receiver& r : receivers) {
+            const int asked = detail::wanted_level(r, budget_.target, budget_.deepest_level);
+            const int found = asked < 0 ? asked : level_at(r.coord);
+            if (found >= asked) continue;
+            for (int level = budget_.deepest_level; level > found; --level) {
+                const auto at = std::lower_bound(given_up.begin(), given_up.end(), page_at(r.coord, level));
+                if (at == given_up.end() || *at != page_at(r.coord, level)) continue;
+                pops[static_cast<std::size_t>(at - given_up.begin())] = true;
+                break;
+            }
+        }
+        return static_cast<std::size_t>(std::count(pops.begin(), pops.end(), true));
+    }
+
+    page_budget budget_;
+    double target_;
+    std::uint64_t now_ = 0;
+    std::map<page, held> resident_;
+    std::vector<glm::ivec2> free_;
+};
+
+}  // namespace umbrage
+
 // ---- umbrage/light/bounds.hpp
 // What lights are fitted to: boxes, spheres, a camera's frustum and slices of it, points; and what a frustum has in
 // common with a scene.
@@ -8286,6 +8522,178 @@ struct hull {
 
 }  // namespace umbrage
 
+// ---- umbrage/light/sweep.hpp
+// What receivers sweep on their way to the light, as casters have to lie in it: the hull of what the light sees of
+// them, and how near to the light a box of casters comes within it. What fits share.
+//
+
+namespace umbrage {
+namespace detail {
+
+/// World to x, y and the distance along the light.
+template <real T>
+[[nodiscard]] glm::dmat4 light_frame(const glm::mat<4, 4, T>& view, handedness hand) {
+    glm::dmat4 frame(view);
+    if (hand == handedness::right)
+        for (glm::length_t i = 0; i < 4; ++i) frame[i][2] = -frame[i][2];
+    return frame;
+}
+
+[[nodiscard]] inline std::vector<glm::dvec3> seen(const glm::dmat4& frame, const std::vector<glm::dvec3>& points) {
+    std::vector<glm::dvec3> moved;
+    moved.reserve(points.size());
+    for (const glm::dvec3& p : points) moved.emplace_back(frame * glm::dvec4(p, 1.0));
+    return moved;
+}
+
+struct extent {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+};
+[[nodiscard]] inline extent extent_of(const std::vector<glm::dvec3>& points) {
+    extent e;
+    for (const glm::dvec3& p : points) e.low = glm::min(e.low, p), e.high = glm::max(e.high, p);
+    return e;
+}
+
+/// Counter-clockwise, without what lies on an edge.
+/// @cite   Andrew: Another efficient algorithm for convex hulls in two dimensions, 1979
+[[nodiscard]] inline std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
+    std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
+    const auto before = [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
+    std::sort(points.begin(), points.end(), before);
+    const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
+        return (b.x - a.x) * (c.y - a.y) <= (b.y - a.y) * (c.x - a.x);
+    };
+    for (int side = 0; side < 2; ++side, std::reverse(points.begin(), points.end())) {
+        const std::size_t first = hull.size();
+        for (const glm::dvec2& p : points) {
+            while (hull.size() >= first + 2 && turns_right(hull[hull.size() - 2], hull.back(), p)) hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();  // the other side begins with it
+    }
+    return hull;
+}
+
+/// A plane (a, b, 0, c) through each edge of a hull, moved outwards.
+[[nodiscard]] inline std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
+    std::vector<glm::dvec4> planes;
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const glm::dvec2 a = hull[i], b = hull[i + 1 < hull.size() ? i + 1 : 0];
+        const glm::dvec2 inwards(a.y - b.y, b.x - a.x);
+        planes.emplace_back(inwards, 0.0, outwards * glm::length(inwards) - glm::dot(inwards, a));
+    }
+    return planes;
+}
+
+/// Planes of the same kind around what points sweep, moved outwards: their hull's, within their rectangle's.
+[[nodiscard]] inline std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
+    std::vector<glm::dvec4> planes = sides(convex_hull(seen), outwards);
+    const auto [least, greatest] = extent_of(seen);
+    const glm::dvec3 low = least - outwards, high = greatest + outwards;
+    planes.insert(planes.end(), {{1, 0, 0, -low.x}, {-1, 0, 0, high.x}, {0, 1, 0, -low.y}, {0, -1, 0, high.y}});
+    return planes;
+}
+
+/// The least distance along the light of a box's faces within planes; infinite where none is.
+[[nodiscard]] inline double nearest(const glm::dmat4& frame, const polyhedron& box,
+                                    const std::vector<glm::dvec4>& planes) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const polyhedron::face& face : box.faces()) {
+        std::vector<glm::dvec3> polygon = seen(frame, face.corners);
+        for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
+        for (const glm::dvec3& p : polygon) least = std::min(least, p.z);
+    }
+    return least;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/light/adaptive/root.hpp
+// The square of the world that the pages of an adaptive map lie in, as a directional light sees it: it stays where it
+// is while the camera moves, and so does every page in it.
+//
+//     auto root = umbrage::make_page_root<double>({.direction = d, .centre = {0, 0, 0}, .side = 2400, .scene = box});
+//     auto light = umbrage::page_light(root, {.level = 5, .x = 12, .y = 9}, {});  // for the depth pass of that page
+//     glm::mat4 to_root(umbrage::page_matrix(root));                              // for page_coordinate
+//
+
+namespace umbrage {
+
+template <real T = float>
+struct page_root {
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; of the world, as pages turn with it
+    glm::vec<3, T> centre{T(0)};                  ///< of the square, world
+    T side = T(1000);                             ///< world units, > 0
+    bounding_box<T> scene{};                      ///< all casters and receivers: what depth spans
+    clip_space clip{};
+};
+
+/// Side of pages in an atlas.
+struct page_size {
+    int texels = 128;  ///< a power of two
+    int gutter = 4;    ///< around them, 0 .. texels / 2: the filter's reach and half a texel, or more
+
+    [[nodiscard]] constexpr int pitch() const { return texels + 2 * gutter; }
+};
+
+/// @throws std::invalid_argument  zero or non-finite direction, centre or scene that are not finite, a side not above
+///                                0, and what gives matrices that are not finite
+template <real T = float>
+[[nodiscard]] light_space<T> make_page_root(const page_root<T>& root) {
+    constexpr auto function = "make_page_root";
+    detail::require(detail::all_finite(root.centre), function, "centre", "must be finite");
+    detail::require(is_finite(root.side) && root.side > T(0), function, "side", "must be finite and above 0");
+    light_space<double> light{detail::look_along(glm::dvec3(0), glm::dvec3(root.direction), glm::dvec3(root.up),
+                                                 root.clip.hand, function, ""),
+                              {},
+                              root.clip};
+    const glm::dmat4 frame = detail::light_frame(light.view, root.clip.hand);
+    const auto depths = detail::extent_of(detail::seen(frame, hull(root.scene).points));
+    const glm::dvec2 middle(frame * glm::dvec4(glm::dvec3(root.centre), 1)), half(double(root.side) / 2);
+    const double spare =
+        (depths.high.z - depths.low.z) / 1024 + double(root.side) / 1048576;  // nothing lies on a plane
+    light.projection = detail::orthographic(middle - half, middle + half, depths.low.z - spare, depths.high.z + spare,
+                                            root.clip, function, "centre and side", "scene");
+    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), root.clip};
+    return detail::checked(cast, function, "centre, side and scene");
+}
+
+/// World to the root's coordinates, 1 .. 2, and depth.
+/// @formula   texture_matrix of a map of one texel, moved by 1
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> page_matrix(const light_space<T>& root) {
+    glm::mat<4, 4, T> m = texture_matrix(root, glm::ivec2(1));
+    m[3][0] += T(1), m[3][1] += T(1);
+    return m;
+}
+
+/// One page of it, with its gutter: what a depth pass of pitch() x pitch() texels is drawn with.
+/// @throws std::invalid_argument  a page that is not in the root, texels no power of two, gutter out of range
+template <real T>
+[[nodiscard]] light_space<T> page_light(const light_space<T>& root, const page& p, const page_size& size) {
+    constexpr auto function = "page_light";
+    detail::require(p.level >= 0 && p.level <= deepest_page_level, function, "level", "must lie between 0 and 15");
+    const int across = 1 << p.level;
+    detail::require(p.x >= 0 && p.y >= 0 && p.x < across && p.y < across, function, "x and y", "must lie in the root");
+    detail::require(size.texels >= 1 && (size.texels & (size.texels - 1)) == 0, function, "texels",
+                    "must be a power of two");
+    detail::require(size.gutter >= 0 && size.gutter <= size.texels / 2, function, "gutter",
+                    "must lie between 0 and half the texels");
+    const double scale = double(across) * size.texels / size.pitch();
+    const double up = root.clip.origin == texture_origin::bottom ? 1.0 : -1.0;
+    const glm::dvec2 middle((2 * p.x + 1.0) / across - 1.0, up * ((2 * p.y + 1.0) / across - 1.0));
+    glm::dmat4 projection(root.projection);
+    for (glm::length_t axis = 0; axis < 2; ++axis)
+        for (glm::length_t column = 0; column < 4; ++column)
+            projection[column][axis] = (projection[column][axis] - projection[column][3] * middle[axis]) * scale;
+    return detail::checked<T>({root.view, glm::mat<4, 4, T>(projection), root.clip}, function, "root");
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/light/cascades/blend.hpp
 // From one cascade to the next without a line: both looked up and mixed, or one of them, chosen from pixel to pixel.
 //
@@ -8470,94 +8878,6 @@ inline constexpr auto blend_snippets =
     list<&cascade_weight, &cascade_fade, &cascade_border_fade, &blend_cascades, &dither_threshold, &dithered_cascade>;
 
 }  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/light/sweep.hpp
-// What receivers sweep on their way to the light, as casters have to lie in it: the hull of what the light sees of
-// them, and how near to the light a box of casters comes within it. What fits share.
-//
-
-namespace umbrage {
-namespace detail {
-
-/// World to x, y and the distance along the light.
-template <real T>
-[[nodiscard]] glm::dmat4 light_frame(const glm::mat<4, 4, T>& view, handedness hand) {
-    glm::dmat4 frame(view);
-    if (hand == handedness::right)
-        for (glm::length_t i = 0; i < 4; ++i) frame[i][2] = -frame[i][2];
-    return frame;
-}
-
-[[nodiscard]] inline std::vector<glm::dvec3> seen(const glm::dmat4& frame, const std::vector<glm::dvec3>& points) {
-    std::vector<glm::dvec3> moved;
-    moved.reserve(points.size());
-    for (const glm::dvec3& p : points) moved.emplace_back(frame * glm::dvec4(p, 1.0));
-    return moved;
-}
-
-struct extent {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-};
-[[nodiscard]] inline extent extent_of(const std::vector<glm::dvec3>& points) {
-    extent e;
-    for (const glm::dvec3& p : points) e.low = glm::min(e.low, p), e.high = glm::max(e.high, p);
-    return e;
-}
-
-/// Counter-clockwise, without what lies on an edge.
-/// @cite   Andrew: Another efficient algorithm for convex hulls in two dimensions, 1979
-[[nodiscard]] inline std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
-    std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
-    const auto before = [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
-    std::sort(points.begin(), points.end(), before);
-    const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
-        return (b.x - a.x) * (c.y - a.y) <= (b.y - a.y) * (c.x - a.x);
-    };
-    for (int side = 0; side < 2; ++side, std::reverse(points.begin(), points.end())) {
-        const std::size_t first = hull.size();
-        for (const glm::dvec2& p : points) {
-            while (hull.size() >= first + 2 && turns_right(hull[hull.size() - 2], hull.back(), p)) hull.pop_back();
-            hull.push_back(p);
-        }
-        hull.pop_back();  // the other side begins with it
-    }
-    return hull;
-}
-
-/// A plane (a, b, 0, c) through each edge of a hull, moved outwards.
-[[nodiscard]] inline std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
-    std::vector<glm::dvec4> planes;
-    for (std::size_t i = 0; i < hull.size(); ++i) {
-        const glm::dvec2 a = hull[i], b = hull[i + 1 < hull.size() ? i + 1 : 0];
-        const glm::dvec2 inwards(a.y - b.y, b.x - a.x);
-        planes.emplace_back(inwards, 0.0, outwards * glm::length(inwards) - glm::dot(inwards, a));
-    }
-    return planes;
-}
-
-/// Planes of the same kind around what points sweep, moved outwards: their hull's, within their rectangle's.
-[[nodiscard]] inline std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
-    std::vector<glm::dvec4> planes = sides(convex_hull(seen), outwards);
-    const auto [least, greatest] = extent_of(seen);
-    const glm::dvec3 low = least - outwards, high = greatest + outwards;
-    planes.insert(planes.end(), {{1, 0, 0, -low.x}, {-1, 0, 0, high.x}, {0, 1, 0, -low.y}, {0, -1, 0, high.y}});
-    return planes;
-}
-
-/// The least distance along the light of a box's faces within planes; infinite where none is.
-[[nodiscard]] inline double nearest(const glm::dmat4& frame, const polyhedron& box,
-                                    const std::vector<glm::dvec4>& planes) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const polyhedron::face& face : box.faces()) {
-        std::vector<glm::dvec3> polygon = seen(frame, face.corners);
-        for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
-        for (const glm::dvec3& p : polygon) least = std::min(least, p.z);
-    }
-    return least;
-}
-
-}  // namespace detail
 }  // namespace umbrage
 
 // ---- umbrage/light/directional_fit.hpp

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include <umbrage/images/quality.hpp>
@@ -62,20 +63,24 @@ inline warp_fit<double> warp_under(std::array<double, 2> s) {
             .margin = 0};
 }
 
+/// What a camera sees of the ground, up to its far plane, through a pixel.
+inline std::optional<glm::dvec3> ground_at(const view& v, glm::dvec2 pixel) {
+    const glm::dvec4 h = glm::inverse(v.to_pixels) * glm::dvec4(pixel, 0.5, 1);
+    const glm::dvec3 way = glm::dvec3(h) / h.w - v.seen.position;
+    const double share = -v.seen.position.y / way.y;
+    if (!(share > 0) || share * glm::dot(way, glm::normalize(v.seen.direction)) > v.seen.z_far) return std::nullopt;
+    return v.seen.position + share * way;
+}
+
 /// @param to_texels   the map's, or the cascades', which meet at ends
 inline quality_report on_ground(const std::vector<glm::dmat4>& to_texels, glm::ivec2 size = map_size,
                                 glm::dvec3 ends = {}) {
-    const glm::dmat4 back = glm::inverse(reference.to_pixels);
     const measured_view view{.screen = screen, .map_size = size, .maps = int(to_texels.size()), .step = 4};
     return measure_quality(view, [&](glm::ivec2 i) {
-        const glm::dvec2 pixel = glm::dvec2(i) + 0.5;
-        const glm::dvec4 h = back * glm::dvec4(pixel, 0.5, 1);
-        const glm::dvec3 way = glm::dvec3(h) / h.w - reference.seen.position;
-        const double share = -reference.seen.position.y / way.y;
-        if (!(share > 0) || -way.z * share > 1000) return glm::dmat2(0);
-        const double number = to_texels.size() > 1 ? cascade_by_depth(-way.z * share, ends) : 0;
-        return pixels_per_texel(to_texels[std::size_t(number)], reference.to_pixels,
-                                reference.seen.position + share * way, glm::dvec3(0, 1, 0));
+        const std::optional<glm::dvec3> p = ground_at(reference, glm::dvec2(i) + 0.5);
+        if (!p) return glm::dmat2(0);
+        const double number = to_texels.size() > 1 ? cascade_by_depth(-p->z, ends) : 0;
+        return pixels_per_texel(to_texels[std::size_t(number)], reference.to_pixels, *p, glm::dvec3(0, 1, 0));
     });
 }
 

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+//
+// The square of the world that the pages of an adaptive map lie in, as a directional light sees it: it stays where it
+// is while the camera moves, and so does every page in it.
+//
+//     auto root = umbrage::make_page_root<double>({.direction = d, .centre = {0, 0, 0}, .side = 2400, .scene = box});
+//     auto light = umbrage::page_light(root, {.level = 5, .x = 12, .y = 9}, {});  // for the depth pass of that page
+//     glm::mat4 to_root(umbrage::page_matrix(root));                              // for page_coordinate
+//
+#pragma once
+
+#include <cmath>
+
+#include <glm/mat4x4.hpp>
+
+#include <umbrage/light/adaptive/pages.hpp>
+#include <umbrage/light/bounds.hpp>
+#include <umbrage/light/light_space.hpp>
+#include <umbrage/light/sweep.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+namespace umbrage {
+
+template <real T = float>
+struct page_root {
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; of the world, as pages turn with it
+    glm::vec<3, T> centre{T(0)};                  ///< of the square, world
+    T side = T(1000);                             ///< world units, > 0
+    bounding_box<T> scene{};                      ///< all casters and receivers: what depth spans
+    clip_space clip{};
+};
+
+/// Side of pages in an atlas.
+struct page_size {
+    int texels = 128;  ///< a power of two
+    int gutter = 4;    ///< around them, 0 .. texels / 2: the filter's reach and half a texel, or more
+
+    [[nodiscard]] constexpr int pitch() const { return texels + 2 * gutter; }
+};
+
+/// @throws std::invalid_argument  zero or non-finite direction, centre or scene that are not finite, a side not above
+///                                0, and what gives matrices that are not finite
+template <real T = float>
+[[nodiscard]] light_space<T> make_page_root(const page_root<T>& root) {
+    constexpr auto function = "make_page_root";
+    detail::require(detail::all_finite(root.centre), function, "centre", "must be finite");
+    detail::require(is_finite(root.side) && root.side > T(0), function, "side", "must be finite and above 0");
+    light_space<double> light{detail::look_along(glm::dvec3(0), glm::dvec3(root.direction), glm::dvec3(root.up),
+                                                 root.clip.hand, function, ""),
+                              {},
+                              root.clip};
+    const glm::dmat4 frame = detail::light_frame(light.view, root.clip.hand);
+    const auto depths = detail::extent_of(detail::seen(frame, hull(root.scene).points));
+    const glm::dvec2 middle(frame * glm::dvec4(glm::dvec3(root.centre), 1)), half(double(root.side) / 2);
+    const double spare =
+        (depths.high.z - depths.low.z) / 1024 + double(root.side) / 1048576;  // nothing lies on a plane
+    light.projection = detail::orthographic(middle - half, middle + half, depths.low.z - spare, depths.high.z + spare,
+                                            root.clip, function, "centre and side", "scene");
+    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), root.clip};
+    return detail::checked(cast, function, "centre, side and scene");
+}
+
+/// World to the root's coordinates, 1 .. 2, and depth.
+/// @formula   texture_matrix of a map of one texel, moved by 1
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> page_matrix(const light_space<T>& root) {
+    glm::mat<4, 4, T> m = texture_matrix(root, glm::ivec2(1));
+    m[3][0] += T(1), m[3][1] += T(1);
+    return m;
+}
+
+/// One page of it, with its gutter: what a depth pass of pitch() x pitch() texels is drawn with.
+/// @throws std::invalid_argument  a page that is not in the root, texels no power of two, gutter out of range
+template <real T>
+[[nodiscard]] light_space<T> page_light(const light_space<T>& root, const page& p, const page_size& size) {
+    constexpr auto function = "page_light";
+    detail::require(p.level >= 0 && p.level <= deepest_page_level, function, "level", "must lie between 0 and 15");
+    const int across = 1 << p.level;
+    detail::require(p.x >= 0 && p.y >= 0 && p.x < across && p.y < across, function, "x and y", "must lie in the root");
+    detail::require(size.texels >= 1 && (size.texels & (size.texels - 1)) == 0, function, "texels",
+                    "must be a power of two");
+    detail::require(size.gutter >= 0 && size.gutter <= size.texels / 2, function, "gutter",
+                    "must lie between 0 and half the texels");
+    const double scale = double(across) * size.texels / size.pitch();
+    const double up = root.clip.origin == texture_origin::bottom ? 1.0 : -1.0;
+    const glm::dvec2 middle((2 * p.x + 1.0) / across - 1.0, up * ((2 * p.y + 1.0) / across - 1.0));
+    glm::dmat4 projection(root.projection);
+    for (glm::length_t axis = 0; axis < 2; ++axis)
+        for (glm::length_t column = 0; column < 4; ++column)
+            projection[column][axis] = (projection[column][axis] - projection[column][3] * middle[axis]) * scale;
+    return detail::checked<T>({root.view, glm::mat<4, 4, T>(projection), root.clip}, function, "root");
+}
+
+}  // namespace umbrage
