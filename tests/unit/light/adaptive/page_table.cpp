@@ -18,7 +18,7 @@ TEST_CASE("page_entry: slot, and how many pages of its level the root is wide") 
 
 TEST_CASE_TEMPLATE("page_coordinate: whole numbers, at every level and page size", T, float, double) {
     std::mt19937 random(7);
-    const auto below = [&](std::uint32_t n) { return random() % n; };
+    const auto below = [&](std::uint32_t n) { return static_cast<std::int64_t>(random() % n); };
     for (int i = 0; i < 200000; ++i) {
         const auto level = static_cast<int>(below(16)), side = 8 << below(6);
         const std::int64_t one = 1 << 23;

@@ -97,10 +97,8 @@ TEST_CASE("page_cache: 256 pages of 128 x 128 over a long ground, for suns all a
     constexpr double known[][2]{{1.98, 2.06}, {2.14, 2.20}, {2.44, 2.55}, {2.11, 2.18},
                                 {2.11, 2.18}, {2.20, 2.28}, {3.46, 3.58}, {3.46, 3.58}};
     for (std::size_t i = 0; i < reference_view::suns.size(); ++i) {
-        const auto [elevation, azimuth] = reference_view::suns[i];
-        CAPTURE(elevation);
-        CAPTURE(azimuth);
-        const glm::dvec3 direction = reference_view::sun(elevation, azimuth);
+        CAPTURE(i);
+        const glm::dvec3 direction = reference_view::sun(reference_view::suns[i][0], reference_view::suns[i][1]);
         const auto seen = ground_receivers(reference_view::reference, ground_root(direction), 2);
         umbrage::page_cache cache({.slots = {16, 16}, .deepest_level = 15});
         CHECK(cache.update(seen).drawn.size() <= 256);
