@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "set_ups.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -9,14 +10,18 @@
 #include <glm/vector_relational.hpp>
 
 #include <umbrage/images/depth_span.hpp>
+#include <umbrage/images/light_choice.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
+#include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/perspective.hpp>
 #include <umbrage/light/warp/plane_optimal.hpp>
+#include <umbrage/light/warp/trapezoidal.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
 #include <umbrage/unorm.hpp>
 #include <umbrage/view/false_colour.hpp>
@@ -30,6 +35,11 @@ using frustum = umbrage::frustum<double>;
 
 umbrage::bounding_box<double> whole(const scene& s) { return {s.low, s.high}; }
 umbrage::polyhedron seen(const lit_view& v, const frustum& range) { return intersection(range, whole(v.scene)); }
+
+glm::dmat4 to_pixels(const lit_view& v) {
+    return umbrage::texture_matrix<double>({glm::dmat4(1), glm::dmat4(v.camera.world_to_clip), picture_clip},
+                                           v.seen.size());
+}
 
 placed_maps directional(const lit_view& v, const umbrage::hull& receivers, glm::dvec3 up, int snap_texels = 0) {
     const glm::ivec2 size(v.map_size);
@@ -74,6 +84,49 @@ umbrage::warp_fit<double> warp_fit(const lit_view& v, const frustum& range) {
     return {.camera = range, .direction = v.light.direction, .receivers = seen(v, range), .casters = whole(v.scene)};
 }
 
+using fit = umbrage::warp_fit<double>;
+using warp = umbrage::warped_light<double>;
+
+warp light_space(const fit& f) { return umbrage::fit_light_space_perspective(f); }
+warp mild_light_space(const fit& f) {
+    return umbrage::fit_light_space_perspective<double>(f, umbrage::optimal_distance(f));
+}
+warp trapezoidal(const fit& f) { return umbrage::fit_trapezoidal(f, std::sqrt(f.camera.z_near * f.camera.z_far)); }
+
+/// The best single map for one in 16 x 16 of the pixels that are seen.
+placed_maps best_of(const lit_view& v, const frustum& range) {
+    const fit f = warp_fit(v, range);
+    const std::array names{"tight", "light-space", "light-space, mild", "trapezoidal", "perspective"};
+    const std::array lights{
+        umbrage::fit_directional_light<double>(
+            {.direction = f.direction, .up = range.direction, .receivers = f.receivers, .casters = f.casters}),
+        light_space(f).light, mild_light_space(f).light, trapezoidal(f).light, umbrage::fit_perspective(f).light};
+    std::vector<umbrage::seen_point> points;
+    for (glm::ivec2 p{0}; p.y < v.seen.size().y; p.y += 16)
+        for (p.x = 0; p.x < v.seen.size().x; p.x += 16) {
+            if (v.seen[p] == nothing) continue;
+            const surface at = surface_at(v.scene, v.camera, v.seen, p);
+            if (glm::dot(glm::dvec3(at.face_normal), v.light.direction) < 0)
+                points.push_back({glm::dvec3(at.position), glm::dvec3(at.face_normal)});
+        }
+    const glm::ivec2 size(v.map_size);
+    const std::size_t best =
+        umbrage::choose_light<double>(lights, points, {.to_pixels = to_pixels(v), .map_size = size}).kept;
+    placed_maps maps{size, {-v.light.direction, 0}, {umbrage::texture_matrix(lights[best], size)}};
+    maps.chosen = names[best];
+    return maps;
+}
+
+placed_maps warped_cascades(const lit_view& v, const frustum& range) {
+    const umbrage::cascade_fit<double> f{
+        .camera = range, .direction = v.light.direction, .scene = whole(v.scene), .map_size = v.map_size / 2};
+    const auto splits = umbrage::practical_splits<4>(range.z_near, range.z_far, 0.9);
+    placed_maps maps{glm::ivec2(f.map_size), {-f.direction, 0}, {}, {splits[1], splits[2], splits[3]}};
+    for (const auto& c : umbrage::make_warped_cascades<4>(f, splits, mild_light_space))
+        maps.to_texels.push_back(umbrage::texture_matrix(c.light, maps.size));
+    return maps;
+}
+
 std::vector<set_up> all_set_ups() {
     std::vector<set_up> all{
         {"whole scene", [](const lit_view& v) { return directional(v, whole(v.scene), v.light.up); }},
@@ -91,6 +144,14 @@ std::vector<set_up> all_set_ups() {
         add("perspective", [=, range = range](const lit_view& v) {
             return warped(v, umbrage::fit_perspective(warp_fit(v, v.*range)));
         });
+        for (const auto& [name, place] : {std::pair("light-space", &light_space),
+                                          {"light-space, mild", &mild_light_space},
+                                          {"trapezoidal", &trapezoidal}})
+            add(name, [=, range = range, place = place](const lit_view& v) {
+                return warped(v, place(warp_fit(v, v.*range)));
+            });
+        add("best of these", [=, range = range](const lit_view& v) { return best_of(v, v.*range); });
+        add("4 light-space, mild", [=, range = range](const lit_view& v) { return warped_cascades(v, v.*range); });
         for (const bool stable : {true, false})
             for (const auto& [name, lambda] : {std::pair("uniform", 0.0), {"practical", 0.9}, {"logarithmic", 1.0}})
                 add(std::string("4 ") + name + (stable ? " spheres" : " tight"),
@@ -126,8 +187,7 @@ const std::vector<set_up>& set_ups() {
 umbrage::quality_report measure(const set_up& s, const lit_view& v, int step, umbrage::image_view<float> extents) {
     const placed_maps maps = s.place(v);
     const glm::ivec2 screen = v.seen.size();
-    const glm::dmat4 to_pixels =
-        umbrage::texture_matrix<double>({glm::dmat4(1), glm::dmat4(v.camera.world_to_clip), picture_clip}, screen);
+    const glm::dmat4 pixels = to_pixels(v);
     return umbrage::measure_quality(
         {.screen = screen, .map_size = maps.size, .maps = static_cast<int>(maps.to_texels.size()), .step = step},
         [&](glm::ivec2 pixel) {
@@ -141,7 +201,7 @@ umbrage::quality_report measure(const set_up& s, const lit_view& v, int step, um
             const glm::dvec2 texel(umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, p)));
             const bool inside = glm::all(glm::greaterThanEqual(texel, glm::dvec2(0))) &&
                                 glm::all(glm::lessThan(texel, glm::dvec2(maps.size)));
-            return inside ? umbrage::pixels_per_texel(to_texels, to_pixels, p, normal) : glm::dmat2(0);
+            return inside ? umbrage::pixels_per_texel(to_texels, pixels, p, normal) : glm::dmat2(0);
         },
         extents);
 }

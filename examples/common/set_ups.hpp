@@ -46,6 +46,7 @@ struct placed_maps {
     glm::dvec4 light;                                          ///< position and 1, or the way towards it and 0
     std::vector<glm::dmat4> to_texels;                         ///< texture_matrix
     glm::dvec3 ends{std::numeric_limits<double>::infinity()};  ///< see cascade_by_depth
+    std::string chosen{};                                      ///< of several, where there was a choice
 };
 
 struct set_up {

@@ -16,6 +16,11 @@
 #include "view.hpp"
 
 namespace shadow_render {
+namespace {
+
+std::string chosen_of(const example::placed_maps& maps) { return maps.chosen.empty() ? "" : "  " + maps.chosen; }
+
+}  // namespace
 
 void light_report(const options& o, const example::scene& scene) {
     const auto& set_ups = example::set_ups();
@@ -49,8 +54,8 @@ void light_report(const options& o, const example::scene& scene) {
                      {s.name, text("mean %.3g, p95 %.3g", r.mean, r.p95),
                       text("greatest %.3g, storage %.3g", r.greatest, r.storage_factor)});
             if (!o.quiet)
-                std::printf("%-32s %9.3f %9.3f %9.2f %11.3g %8zu\n", s.name.c_str(), r.mean, r.p95, r.greatest,
-                            r.storage_factor, r.measured);
+                std::printf("%-32s %9.3f %9.3f %9.2f %11.3g %8zu%s\n", s.name.c_str(), r.mean, r.p95, r.greatest,
+                            r.storage_factor, r.measured, chosen_of(s.place(view)).c_str());
         });
     progress.stage("write", [&] { example::write_png(o.output / "light-report.png", page.pixels().view()); });
 }
