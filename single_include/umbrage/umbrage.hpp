@@ -1472,8 +1472,8 @@ inline constexpr auto texture_matrix_snippets = list<&shadow_coordinate, &tap_co
 // Across the light a texel's footprint grows with w, the distance along a spot's axis; depth grows by less and less a
 // world unit, as 1 / w^2. A directional light has w = 1 everywhere.
 //
-// In a warped map both change from point to point, and depth from texel to texel at one distance too: it drifts. There a
-// bias in world units moves the point that is looked up, the same way everywhere and in every dialect:
+// In a warped map both change from point to point, and depth from texel to texel at one distance too: it drifts. A bias
+// in world units there moves the point that is looked up, the same way everywhere and in every dialect:
 //
 //     auto here = umbrage::light_units_at(to_texels, light_direction, world);
 //     float width = umbrage::offset_width(filter.reach(), here.units.x);
@@ -10198,15 +10198,16 @@ template <real T = float>
 /// @param distance   n, from the warp's centre to the receivers next to it, world units along the camera's view across
 ///                   the light, > 0, infinite for no warp; the smaller, the more texels go to what is close, down to
 ///                   2^-14 of the receivers' extent, which stands for what is less. By default
-///                   sqrt(z0 optimal_distance), z0 the receivers' least distance along the camera's view: on a ground,
-///                   whose depth on the screen is foreshortened, it is near the best
+///                   sqrt(z0 optimal_distance), z0 the receivers' least distance along the camera's view: near the best
+///                   on a ground, whose depth on the screen is foreshortened, if it is seen from there on; too small
+///                   where nothing is for long: see seen_range
 /// @return           strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
 ///                   from there to 0.2 the warp grows, without a jump
 /// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
 ///                                casters that are no box, a negative margin, distance not above 0, and what gives
 ///                                matrices that are not finite
-/// @formula          (x, y, depth) / (1 + y / n) about the camera's x and the receivers' least y, y along the view; then
-///                   around the receivers
+/// @formula          (x, y, depth) / (1 + y / n) about the camera's x and depth and the receivers' least y, y along the
+///                   view; then around the receivers
 /// @cite             Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
 template <real T = float>
 [[nodiscard]] warped_light<T> fit_light_space_perspective(const warp_fit<T>& fit, std::optional<T> distance = {}) {
@@ -10490,8 +10491,8 @@ namespace umbrage {
 /// The map of a directional light, warped along the camera's view with the focus on what is close.
 ///
 /// @param focus   distance along the camera's view up to which four fifths of the map are for, world units, >= 0;
-///                receivers that begin behind it get the strongest warp there is, and where four fifths of the receivers
-///                lie before it there is no warp
+///                receivers that begin behind it get the strongest warp there is; none where four fifths of the
+///                receivers lie before it
 /// @return        strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
 ///                from there to 0.2 the warp grows, without a jump
 /// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
@@ -14834,8 +14835,8 @@ template <class At>
 //
 //     // a receiver from each 64 pixels squared or so: what the camera saw a frame ago will do
 //     std::vector<umbrage::seen_point> seen = ...;
-//     const std::array lights{umbrage::fit_directional_light(uniform), umbrage::fit_light_space_perspective(fit).light};
-//     choice = umbrage::choose_light<float>(lights, seen, {.to_pixels = camera, .map_size = {2048, 2048}}, choice.kept);
+//     const std::array lights{umbrage::fit_directional_light(tight), umbrage::fit_light_space_perspective(fit).light};
+//     choice = umbrage::choose_light<float>(lights, seen, {.to_pixels = pixels, .map_size = map.size()}, choice.kept);
 //     draw_depths(lights[choice.kept]);
 //
 

@@ -9,8 +9,8 @@
 // Across the light a texel's footprint grows with w, the distance along a spot's axis; depth grows by less and less a
 // world unit, as 1 / w^2. A directional light has w = 1 everywhere.
 //
-// In a warped map both change from point to point, and depth from texel to texel at one distance too: it drifts. There a
-// bias in world units moves the point that is looked up, the same way everywhere and in every dialect:
+// In a warped map both change from point to point, and depth from texel to texel at one distance too: it drifts. A bias
+// in world units there moves the point that is looked up, the same way everywhere and in every dialect:
 //
 //     auto here = umbrage::light_units_at(to_texels, light_direction, world);
 //     float width = umbrage::offset_width(filter.reach(), here.units.x);

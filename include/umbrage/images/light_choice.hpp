@@ -5,8 +5,8 @@
 //
 //     // a receiver from each 64 pixels squared or so: what the camera saw a frame ago will do
 //     std::vector<umbrage::seen_point> seen = ...;
-//     const std::array lights{umbrage::fit_directional_light(uniform), umbrage::fit_light_space_perspective(fit).light};
-//     choice = umbrage::choose_light<float>(lights, seen, {.to_pixels = camera, .map_size = {2048, 2048}}, choice.kept);
+//     const std::array lights{umbrage::fit_directional_light(tight), umbrage::fit_light_space_perspective(fit).light};
+//     choice = umbrage::choose_light<float>(lights, seen, {.to_pixels = pixels, .map_size = map.size()}, choice.kept);
 //     draw_depths(lights[choice.kept]);
 //
 #pragma once

@@ -96,15 +96,16 @@ template <real T = float>
 /// @param distance   n, from the warp's centre to the receivers next to it, world units along the camera's view across
 ///                   the light, > 0, infinite for no warp; the smaller, the more texels go to what is close, down to
 ///                   2^-14 of the receivers' extent, which stands for what is less. By default
-///                   sqrt(z0 optimal_distance), z0 the receivers' least distance along the camera's view: on a ground,
-///                   whose depth on the screen is foreshortened, it is near the best
+///                   sqrt(z0 optimal_distance), z0 the receivers' least distance along the camera's view: near the best
+///                   on a ground, whose depth on the screen is foreshortened, if it is seen from there on; too small
+///                   where nothing is for long: see seen_range
 /// @return           strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
 ///                   from there to 0.2 the warp grows, without a jump
 /// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
 ///                                casters that are no box, a negative margin, distance not above 0, and what gives
 ///                                matrices that are not finite
-/// @formula          (x, y, depth) / (1 + y / n) about the camera's x and the receivers' least y, y along the view; then
-///                   around the receivers
+/// @formula          (x, y, depth) / (1 + y / n) about the camera's x and depth and the receivers' least y, y along the
+///                   view; then around the receivers
 /// @cite             Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
 template <real T = float>
 [[nodiscard]] warped_light<T> fit_light_space_perspective(const warp_fit<T>& fit, std::optional<T> distance = {}) {

@@ -19,8 +19,8 @@ namespace umbrage {
 /// The map of a directional light, warped along the camera's view with the focus on what is close.
 ///
 /// @param focus   distance along the camera's view up to which four fifths of the map are for, world units, >= 0;
-///                receivers that begin behind it get the strongest warp there is, and where four fifths of the receivers
-///                lie before it there is no warp
+///                receivers that begin behind it get the strongest warp there is; none where four fifths of the
+///                receivers lie before it
 /// @return        strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
 ///                from there to 0.2 the warp grows, without a jump
 /// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
