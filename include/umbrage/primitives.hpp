@@ -79,6 +79,7 @@
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/sweep.hpp>
 #include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/light/warp/lamp.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/perspective.hpp>
 #include <umbrage/light/warp/plane_optimal.hpp>

@@ -10116,6 +10116,63 @@ template <real T = float>
 
 }  // namespace umbrage
 
+// ---- umbrage/light/warp/lamp.hpp
+// Point lights for warps: warp_fit::direction is then the axis, which all receivers have to lie along.
+//
+//     auto warped = umbrage::fit_perspective(fit, {.position = p, .z_near = 0.05f});
+//
+
+namespace umbrage {
+
+template <real T = float>
+struct lamp {
+    glm::vec<3, T> position{T(0)};
+    T z_near = T(0.1);  ///< its own size, > 0: casters closer to it along the axis may be left out
+};
+
+namespace detail {
+
+/// A lamp's own view of receivers, and of casters what may stand before them.
+struct lamp_view {
+    glm::dmat4 frame;        ///< world to x, y and the distance along the axis
+    double least, farthest;  ///< distances of receivers
+    polyhedron casters;
+};
+
+template <real T>
+[[nodiscard]] lamp_view view_of(const lamp<T>& from, const warp_fit<T>& fit, const char* function) {
+    require(is_normal(from.z_near) && from.z_near > T(0), function, "z_near",
+            "must be above 0, finite and no denormal");
+    const glm::dvec3 position(from.position), direction(fit.direction), up(fit.camera.up);
+    lamp_view v;
+    v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "position"), fit.clip.hand);
+    const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(fit.receivers));
+    const auto [low, high] = extent_of(receivers);
+    v.least = low.z, v.farthest = high.z;
+    require(v.least > double(from.z_near) && is_finite(2.0 * v.farthest), function, "receivers",
+            "must lie before the light, beyond z_near");
+    if (!fit.casters) return v;
+    double edge = 1.0;
+    for (const glm::dvec3& p : receivers) edge = glm::max(edge, glm::max(glm::abs(p.x), glm::abs(p.y)) / p.z);
+    const frustum<double> all{position, direction, up, 16.0 * edge, 16.0 * edge, double(from.z_near), 2.0 * v.farthest};
+    v.casters = intersection(all, *fit.casters);
+    return v;
+}
+
+/// No warp: what the lamp sees along its axis.
+template <real T>
+[[nodiscard]] warped_light<T> unwarped(const lamp_view& v, const warp_fit<T>& fit, const char* function) {
+    glm::dmat4 inverse(1.0);  // of the distance: depth and w
+    inverse[2] = {0, 0, 0, 1};
+    inverse[3] = {0, 0, -0.5 * (v.least + v.farthest), 0};
+    const auto light = refit(inverse * v.frame, fit, v.casters, function);
+    require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a map");
+    return *light;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
 // ---- umbrage/light/warp/light_space_perspective.hpp
 // Light-space perspective: a directional light's map, warped by a perspective across the light, whose centre lies some
 // way before what the camera sees. What lies side by side towards the light stays so: rays are texels.
@@ -10223,7 +10280,7 @@ template <real T = float>
 // ---- umbrage/light/warp/perspective.hpp
 // Perspective shadow maps: a light's map of the world as the camera's own perspective shrinks it, so that what is small
 // on the screen is small in the map. Whatever stands where, rays are texels: the light itself goes through the camera's
-// perspective, from which it comes out as a point that shines, as one that swallows the light, or infinitely far.
+// perspective, from which it comes out as a point that shines, as one that swallows the light, or infinitely far away.
 //
 //     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
 //                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
@@ -10268,56 +10325,65 @@ template <real T>
            view;
 }
 
-/// The least and the greatest of angles at which a view sees points, in x and in y.
+/// The least and the greatest of angles under which points lie, in x and in y, z ahead.
 struct angles {
     glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
 };
-/// @return   nothing where one of them is not before it
-[[nodiscard]] inline std::optional<angles> angles_of(const glm::dmat4& view, const std::vector<glm::dvec3>& points) {
+/// @return   nothing where one of them does not lie ahead
+[[nodiscard]] inline std::optional<angles> angles_of(const std::vector<glm::dvec3>& points) {
     angles a;
-    for (const glm::dvec3& p : seen(view, points)) {
-        if (!(p.z < 0.0)) return {};
-        const glm::dvec2 angle(std::atan2(p.x, -p.z), std::atan2(p.y, -p.z));
+    for (const glm::dvec3& p : points) {
+        if (!(p.z > 0.0)) return {};
+        const glm::dvec2 angle(std::atan2(p.x, p.z), std::atan2(p.y, p.z));
         a.low = glm::min(a.low, angle), a.high = glm::max(a.high, angle);
     }
     return a;
 }
 
-/// From the camera's NDC to a map in which rays of the light are texels: x, y, depth and w.
-/// @param light       in NDC, homogeneous
-/// @param receivers   in NDC
-/// @return            nothing where the light sees them under more than 150 degrees
-[[nodiscard]] inline std::optional<glm::dmat4> along_rays(const glm::dvec4& light,
-                                                          const std::vector<glm::dvec3>& receivers, light_image seen_as,
-                                                          const char* function) {
-    const auto look = [&](glm::dvec3 from, glm::dvec3 along, glm::dvec3 up) {
-        return look_along(from, along, up, handedness::right, function, "direction");
-    };
+/// Where in NDC the map's axis goes through: halfway between the angles at which the light's image sees receivers.
+/// @return   nothing where the image stands amid them
+[[nodiscard]] inline std::optional<glm::dvec3> aim(const glm::dvec3& image, const std::vector<glm::dvec3>& receivers,
+                                                   const char* function) {
     const auto [low, high] = extent_of(receivers);
-    const glm::dvec3 middle = (low + high) * 0.5, up(0, 0, 1);
-    glm::dmat4 depth(1.0);
-    depth[2][2] = -1.0;
-    if (seen_as == light_image::parallel) return depth * look(middle, -glm::dvec3(light), up);
-
-    const glm::dvec3 from = glm::dvec3(light) / light.w;
-    // from beyond the far plane all of NDC lies that way; then along the middle of the angles between which it lies
-    const glm::dmat4 first = from.z > 1.0 ? look(from, {0, 0, -1}, {0, 1, 0}) : look(from, middle - from, up);
-    const auto around = angles_of(first, receivers);
+    const glm::dvec3 middle = (low + high) * 0.5;
+    // seen from beyond the far plane all of NDC lies the same way
+    const glm::dvec3 ahead = image.z > 1.0 ? glm::dvec3(0, 0, -1) : middle - image;
+    const glm::dmat4 first = light_frame(
+        look_along(image, ahead, glm::dvec3(0, 1, 0), handedness::right, function, "camera"), handedness::right);
+    const auto around = angles_of(seen(first, receivers));
     if (!around) return {};
     const glm::dvec2 halfway = glm::tan((around->low + around->high) * 0.5);
-    const glm::dmat4 view = look(from, glm::transpose(glm::dmat3(first)) * glm::dvec3(halfway, -1.0), up);
-    const auto opening = angles_of(view, receivers);
+    const glm::dvec3 axis = unit(glm::transpose(glm::dmat3(first)) * glm::dvec3(halfway, 1.0));
+    return image + axis * glm::dot(middle - image, axis);
+}
+
+/// From the camera's NDC to a map in which rays are texels: x, y, depth and w. Of sources and sinks alike, and of what
+/// is between them: the light goes through the aim along u, curved by k, which is above 0 for sources.
+/// @param light       in NDC, homogeneous
+/// @param receivers   in NDC
+/// @return            nothing where their image opens by more than 150 degrees
+/// @formula           u = -(l.xyz - l.w aim) / r, k = l.w / r, r its length; depth = u.(p - aim), w = 1 + k depth
+[[nodiscard]] inline std::optional<glm::dmat4> along_rays(const glm::dvec4& light, const glm::dvec3& aim,
+                                                          const std::vector<glm::dvec3>& receivers,
+                                                          const char* function) {
+    const glm::dvec3 back = glm::dvec3(light) - aim * light.w;
+    const double bend = light.w / glm::length(back);
+    glm::dmat4 rays = light_frame(look_along(aim, -back, glm::dvec3(0, 0, 1), handedness::right, function, "camera"),
+                                  handedness::right);
+    for (glm::length_t i = 0; i < 4; ++i) rays[i][3] += bend * rays[i][2];
+
+    std::vector<glm::dvec3> ahead;
+    for (const glm::dvec3& p : receivers) {
+        const glm::dvec4 h = rays * glm::dvec4(p, 1.0);
+        ahead.emplace_back(h.x * glm::abs(bend), h.y * glm::abs(bend), h.w);
+    }
     constexpr double widest = 150.0 / 180.0 * std::numbers::pi;
+    const auto opening = angles_of(ahead);
     if (!opening || glm::any(glm::greaterThan(opening->high - opening->low, glm::dvec2(widest)))) return {};
-    // depth over w is a distance's inverse: of a sink's, where the far is near, the other way round
-    const double distance = -(view * glm::dvec4(middle, 1.0)).z;
-    depth[2] = {0, 0, 0, -1};
-    depth[3] = {0, 0, seen_as == light_image::source ? -distance : distance, 0};
-    return depth * view;
+    return rays;
 }
 
 /// The map of a light, homogeneous: the way towards it and 0, or its position and 1.
-/// @param casters   that lie before w = 0
 /// @param instead   () -> warped_light<T>, where there is no such map
 template <real T, class Instead>
 [[nodiscard]] perspective_light<T> perspective_of(const glm::dvec4& light, const warp_fit<T>& fit,
@@ -10327,27 +10393,28 @@ template <real T, class Instead>
     const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
     const glm::dmat4 to_ndc = slid_back(fit.camera, receivers, double(slide), function);
     const glm::dvec4 image = to_ndc * light;
-    const bool far = !(glm::abs(image.w) >= 1e-4 * glm::length(glm::dvec3(image)));
-    const light_image seen_as = far ? light_image::parallel : image.w > 0 ? light_image::source : light_image::sink;
     std::vector<glm::dvec3> in_ndc;
     for (const glm::dvec3& p : receivers) {
         const glm::dvec4 h = to_ndc * glm::dvec4(p, 1.0);
         in_ndc.push_back(glm::dvec3(h) / h.w);
     }
-    if (const auto to_map = along_rays(image, in_ndc, seen_as, function))
-        if (const auto warped = refit(*to_map * to_ndc, fit, casters, function)) return {*warped, seen_as};
-    return {instead(), light_image::none};
+    const bool far = !(glm::abs(image.w) >= 1e-4 * glm::length(glm::dvec3(image)));
+    const auto middle = far ? glm::dvec3(0) : aim(glm::dvec3(image) / image.w, in_ndc, function);
+    const auto rays = middle ? along_rays(image, *middle, in_ndc, function) : std::nullopt;
+    const auto warped = rays ? refit(*rays * to_ndc, fit, casters, function) : std::nullopt;
+    if (!warped) return {instead(), light_image::none};
+    return {*warped, far ? light_image::parallel : image.w > 0 ? light_image::source : light_image::sink};
 }
 
 }  // namespace detail
 
-/// The map of a directional light through the camera's perspective. The map is what it is wherever casters stand, w
-/// being the same all along a ray: those behind the camera need no more of a slide.
+/// The map of a directional light through the camera's perspective. Casters behind the camera need no more of a slide:
+/// w is the same all along a ray, and depth runs on.
 ///
-/// Between the images of the light, and while both camera and light move, the map changes without a jump; where
-/// light_space_perspective takes its place there is one.
+/// While camera and light move the map changes without a jump, from image to image of the light too; where
+/// fit_light_space_perspective takes its place, and back again, there is one.
 ///
-/// @param slide   how far behind its place the camera is taken for the warp, world units, > 0; its least distance to
+/// @param slide   how far behind its place the camera is taken for the warp, world units, > 0: the least distance to
 ///                receivers. Less gives more of the map to what is close
 /// @return        light_image::none and fit_light_space_perspective where the light, or the point opposite, stands amid
 ///                what the camera sees, which then fills more than 150 degrees around it
@@ -10363,6 +10430,22 @@ template <real T = float>
                                   [&] { return fit_light_space_perspective(fit); });
 }
 
+/// The same of a point light, such as a spot: a source where it is before the camera, a sink where it is behind.
+///
+/// @param fit    whose direction is the light's axis
+/// @return       light_image::none and what the light sees along its axis, without a warp, where the light stands amid
+///               what the camera sees
+/// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
+///                                what fit_perspective complains of
+template <real T>
+[[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, const lamp<T>& from, T slide = T(1)) {
+    constexpr auto function = "fit_perspective";
+    detail::require_warp_fit(fit, function);
+    const detail::lamp_view own = detail::view_of(from, fit, function);
+    return detail::perspective_of(glm::dvec4(glm::dvec3(from.position), 1.0), fit, own.casters, slide, function,
+                                  [&] { return detail::unwarped(own, fit, function); });
+}
+
 }  // namespace umbrage
 
 // ---- umbrage/light/warp/plane_optimal.hpp
@@ -10376,8 +10459,8 @@ template <real T = float>
 
 namespace umbrage {
 
-/// What matrices in float leave of the plane's own depth, which is the same all over the map: acne_free_bias, that sees
-/// no slope, is to be given this much more.
+/// What matrices in float leave of the plane's own depth, which is the same all over the map, under lights of 3 degrees
+/// and more above it: acne_free_bias, that sees no slope, is to be given this much more.
 template <real T>
 inline constexpr T plane_optimal_rounding = T(0x1p-20);
 
@@ -10473,6 +10556,19 @@ template <real T = float>
     const glm::dmat4 view = detail::light_frame(detail::view_of(fit, function), fit.clip.hand);
     const glm::dvec4 light(-view[0][2], -view[1][2], -view[2][2], 0.0);
     return detail::plane_optimal_of(light, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), plane, function);
+}
+
+/// The same of a point light.
+/// @param fit   whose direction is the light's axis
+/// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
+///                                what fit_plane_optimal complains of
+template <real T>
+[[nodiscard]] warped_light<T> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane,
+                                                const lamp<T>& from) {
+    constexpr auto function = "fit_plane_optimal";
+    detail::require_warp_fit(fit, function);
+    const detail::lamp_view own = detail::view_of(from, fit, function);
+    return detail::plane_optimal_of(glm::dvec4(glm::dvec3(from.position), 1.0), fit, own.casters, plane, function);
 }
 
 }  // namespace umbrage

@@ -33,6 +33,7 @@ inline constexpr std::array light_kinds{
                umbrage::near_plane::clamps},
     light_kind{"directional: perspective", false, light_kind::fitted_to::perspective},
     light_kind{"directional: plane-optimal", false, light_kind::fitted_to::ground},
+    light_kind{"spot: perspective", true, light_kind::fitted_to::perspective},
     light_kind{"spot: cone", true, light_kind::fitted_to::cone},
     light_kind{"spot: receivers, casters apart", true, light_kind::fitted_to::frustum},
     light_kind{"spot: depth clamp", true, light_kind::fitted_to::frustum, umbrage::near_plane::clamps},

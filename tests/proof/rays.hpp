@@ -142,12 +142,16 @@ private:
         using fitted_to = light_kind::fitted_to;
         position_ = random_() % 4 ? around(real(6, 9)) : glm::vec3(real(-1, 1), real(1, 3), real(-1, 1));
         direction_ = kind_.is_spot ? vector(-1, 1) - position_ : vector(-1, 1);
+        if (kind_.receivers == fitted_to::ground && std::abs(direction_.y) < 0.1f)
+            direction_.y = std::copysign(0.1f, direction_.y);  // no lower than plane_optimal_rounding holds for
         const polyhedron seen = intersection(camera_, box_);
         std::optional<bounding_box<float>> casters;
         if (kind_.at_near == near_plane::clips) casters = box_;
         if (kind_.receivers >= fitted_to::light_space) {
-            const warp_fit<float> fit{camera_, direction_, seen, casters, 0.01f, clip_};
+            const polyhedron held = kind_.is_spot ? intersection(seen, cone()) : seen;
+            const warp_fit<float> fit{camera_, direction_, held, casters, 0.01f, clip_};
             const auto warped = [&]() -> warped_light<float> {
+                if (kind_.is_spot) return fit_perspective(fit, {.position = position_, .z_near = 0.9f * z_near});
                 if (kind_.receivers == fitted_to::trapezoid) return fit_trapezoidal(fit, real(0.5f, 4));
                 if (kind_.receivers == fitted_to::perspective) return fit_perspective(fit);
                 if (kind_.receivers == fitted_to::ground) return fit_plane_optimal(fit, glm::vec4(0, 1, 0, 0));
@@ -192,6 +196,15 @@ private:
         return umbrage::plane_slope(planes_, glm::vec3(glm::cross(b - a, c - a)), glm::vec3(a));
     }
 
+    [[nodiscard]] umbrage::frustum<float> cone() const {
+        return {.position = position_,
+                .direction = direction_,
+                .tan_half_x = 0.57735f,
+                .tan_half_y = 0.57735f,
+                .z_near = z_near,
+                .z_far = 29};
+    }
+
     /// Whether the light was asked to hold it.
     [[nodiscard]] bool is_received(glm::vec3 p) const {
         const glm::dvec4 point(p, 1.0);
@@ -200,12 +213,7 @@ private:
                                [&](const auto& face) { return glm::dot(face.plane, point) > 1e-4; });
         };
         if (kind_.sees_camera_only() && !holds(camera_)) return false;
-        return !kind_.is_spot || holds(umbrage::frustum<float>{.position = position_,
-                                                               .direction = direction_,
-                                                               .tan_half_x = 0.57735f,
-                                                               .tan_half_y = 0.57735f,
-                                                               .z_near = z_near,
-                                                               .z_far = 29});
+        return !kind_.is_spot || holds(cone());
     }
 
     /// Whether the map has to hold what is received.
@@ -232,8 +240,10 @@ private:
         if (u < 0 || v < 0 || u + v > 1) return none;
         const auto placed = [&](glm::dvec3 world) { return glm::dmat4(matrix_) * glm::dvec4(world, 1.0); };
         const glm::dvec4 caster = placed(from + t * way), here = placed(from);
-        if (caster.w <= (kind_.at_near == umbrage::near_plane::clips && kind_.is_spot ? double(z_near) : 0.0))
-            return none;
+        if (caster.w <= 0.0) return none;
+        const double along = glm::dot(from + t * way - glm::dvec3(position_), glm::normalize(glm::dvec3(direction_)));
+        if (kind_.is_spot && kind_.at_near == umbrage::near_plane::clips && along <= double(z_near))
+            return kind_.receivers == light_kind::fitted_to::perspective ? 0.0 : none;  // held or not, who knows
         const auto depth = [&](const glm::dvec4& h) {
             const double d = clip_.direction == umbrage::depth_direction::forward ? h.z / h.w : 1.0 - h.z / h.w;
             return kind_.at_near == umbrage::near_plane::clamps ? std::max(d, 0.0) : d;

@@ -22,12 +22,13 @@
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/sweep.hpp>
+#include <umbrage/light/warp/lamp.hpp>
 #include <umbrage/light/warp/warp_fit.hpp>
 
 namespace umbrage {
 
-/// What matrices in float leave of the plane's own depth, which is the same all over the map: acne_free_bias, that sees
-/// no slope, is to be given this much more.
+/// What matrices in float leave of the plane's own depth, which is the same all over the map, under lights of 3 degrees
+/// and more above it: acne_free_bias, that sees no slope, is to be given this much more.
 template <real T>
 inline constexpr T plane_optimal_rounding = T(0x1p-20);
 
@@ -123,6 +124,19 @@ template <real T = float>
     const glm::dmat4 view = detail::light_frame(detail::view_of(fit, function), fit.clip.hand);
     const glm::dvec4 light(-view[0][2], -view[1][2], -view[2][2], 0.0);
     return detail::plane_optimal_of(light, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), plane, function);
+}
+
+/// The same of a point light.
+/// @param fit   whose direction is the light's axis
+/// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
+///                                what fit_plane_optimal complains of
+template <real T>
+[[nodiscard]] warped_light<T> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane,
+                                                const lamp<T>& from) {
+    constexpr auto function = "fit_plane_optimal";
+    detail::require_warp_fit(fit, function);
+    const detail::lamp_view own = detail::view_of(from, fit, function);
+    return detail::plane_optimal_of(glm::dvec4(glm::dvec3(from.position), 1.0), fit, own.casters, plane, function);
 }
 
 }  // namespace umbrage

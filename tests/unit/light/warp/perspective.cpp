@@ -102,6 +102,19 @@ TEST_CASE("fit_perspective: no jump while the light passes from before the camer
               doctest::Approx(p95).epsilon(1e-4));
 }
 
+TEST_CASE("fit_perspective: rays are texels, however nearly abreast of the camera the light is") {
+    for (const double off : {0.0, 1e-12, -1e-9, 1e-7, -1e-5, 1e-4, -1e-3, 0.005, -0.006, 0.1}) {
+        CAPTURE(off);
+        const warp_fit<double> fit = reference_view::warp_under({90 + off, 0});
+        const glm::dmat4 m = texture_matrix(fit_perspective(fit).light, reference_view::map_size);
+        for (const double z : {-3.0, -30.0, -300.0, -900.0}) {
+            const glm::dvec3 p(z / 10, 0, z), caster = through(m, p + fit.direction * (10 / fit.direction.y));
+            CHECK(glm::length(glm::dvec2(caster) - glm::dvec2(through(m, p))) < 1e-8);
+            CHECK(caster.z < through(m, p).z);
+        }
+    }
+}
+
 TEST_CASE("fit_perspective: how many lights stand amid what the camera sees, by its pitch") {
     constexpr double radians = std::numbers::pi / 180;
     std::mt19937 random(7);
