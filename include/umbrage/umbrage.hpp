@@ -17,6 +17,7 @@
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/min_max.hpp>
 #include <umbrage/images/overlay.hpp>
+#include <umbrage/images/page_atlas.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/images/prefilter.hpp>
 #include <umbrage/images/quality.hpp>

@@ -8025,7 +8025,7 @@ inline constexpr int deepest_page_level = 15;
 /// there as a number, low byte first, in place of its logarithm, from which shaders would have to make it in steps.
 /// @param slot    of the page in the atlas, each 0 .. 255;   level  0 .. 15: its side is the root's over 2^level
 /// @return        all zero, which no page gives, stands for no page
-[[nodiscard]] constexpr glm::u8vec4 page_entry(glm::ivec2 slot, int level) {
+[[nodiscard]] inline glm::u8vec4 page_entry(glm::ivec2 slot, int level) {
     const auto byte = [](int v) { return static_cast<std::uint8_t>(v & 0xFF); };
     return {byte(slot.x), byte(slot.y), byte(1 << level), byte((1 << level) >> 8)};
 }
@@ -15166,6 +15166,353 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
 
 }  // namespace umbrage
 
+// ---- umbrage/images/visibility.hpp
+// A whole image of receivers against a shadow map, with any filter and any encoding.
+//
+//     umbrage::visibility(map, umbrage::rg<11>{}, receivers, umbrage::filters::pcf_2x2{}, out);
+//
+// Straight from what a camera saw, with no image of receivers in between:
+//
+//     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(inverse, to_texels, size, clip), bias};
+//     umbrage::visibility(map, umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out);
+//
+// Bit for bit what the filter gives for each receiver alone.
+
+namespace umbrage {
+
+/// What receivers see whose texels lie outside the map.
+enum class outside_map {
+    clamped,  ///< the nearest texel inside: what clamped(map) fetches
+    lit,      ///< the far plane: what bordered(map, cleared_depth(clip)) fetches
+};
+
+namespace detail {
+
+/// The receivers of some rows through a filter's blocks.
+template <class Receivers, class Blocks>
+void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<float> out, int first, int last) {
+    const bool large = past_cache(out);
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        constexpr unsigned ring = 4;  // blocks on their way
+        typename Blocks::placed placed[ring];
+        alignas(64) float visibility[block];
+        block_walk ahead{0, first, out.size.x}, at = ahead;
+        for (unsigned n = 0; at.y < last; ++n) {
+            if (ahead.y < last) {
+                prefetch(receivers, ahead);
+                use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE {
+                    if constexpr (requires { blocks.place(of_block, placed[0], 0); })
+                        blocks.place(of_block, placed[n % ring], ahead.y);
+                    else blocks.place(of_block, placed[n % ring]);
+                });
+                ahead.step();
+            }
+            if (n + 1 < ring) continue;
+            blocks(placed[(n + 1) % ring], at.count(), visibility, set);
+            float* const to = out.row(at.y) + at.x;
+            if (large && at.count() == block) stream_block(to, visibility);
+            else copy_floats(to, visibility, at.count());
+            at.step();
+        }
+    });
+    if (large) finish_streaming();
+}
+
+/// Visibility of a receiver, by a filter that may want to know its pixel, too.
+template <class Filter, class Fetch>
+[[nodiscard]] float filtered(const Filter& filter, const Fetch& fetch, glm::vec2 coord, float receiver,
+                             [[maybe_unused]] glm::ivec2 pixel) {
+    if constexpr (requires { filter(fetch, coord, receiver, pixel); })
+        return static_cast<float>(filter(fetch, coord, receiver, pixel));
+    else return static_cast<float>(filter(fetch, coord, receiver));
+}
+
+/// Calls use(visibility, coord, receiver, pixel) for one receiver after the other.
+template <class Receivers, class ParallelFor, class Use>
+void for_each_receiver(const Receivers& receivers, image_view<float> out, ParallelFor&& parallel, const Use& use) {
+    parallel(out.size.y, [&](int first, int last) {
+        for (block_walk at{0, first, out.size.x}; at.y < last; at.step())
+            use_receivers(receivers, at, isa_constant<isa::base>{}, [&](const auto& r) {
+                float* const to = out.row(at.y) + at.x;
+                for (int i = 0; i < at.count(); ++i)
+                    use(to[i], glm::vec2(r.x(i), r.y(i)), r.z(i), glm::ivec2(at.x + i, at.y));
+            });
+    });
+}
+
+/// Any filter, receiver by receiver.
+template <class Receivers, class Filter, class Fetch, class ParallelFor>
+void filter_each(const Receivers& receivers, const Filter& filter, const Fetch& fetch, image_view<float> out,
+                 ParallelFor&& parallel) {
+    for_each_receiver(receivers, out, parallel,
+                      [&](float& visibility, glm::vec2 coord, float receiver, glm::ivec2 pixel) {
+                          visibility = filtered(filter, fetch, coord, receiver, pixel);
+                      });
+}
+
+/// Once more the receivers whose texels may lie outside the map, now with a border that lights them.
+template <class Receivers, class Filter, class Fetch, class ParallelFor>
+void light_outside(const Receivers& receivers, glm::vec2 map_size, const Filter& filter, const Fetch& bordered_map,
+                   image_view<float> out, ParallelFor&& parallel) {
+    const float margin = filter.reach() + 0.5f;  // weights are in steps of 1/256
+    const glm::vec2 last = map_size - margin, beyond = map_size + margin;
+    for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 c, float receiver, glm::ivec2 pixel) {
+        if (c.x >= margin && c.y >= margin && c.x <= last.x && c.y <= last.y) return;
+        const bool apart = c.x < -margin || c.y < -margin || c.x > beyond.x || c.y > beyond.y;
+        visibility = apart && !is_nan(receiver) ? 1.0f : filtered(filter, bordered_map, c, receiver, pixel);
+    });
+}
+
+/// A map's texels, decoded, as one type for all encodings: what is seldom used need not be compiled for each.
+struct erased_fetch {
+    const void* fetch;
+    float (*call)(const void*, glm::ivec2);
+    float operator()(glm::ivec2 texel) const { return call(fetch, texel); }
+};
+template <class Fetch>
+[[nodiscard]] erased_fetch erase(const Fetch& fetch) {
+    return {&fetch, [](const void* of, glm::ivec2 texel) { return (*static_cast<const Fetch*>(of))(texel); }};
+}
+
+/// The far plane's depth, as the filter or else the encoding knows it.
+template <class Encoding, class Filter>
+[[nodiscard]] float far_depth(const Encoding& encoding, const Filter& filter) {
+    if constexpr (requires { filter.is_lit.direction; }) return cleared_depth(filter.is_lit.direction);
+    else if constexpr (requires { encoding.direction; }) return cleared_depth(encoding.direction);
+    else return 1.0f;
+}
+
+/// How blocks read maps of an encoding that has a fast form for single texels; others are decoded first.
+[[nodiscard]] inline float_texels texels_of(image_view<const float> map, const depth32f&) { return {map}; }
+template <int Bits>
+[[nodiscard]] rg_texels texels_of(image_view<const glm::u8vec2> map, const rg<Bits>& encoding) {
+    return {map, Bits, encoding.edge};
+}
+template <class Encoding>
+concept has_texels_form = requires(image_view<const typename Encoding::texel> map, const Encoding& e) {
+    texels_of(map, e);
+};
+
+/// Memory for a map, which an image would fill with zeros first.
+struct unset_floats {
+    explicit unset_floats(std::size_t count) : texels(new float[count]) {}
+    ~unset_floats() { delete[] texels; }
+    unset_floats(const unset_floats&) = delete;
+    unset_floats& operator=(const unset_floats&) = delete;
+
+    float* const texels;
+};
+
+/// Calls use(map) with the map as a form wants it. The map is decoded where that is less work than the receivers.
+/// @return   false where it is not, or where the form cannot take such a map
+template <class Form, class Encoding, class ParallelFor, class Use>
+bool with_map(image_view<const typename Encoding::texel> map, const Encoding& encoding, glm::ivec2 receivers,
+              ParallelFor&& parallel, const Use& use) {
+    using texel = typename Encoding::texel;
+    constexpr bool floats = std::is_same_v<Encoding, depth32f>;
+    if (map.size.x < Form::least || map.size.y < Form::least) return false;
+    if constexpr (floats || (Form::need == map_need::texels && has_texels_form<Encoding>)) {
+        if (!texel_bytes<const texel>::fits(map)) return false;
+        use(texels_of(map, encoding));
+    } else {
+        const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
+        if (area(map.size) >= 16.0 * area(receivers)) return false;
+        const auto texels = static_cast<std::size_t>(map.size.x) * static_cast<std::size_t>(map.size.y);
+        const unset_floats memory(texels);
+        const image_view<float> depths(memory.texels, map.size);
+        if (!texel_bytes<const float>::fits(depths)) return false;
+        decode(map, depths, encoding, parallel);
+        use(float_texels{depths});
+    }
+    return true;
+}
+
+template <class Encoding, class Receivers, class Filter, class ParallelFor>
+void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
+                  const Filter& filter, image_view<float> out, ParallelFor&& parallel, outside_map outside) {
+    static_assert(is_encoding<Encoding>() && is_filter<Filter>());
+    if (size_of(receivers) != out.size) fail("umbrage::visibility: sizes differ");
+    if (map.empty()) fail("umbrage::visibility: empty map");
+    if (out.empty()) return;
+    const auto rows = [&](const auto& blocks) {
+        parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, out, first, last); });
+    };
+    const auto clamped_map = decoded(map, encoding);
+    const auto bordered_map = [&, far = far_depth(encoding, filter)](glm::ivec2 texel) {
+        const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
+        return inside ? encoding.decode(map.row(texel.y)[texel.x]) : far;
+    };
+    if constexpr (has_block_form<Filter>) {
+        using form = block_form<Filter>;
+        const bool done = with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
+            if (filter.is_lit.direction == depth_direction::forward)
+                form::template with_blocks<depth_direction::forward>(texels, filter, parallel, rows);
+            else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
+        });
+        if (!done) filter_each(receivers, filter, erase(clamped_map), out, parallel);
+        if (outside == outside_map::lit) light_outside(receivers, map.size, filter, erase(bordered_map), out, parallel);
+    } else if (outside == outside_map::lit) {
+        filter_each(receivers, filter, bordered_map, out, parallel);
+    } else {
+        filter_each(receivers, filter, clamped_map, out, parallel);
+    }
+}
+
+}  // namespace detail
+
+/// @param map         shadow map, texels of the encoding
+/// @param encoding    how the map's texels hold depth; its edge decides ties
+/// @param receivers   (x, y) in texels of the map, z depth, biased
+/// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable
+///                    (fetch, coord, receiver) -> visibility, or one that takes the receiver's pixel besides, an ivec2
+/// @param out         visibility, 1 lit; same size as receivers
+/// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
+/// @param outside     what counts outside the map
+/// @throws std::invalid_argument  sizes differ, or the map is empty
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
+                image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
+}
+
+/// Receivers as a structure of arrays.
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
+                const receiver_planes& receivers, const Filter& filter, image_view<float> out,
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
+}
+
+/// Receivers from a camera's depth image: visibility of receiver_at for each of its texels.
+template <class Encoding, class Filter, class ParallelFor = serial>
+void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
+                const depth_receivers& receivers, const Filter& filter, image_view<float> out,
+                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
+    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/images/page_atlas.hpp
+// Adaptive shadow maps over images: the depth pass of pages into an atlas, the table that finds them, and a whole image
+// of receivers against both.
+//
+//     umbrage::image<float> atlas(umbrage::page_atlas_size(cache, size), umbrage::cleared_depth(clip));
+//     umbrage::draw_pages(atlas, size, root, cache.update(receivers).drawn, [&](auto map, const glm::mat4& to_clip) {
+//         umbrage::rasterize_depth(map, tree, umbrage::instances_in_map(box, trees, to_clip, clip), to_clip, clip);
+//     });
+//     umbrage::write_page_table(cache, table);
+//     umbrage::page_visibility({atlas, table, size}, umbrage::depth32f{}, seen, umbrage::filters::pcf_2x2{}, out);
+//
+
+namespace umbrage {
+
+/// Texels of an atlas with a slot for every page that a cache may hold.
+[[nodiscard]] inline glm::ivec2 page_atlas_size(const page_cache& cache, const page_size& size) {
+    return cache.budget().slots * size.pitch();
+}
+
+/// Clears pages and draws them.
+///
+/// @param root    in double, from which matrices of pages are made and rounded once
+/// @param pages   what page_cache::update gives
+/// @param draw    (image_view<float> map, const glm::mat4& world_to_clip): a depth pass under root.clip; called once for
+///                each page, with its gutter
+/// @throws std::invalid_argument  a slot beyond the atlas, and what page_light complains of
+template <class Draw>
+void draw_pages(image_view<float> atlas, const page_size& size, const light_space<double>& root,
+                std::span<const placed_page> pages, Draw&& draw) {
+    for (const auto& [page, slot] : pages) {
+        const light_space<double> light = page_light(root, page, size);
+        const image_view<float> map = atlas.region(slot * size.pitch(), glm::ivec2(size.pitch()));
+        for (int y = 0; y < map.size.y; ++y) std::fill_n(map.row(y), map.size.x, cleared_depth(root.clip));
+        draw(map, glm::mat4(light.projection * light.view));
+    }
+}
+
+/// The finest page of each cell.
+/// @param table   gets a page_entry for each of the cache's finest cells, row 0 the root's first; no page: zeros
+/// @throws std::invalid_argument  a table of another size than 2^deepest_level a side
+inline void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
+    const int side = 1 << cache.budget().deepest_level;
+    detail::require(table.size == glm::ivec2(side), "write_page_table", "table", "must have 2^deepest_level a side");
+    for (int y = 0; y < side; ++y) std::fill_n(table.row(y), side, glm::u8vec4(0));
+    cache.for_each([&](const page& p, glm::ivec2 slot) {
+        const int cells = side >> p.level;
+        for (int y = p.y * cells; y < (p.y + 1) * cells; ++y)
+            std::fill_n(table.row(y) + p.x * cells, cells, page_entry(slot, p.level));
+    });
+}
+
+/// What a receiver's page is found in.
+template <class Texel>
+struct page_map {
+    image_view<const Texel> atlas;
+    image_view<const glm::u8vec4> table;  ///< of page_entry, a power of two a side
+    page_size size{};
+};
+
+namespace detail {
+
+template <class Encoding, class Receivers, class Filter, class ParallelFor>
+void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding& encoding, const Receivers& receivers,
+                  const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+    constexpr auto function = "page_visibility";
+    const int side = map.table.size.x, pitch = map.size.pitch();
+    require(size_of(receivers) == out.size, function, "out", "must have the receivers' size");
+    require(side >= 1 && map.table.size.y == side && (side & (side - 1)) == 0, function, "table",
+            "must be a square of a power of two");
+    require(map.size.texels >= 1 && map.size.gutter >= 0, function, "size", "must be a page's");
+    if constexpr (requires { filter.reach(); })
+        require(float(map.size.gutter) >= filter.reach(), function, "gutter", "must be the filter's reach or more");
+    for (int y = 0; y < side; ++y)
+        for (const glm::u8vec4& entry : std::span(map.table.row(y), static_cast<std::size_t>(side)))
+            require(glm::all(glm::lessThanEqual((glm::ivec2(entry) + 1) * pitch, map.atlas.size)), function, "table",
+                    "has slots beyond the atlas");
+    const auto table = [&](glm::ivec2 cell) { return map.table[cell]; };
+    const auto page = static_cast<float>(map.size.texels), gutter = static_cast<float>(map.size.gutter);
+    for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 coord, float depth, glm::ivec2 pixel) {
+        const glm::vec4 at = page_coordinate(table, static_cast<float>(side), coord, page, gutter);
+        const auto texels = map.atlas.region(glm::ivec2(at.z, at.w), glm::ivec2(pitch));
+        visibility = filtered(filter, decoded(texels, encoding), glm::vec2(at), depth, pixel);
+    });
+}
+
+}  // namespace detail
+
+/// @param map         atlas, table and the pages' size, which draw_pages and write_page_table were given
+/// @param encoding    how the atlas' texels hold depth; its edge decides ties
+/// @param receivers   (x, y) from 1 to 2 across the root, z depth, biased; what lies beside the root sees the nearest
+///                    page's edge, what has no page is lit
+/// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable as for
+///                    visibility; it does not read beyond a page and its gutter
+/// @param out         visibility, 1 lit; same size as receivers
+/// @param parallel    cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ, a table that is no square of a power of two or has slots beyond the
+///                                atlas, a gutter below the filter's reach
+/// @exactness         the bits of the filter alone over each receiver's page
+template <class Encoding, class Filter, class ParallelFor = serial>
+void page_visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
+                     image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
+                     ParallelFor&& parallel = {}) {
+    detail::filter_pages(map, encoding, receivers, filter, out, parallel);
+}
+template <class Encoding, class Filter, class ParallelFor = serial>
+void page_visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
+                     const receiver_planes& receivers, const Filter& filter, image_view<float> out,
+                     ParallelFor&& parallel = {}) {
+    detail::filter_pages(map, encoding, receivers, filter, out, parallel);
+}
+template <class Encoding, class Filter, class ParallelFor = serial>
+void page_visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
+                     const depth_receivers& receivers, const Filter& filter, image_view<float> out,
+                     ParallelFor&& parallel = {}) {
+    detail::filter_pages(map, encoding, receivers, filter, out, parallel);
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/images/prefilter.hpp
 // Whole prefiltered maps: depth to moments, their mip chain, and what an image of receivers sees of them.
 //
@@ -15897,234 +16244,6 @@ void summed_visibility(image_view<const glm::u16vec4> table, const variance_tabl
                 out.row(y)[x] = summed_variance(fetch, table.size - 1, glm::vec2(r), r.z, reach, codes, of.is_lit);
             }
     });
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/images/visibility.hpp
-// A whole image of receivers against a shadow map, with any filter and any encoding.
-//
-//     umbrage::visibility(map, umbrage::rg<11>{}, receivers, umbrage::filters::pcf_2x2{}, out);
-//
-// Straight from what a camera saw, with no image of receivers in between:
-//
-//     umbrage::depth_receivers seen{depth, umbrage::receiver_matrix(inverse, to_texels, size, clip), bias};
-//     umbrage::visibility(map, umbrage::rg<11>{}, seen, umbrage::filters::pcf_2x2{}, out);
-//
-// Bit for bit what the filter gives for each receiver alone.
-
-namespace umbrage {
-
-/// What receivers see whose texels lie outside the map.
-enum class outside_map {
-    clamped,  ///< the nearest texel inside: what clamped(map) fetches
-    lit,      ///< the far plane: what bordered(map, cleared_depth(clip)) fetches
-};
-
-namespace detail {
-
-/// The receivers of some rows through a filter's blocks.
-template <class Receivers, class Blocks>
-void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<float> out, int first, int last) {
-    const bool large = past_cache(out);
-    on_best_isa([&](auto set) UMBRAGE_INLINE {
-        constexpr unsigned ring = 4;  // blocks on their way
-        typename Blocks::placed placed[ring];
-        alignas(64) float visibility[block];
-        block_walk ahead{0, first, out.size.x}, at = ahead;
-        for (unsigned n = 0; at.y < last; ++n) {
-            if (ahead.y < last) {
-                prefetch(receivers, ahead);
-                use_receivers(receivers, ahead, set, [&](const auto& of_block) UMBRAGE_INLINE {
-                    if constexpr (requires { blocks.place(of_block, placed[0], 0); })
-                        blocks.place(of_block, placed[n % ring], ahead.y);
-                    else blocks.place(of_block, placed[n % ring]);
-                });
-                ahead.step();
-            }
-            if (n + 1 < ring) continue;
-            blocks(placed[(n + 1) % ring], at.count(), visibility, set);
-            float* const to = out.row(at.y) + at.x;
-            if (large && at.count() == block) stream_block(to, visibility);
-            else copy_floats(to, visibility, at.count());
-            at.step();
-        }
-    });
-    if (large) finish_streaming();
-}
-
-/// Visibility of a receiver, by a filter that may want to know its pixel, too.
-template <class Filter, class Fetch>
-[[nodiscard]] float filtered(const Filter& filter, const Fetch& fetch, glm::vec2 coord, float receiver,
-                             [[maybe_unused]] glm::ivec2 pixel) {
-    if constexpr (requires { filter(fetch, coord, receiver, pixel); })
-        return static_cast<float>(filter(fetch, coord, receiver, pixel));
-    else return static_cast<float>(filter(fetch, coord, receiver));
-}
-
-/// Calls use(visibility, coord, receiver, pixel) for one receiver after the other.
-template <class Receivers, class ParallelFor, class Use>
-void for_each_receiver(const Receivers& receivers, image_view<float> out, ParallelFor&& parallel, const Use& use) {
-    parallel(out.size.y, [&](int first, int last) {
-        for (block_walk at{0, first, out.size.x}; at.y < last; at.step())
-            use_receivers(receivers, at, isa_constant<isa::base>{}, [&](const auto& r) {
-                float* const to = out.row(at.y) + at.x;
-                for (int i = 0; i < at.count(); ++i)
-                    use(to[i], glm::vec2(r.x(i), r.y(i)), r.z(i), glm::ivec2(at.x + i, at.y));
-            });
-    });
-}
-
-/// Any filter, receiver by receiver.
-template <class Receivers, class Filter, class Fetch, class ParallelFor>
-void filter_each(const Receivers& receivers, const Filter& filter, const Fetch& fetch, image_view<float> out,
-                 ParallelFor&& parallel) {
-    for_each_receiver(receivers, out, parallel,
-                      [&](float& visibility, glm::vec2 coord, float receiver, glm::ivec2 pixel) {
-                          visibility = filtered(filter, fetch, coord, receiver, pixel);
-                      });
-}
-
-/// Once more the receivers whose texels may lie outside the map, now with a border that lights them.
-template <class Receivers, class Filter, class Fetch, class ParallelFor>
-void light_outside(const Receivers& receivers, glm::vec2 map_size, const Filter& filter, const Fetch& bordered_map,
-                   image_view<float> out, ParallelFor&& parallel) {
-    const float margin = filter.reach() + 0.5f;  // weights are in steps of 1/256
-    const glm::vec2 last = map_size - margin, beyond = map_size + margin;
-    for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 c, float receiver, glm::ivec2 pixel) {
-        if (c.x >= margin && c.y >= margin && c.x <= last.x && c.y <= last.y) return;
-        const bool apart = c.x < -margin || c.y < -margin || c.x > beyond.x || c.y > beyond.y;
-        visibility = apart && !is_nan(receiver) ? 1.0f : filtered(filter, bordered_map, c, receiver, pixel);
-    });
-}
-
-/// A map's texels, decoded, as one type for all encodings: what is seldom used need not be compiled for each.
-struct erased_fetch {
-    const void* fetch;
-    float (*call)(const void*, glm::ivec2);
-    float operator()(glm::ivec2 texel) const { return call(fetch, texel); }
-};
-template <class Fetch>
-[[nodiscard]] erased_fetch erase(const Fetch& fetch) {
-    return {&fetch, [](const void* of, glm::ivec2 texel) { return (*static_cast<const Fetch*>(of))(texel); }};
-}
-
-/// The far plane's depth, as the filter or else the encoding knows it.
-template <class Encoding, class Filter>
-[[nodiscard]] float far_depth(const Encoding& encoding, const Filter& filter) {
-    if constexpr (requires { filter.is_lit.direction; }) return cleared_depth(filter.is_lit.direction);
-    else if constexpr (requires { encoding.direction; }) return cleared_depth(encoding.direction);
-    else return 1.0f;
-}
-
-/// How blocks read maps of an encoding that has a fast form for single texels; others are decoded first.
-[[nodiscard]] inline float_texels texels_of(image_view<const float> map, const depth32f&) { return {map}; }
-template <int Bits>
-[[nodiscard]] rg_texels texels_of(image_view<const glm::u8vec2> map, const rg<Bits>& encoding) {
-    return {map, Bits, encoding.edge};
-}
-template <class Encoding>
-concept has_texels_form = requires(image_view<const typename Encoding::texel> map, const Encoding& e) {
-    texels_of(map, e);
-};
-
-/// Memory for a map, which an image would fill with zeros first.
-struct unset_floats {
-    explicit unset_floats(std::size_t count) : texels(new float[count]) {}
-    ~unset_floats() { delete[] texels; }
-    unset_floats(const unset_floats&) = delete;
-    unset_floats& operator=(const unset_floats&) = delete;
-
-    float* const texels;
-};
-
-/// Calls use(map) with the map as a form wants it. The map is decoded where that is less work than the receivers.
-/// @return   false where it is not, or where the form cannot take such a map
-template <class Form, class Encoding, class ParallelFor, class Use>
-bool with_map(image_view<const typename Encoding::texel> map, const Encoding& encoding, glm::ivec2 receivers,
-              ParallelFor&& parallel, const Use& use) {
-    using texel = typename Encoding::texel;
-    constexpr bool floats = std::is_same_v<Encoding, depth32f>;
-    if (map.size.x < Form::least || map.size.y < Form::least) return false;
-    if constexpr (floats || (Form::need == map_need::texels && has_texels_form<Encoding>)) {
-        if (!texel_bytes<const texel>::fits(map)) return false;
-        use(texels_of(map, encoding));
-    } else {
-        const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
-        if (area(map.size) >= 16.0 * area(receivers)) return false;
-        const auto texels = static_cast<std::size_t>(map.size.x) * static_cast<std::size_t>(map.size.y);
-        const unset_floats memory(texels);
-        const image_view<float> depths(memory.texels, map.size);
-        if (!texel_bytes<const float>::fits(depths)) return false;
-        decode(map, depths, encoding, parallel);
-        use(float_texels{depths});
-    }
-    return true;
-}
-
-template <class Encoding, class Receivers, class Filter, class ParallelFor>
-void filter_image(image_view<const typename Encoding::texel> map, const Encoding& encoding, const Receivers& receivers,
-                  const Filter& filter, image_view<float> out, ParallelFor&& parallel, outside_map outside) {
-    static_assert(is_encoding<Encoding>() && is_filter<Filter>());
-    if (size_of(receivers) != out.size) fail("umbrage::visibility: sizes differ");
-    if (map.empty()) fail("umbrage::visibility: empty map");
-    if (out.empty()) return;
-    const auto rows = [&](const auto& blocks) {
-        parallel(out.size.y, [&](int first, int last) { filter_rows(receivers, blocks, out, first, last); });
-    };
-    const auto clamped_map = decoded(map, encoding);
-    const auto bordered_map = [&, far = far_depth(encoding, filter)](glm::ivec2 texel) {
-        const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map.size.x && texel.y < map.size.y;
-        return inside ? encoding.decode(map.row(texel.y)[texel.x]) : far;
-    };
-    if constexpr (has_block_form<Filter>) {
-        using form = block_form<Filter>;
-        const bool done = with_map<form>(map, encoding, out.size, parallel, [&](const auto& texels) {
-            if (filter.is_lit.direction == depth_direction::forward)
-                form::template with_blocks<depth_direction::forward>(texels, filter, parallel, rows);
-            else form::template with_blocks<depth_direction::reversed>(texels, filter, parallel, rows);
-        });
-        if (!done) filter_each(receivers, filter, erase(clamped_map), out, parallel);
-        if (outside == outside_map::lit) light_outside(receivers, map.size, filter, erase(bordered_map), out, parallel);
-    } else if (outside == outside_map::lit) {
-        filter_each(receivers, filter, bordered_map, out, parallel);
-    } else {
-        filter_each(receivers, filter, clamped_map, out, parallel);
-    }
-}
-
-}  // namespace detail
-
-/// @param map         shadow map, texels of the encoding
-/// @param encoding    how the map's texels hold depth; its edge decides ties
-/// @param receivers   (x, y) in texels of the map, z depth, biased
-/// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable
-///                    (fetch, coord, receiver) -> visibility, or one that takes the receiver's pixel besides, an ivec2
-/// @param out         visibility, 1 lit; same size as receivers
-/// @param parallel    cuts the rows into pieces, see parallel.hpp; the filter is then called from all of them
-/// @param outside     what counts outside the map
-/// @throws std::invalid_argument  sizes differ, or the map is empty
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
-                image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
-}
-
-/// Receivers as a structure of arrays.
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
-                const receiver_planes& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
-}
-
-/// Receivers from a camera's depth image: visibility of receiver_at for each of its texels.
-template <class Encoding, class Filter, class ParallelFor = serial>
-void visibility(image_view<const typename Encoding::texel> map, const Encoding& encoding,
-                const depth_receivers& receivers, const Filter& filter, image_view<float> out,
-                ParallelFor&& parallel = {}, outside_map outside = outside_map::clamped) {
-    detail::filter_image(map, encoding, receivers, filter, out, parallel, outside);
 }
 
 }  // namespace umbrage

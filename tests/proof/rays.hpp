@@ -92,23 +92,15 @@ public:
             if (!within(at.x, reach) || !within(at.y, reach) || is_near_edge(at, reach)) continue;
             const float bias =
                 acne_free_bias(slope(own), filter, encoding, snapping_reach<float> + 0x1p-10f) + rounding();
-            bool is_lit = true, is_told = true;
-            for (std::size_t k = 0; k < triangles_.size(); ++k) {
-                if (k == own) continue;
-                const double before = blocked_by(k, p);
-                if (std::isnan(before)) continue;
-                is_told = is_told &&
-                          std::abs(before) > double(detachment(bias, slope(k), filter.reach() + snapping_reach<float>));
-                is_lit = is_lit && before <= 0.0;
-            }
-            if (!is_told) continue;
-            ++(is_lit ? found.lit : found.shadowed);
-            found.wrong += filter(fetch, glm::vec2(at), biased(at.z, bias, filter.is_lit)) != (is_lit ? 1.0f : 0.0f);
+            const std::optional<bool> is_lit = told_by_rays(p, own, bias, filter.reach());
+            if (!is_lit) continue;
+            ++(*is_lit ? found.lit : found.shadowed);
+            found.wrong += filter(fetch, glm::vec2(at), biased(at.z, bias, filter.is_lit)) != (*is_lit ? 1.0f : 0.0f);
         }
         return found;
     }
 
-private:
+protected:
     static constexpr int map_size = 256;
     static constexpr float z_near = 0.05f;
 
@@ -249,6 +241,21 @@ private:
             return kind_.at_near == umbrage::near_plane::clamps ? std::max(d, 0.0) : d;
         };
         return depth(here) - depth(caster);
+    }
+
+    /// Whether a point of a triangle is lit; nothing where a bias may decide.
+    [[nodiscard]] std::optional<bool> told_by_rays(glm::vec3 p, std::size_t own, float bias, float reach) const {
+        bool is_lit = true;
+        for (std::size_t k = 0; k < triangles_.size(); ++k) {
+            if (k == own) continue;
+            const double before = blocked_by(k, p);
+            if (std::isnan(before)) continue;
+            if (!(std::abs(before) >
+                  double(umbrage::detachment(bias, slope(k), reach + umbrage::snapping_reach<float>))))
+                return std::nullopt;
+            is_lit = is_lit && before <= 0.0;
+        }
+        return is_lit;
     }
 
     /// Whether the map sees an edge of a triangle within some texels.

@@ -40,7 +40,7 @@ inline constexpr int deepest_page_level = 15;
 /// there as a number, low byte first, in place of its logarithm, from which shaders would have to make it in steps.
 /// @param slot    of the page in the atlas, each 0 .. 255;   level  0 .. 15: its side is the root's over 2^level
 /// @return        all zero, which no page gives, stands for no page
-[[nodiscard]] constexpr glm::u8vec4 page_entry(glm::ivec2 slot, int level) {
+[[nodiscard]] inline glm::u8vec4 page_entry(glm::ivec2 slot, int level) {
     const auto byte = [](int v) { return static_cast<std::uint8_t>(v & 0xFF); };
     return {byte(slot.x), byte(slot.y), byte(1 << level), byte((1 << level) >> 8)};
 }

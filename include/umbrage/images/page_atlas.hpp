@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+//
+// Adaptive shadow maps over images: the depth pass of pages into an atlas, the table that finds them, and a whole image
+// of receivers against both.
+//
+//     umbrage::image<float> atlas(umbrage::page_atlas_size(cache, size), umbrage::cleared_depth(clip));
+//     umbrage::draw_pages(atlas, size, root, cache.update(receivers).drawn, [&](auto map, const glm::mat4& to_clip) {
+//         umbrage::rasterize_depth(map, tree, umbrage::instances_in_map(box, trees, to_clip, clip), to_clip, clip);
+//     });
+//     umbrage::write_page_table(cache, table);
+//     umbrage::page_visibility({atlas, table, size}, umbrage::depth32f{}, seen, umbrage::filters::pcf_2x2{}, out);
+//
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include <glm/gtc/type_precision.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vector_relational.hpp>
+
+#include <umbrage/image.hpp>
+#include <umbrage/images/visibility.hpp>
+#include <umbrage/light/adaptive/page_table.hpp>
+#include <umbrage/light/adaptive/pages.hpp>
+#include <umbrage/light/adaptive/root.hpp>
+
+namespace umbrage {
+
+/// Texels of an atlas with a slot for every page that a cache may hold.
+[[nodiscard]] inline glm::ivec2 page_atlas_size(const page_cache& cache, const page_size& size) {
+    return cache.budget().slots * size.pitch();
+}
+
+/// Clears pages and draws them.
+///
+/// @param root    in double, from which matrices of pages are made and rounded once
+/// @param pages   what page_cache::update gives
+/// @param draw    (image_view<float> map, const glm::mat4& world_to_clip): a depth pass under root.clip; called once for
+///                each page, with its gutter
+/// @throws std::invalid_argument  a slot beyond the atlas, and what page_light complains of
+template <class Draw>
+void draw_pages(image_view<float> atlas, const page_size& size, const light_space<double>& root,
+                std::span<const placed_page> pages, Draw&& draw) {
+    for (const auto& [page, slot] : pages) {
+        const light_space<double> light = page_light(root, page, size);
+        const image_view<float> map = atlas.region(slot * size.pitch(), glm::ivec2(size.pitch()));
+        for (int y = 0; y < map.size.y; ++y) std::fill_n(map.row(y), map.size.x, cleared_depth(root.clip));
+        draw(map, glm::mat4(light.projection * light.view));
+    }
+}
+
+/// The finest page of each cell.
+/// @param table   gets a page_entry for each of the cache's finest cells, row 0 the root's first; no page: zeros
+/// @throws std::invalid_argument  a table of another size than 2^deepest_level a side
+inline void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
+    const int side = 1 << cache.budget().deepest_level;
+    detail::require(table.size == glm::ivec2(side), "write_page_table", "table", "must have 2^deepest_level a side");
+    for (int y = 0; y < side; ++y) std::fill_n(table.row(y), side, glm::u8vec4(0));
+    cache.for_each([&](const page& p, glm::ivec2 slot) {
+        const int cells = side >> p.level;
+        for (int y = p.y * cells; y < (p.y + 1) * cells; ++y)
+            std::fill_n(table.row(y) + p.x * cells, cells, page_entry(slot, p.level));
+    });
+}
+
+/// What a receiver's page is found in.
+template <class Texel>
+struct page_map {
+    image_view<const Texel> atlas;
+    image_view<const glm::u8vec4> table;  ///< of page_entry, a power of two a side
+    page_size size{};
+};
+
+namespace detail {
+
+template <class Encoding, class Receivers, class Filter, class ParallelFor>
+void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding& encoding, const Receivers& receivers,
+                  const Filter& filter, image_view<float> out, ParallelFor&& parallel) {
+    constexpr auto function = "page_visibility";
+    const int side = map.table.size.x, pitch = map.size.pitch();
+    require(size_of(receivers) == out.size, function, "out", "must have the receivers' size");
+    require(side >= 1 && map.table.size.y == side && (side & (side - 1)) == 0, function, "table",
+            "must be a square of a power of two");
+    require(map.size.texels >= 1 && map.size.gutter >= 0, function, "size", "must be a page's");
+    if constexpr (requires { filter.reach(); })
+        require(float(map.size.gutter) >= filter.reach(), function, "gutter", "must be the filter's reach or more");
+    for (int y = 0; y < side; ++y)
+        for (const glm::u8vec4& entry : std::span(map.table.row(y), static_cast<std::size_t>(side)))
+            require(glm::all(glm::lessThanEqual((glm::ivec2(entry) + 1) * pitch, map.atlas.size)), function, "table",
+                    "has slots beyond the atlas");
+    const auto table = [&](glm::ivec2 cell) { return map.table[cell]; };
+    const auto page = static_cast<float>(map.size.texels), gutter = static_cast<float>(map.size.gutter);
+    for_each_receiver(receivers, out, parallel, [&](float& visibility, glm::vec2 coord, float depth, glm::ivec2 pixel) {
+        const glm::vec4 at = page_coordinate(table, static_cast<float>(side), coord, page, gutter);
+        const auto texels = map.atlas.region(glm::ivec2(at.z, at.w), glm::ivec2(pitch));
+        visibility = filtered(filter, decoded(texels, encoding), glm::vec2(at), depth, pixel);
+    });
+}
+
+}  // namespace detail
+
+/// @param map         atlas, table and the pages' size, which draw_pages and write_page_table were given
+/// @param encoding    how the atlas' texels hold depth; its edge decides ties
+/// @param receivers   (x, y) from 1 to 2 across the root, z depth, biased; what lies beside the root sees the nearest
+///                    page's edge, what has no page is lit
+/// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable as for
+///                    visibility; it does not read beyond a page and its gutter
+/// @param out         visibility, 1 lit; same size as receivers
+/// @param parallel    cuts the rows into pieces, see parallel.hpp
+/// @throws std::invalid_argument  sizes differ, a table that is no square of a power of two or has slots beyond the
+///                                atlas, a gutter below the filter's reach
+/// @exactness         the bits of the filter alone over each receiver's page
+template <class Encoding, class Filter, class ParallelFor = serial>
+void page_visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
+                     image_view<const glm::vec3> receivers, const Filter& filter, image_view<float> out,
+                     ParallelFor&& parallel = {}) {
+    detail::filter_pages(map, encoding, receivers, filter, out, parallel);
+}
+template <class Encoding, class Filter, class ParallelFor = serial>
+void page_visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
+                     const receiver_planes& receivers, const Filter& filter, image_view<float> out,
+                     ParallelFor&& parallel = {}) {
+    detail::filter_pages(map, encoding, receivers, filter, out, parallel);
+}
+template <class Encoding, class Filter, class ParallelFor = serial>
+void page_visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,
+                     const depth_receivers& receivers, const Filter& filter, image_view<float> out,
+                     ParallelFor&& parallel = {}) {
+    detail::filter_pages(map, encoding, receivers, filter, out, parallel);
+}
+
+}  // namespace umbrage
