@@ -9435,6 +9435,10 @@ template <real T, std::size_t Size>
 //
 // A warp gives what the camera sees close by more texels, and what it sees from afar fewer. Look-ups are those of a
 // spot light, by shadow_coordinate and project_coordinate; w is above 0 and depth grows along the light.
+//
+// What is strongly warped wants digits: a matrix of doubles, rounded once, places points to 1/1000 of a texel of maps
+// of 2048 under a view of a kilometre. Its product with points in float loses more far from the origin, up to 1/28 of a
+// texel at the corners of that view; points told from the camera lose least.
 
 namespace umbrage {
 
