@@ -16,6 +16,7 @@
 #include <umbrage/images/light_choice.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/min_max.hpp>
+#include <umbrage/images/moment_table.hpp>
 #include <umbrage/images/overlay.hpp>
 #include <umbrage/images/page_atlas.hpp>
 #include <umbrage/images/parallel.hpp>

@@ -38,6 +38,7 @@
 #include <umbrage/filter/prefiltered/msm.hpp>
 #include <umbrage/filter/prefiltered/reduce.hpp>
 #include <umbrage/filter/prefiltered/vsm.hpp>
+#include <umbrage/filter/table/summed_moments.hpp>
 #include <umbrage/filter/table/summed_variance.hpp>
 #include <umbrage/floor_divide.hpp>
 #include <umbrage/image.hpp>
@@ -122,7 +123,7 @@ inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 
 inline constexpr auto maps =
     collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
             filters, pcf_2x2_cube_snippets, pcf_2x2_hardware_snippets, window_hardware_snippets, bounds_lit_snippets,
-            penumbra_snippets, pcss_snippets, dpcf_snippets, summed_variance_snippets);
+            penumbra_snippets, pcss_snippets, dpcf_snippets, summed_variance_snippets, summed_moments_snippets);
 inline constexpr auto prefiltered =
     collect(exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
             hausdorff_snippets, look_up_snippets, reduce_snippets);

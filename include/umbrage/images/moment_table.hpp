@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+//
+// Summed-area tables of a shadow map's four moments, and visibility of whole images from them.
+//
+//     umbrage::moment_table of{.radius = 16};
+//     umbrage::image<glm::u16vec4> table = umbrage::make_moment_table(map, of);
+//     umbrage::summed_visibility(table, of, receivers, 16, out);
+//
+// A box of 33 x 33 texels costs what one of 3 x 3 does, and bleeds less light than variance.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <umbrage/clip_space.hpp>
+#include <umbrage/filter/table/summed_moments.hpp>
+#include <umbrage/image.hpp>
+#include <umbrage/images/parallel.hpp>
+#include <umbrage/images/summed_area.hpp>
+
+namespace umbrage {
+
+/// What a table is made for.
+struct moment_table {
+    int radius = 16;  ///< of the largest box: 2 radius + 1 texels a side
+    glm::vec2 bias = msm_bias_16;
+    depth_direction direction = depth_direction::forward;
+};
+
+/// Sums of a map's moments for summed_moments.
+///
+/// @param map         depths; NaN counts as far
+/// @param of          the largest box, n texels of it within the map
+/// @return            two halves, each with one column and row more than the map: sums of 65535 turn_moments(encode_msm),
+///                    rounded, of what lies before a column and row; modulo 2^16, and over 2^16
+/// @throws std::invalid_argument  empty map, radius out of range, or 65535 n >= 2^32: what a box may then hold wraps
+template <class ParallelFor = serial>
+[[nodiscard]] image<glm::u16vec4> make_moment_table(image_view<const float> map, const moment_table& of,
+                                                    ParallelFor&& parallel = {}) {
+    if (map.empty()) detail::fail("umbrage::make_moment_table: empty map");
+    if (of.radius < 0 || of.radius > 32767) detail::fail("umbrage::make_moment_table: radius out of range");
+    const std::int64_t side = 2 * std::int64_t(of.radius) + 1;
+    const std::int64_t n = std::min<std::int64_t>(side, map.size.x) * std::min<std::int64_t>(side, map.size.y);
+    if (n > 65537) detail::fail("umbrage::make_moment_table: sums in a box of that radius may reach 2^32");
+
+    image<glm::u16vec4> codes(map.size), table({2 * (map.size.x + 1), map.size.y + 1}, glm::u16vec4(0));
+    const float far = cleared_depth(of.direction);
+    parallel(map.size.y, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < map.size.x; ++x)
+                codes[{x, y}] = glm::u16vec4(turn_moments(encode_msm(map.row(y)[x], far)) * 65535.0f + 0.5f);
+    });
+    image<std::uint32_t> channel(map.size), sums(map.size);
+    for (glm::length_t c = 0; c < 4; ++c) {
+        std::transform(codes.texels().begin(), codes.texels().end(), channel.texels().begin(),
+                       [c](const glm::u16vec4& t) { return std::uint32_t(t[c]); });
+        summed_area(channel, sums, parallel);
+        for (int y = 0; y < map.size.y; ++y)
+            for (int x = 0; x < map.size.x; ++x) {
+                const std::uint32_t sum = sums[{x, y}];
+                table[{x + 1, y + 1}][c] = static_cast<std::uint16_t>(sum & 0xFFFF);
+                table[{map.size.x + x + 2, y + 1}][c] = static_cast<std::uint16_t>(sum >> 16);
+            }
+    }
+    return table;
+}
+
+/// summed_moments of each receiver.
+/// @param table, of   from make_moment_table
+/// @param receivers   (x, y) in texels of the map, z depth, biased
+/// @param radius      of the box, at most the table's
+/// @param out         visibility, 1 lit; same size as receivers
+/// @throws std::invalid_argument  sizes differ, no table of two halves, or a radius below 0 or above the table's
+template <class ParallelFor = serial>
+void summed_visibility(image_view<const glm::u16vec4> table, const moment_table& of,
+                       image_view<const glm::vec3> receivers, int radius, image_view<float> out,
+                       ParallelFor&& parallel = {}) {
+    if (receivers.size != out.size) detail::fail("umbrage::summed_visibility: sizes differ");
+    if (table.size.x < 4 || table.size.x % 2 || table.size.y < 2)
+        detail::fail("umbrage::summed_visibility: the table is not one of make_moment_table");
+    if (radius < 0 || radius > of.radius) detail::fail("umbrage::summed_visibility: the table is of another radius");
+    const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
+    const auto reach = static_cast<float>(radius), far = cleared_depth(of.direction);
+    parallel(out.size.y, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < out.size.x; ++x) {
+                const glm::vec3 r = receivers.row(y)[x];
+                out.row(y)[x] = summed_moments(fetch, table.size, glm::vec2(r), r.z, reach, of.bias, far);
+            }
+    });
+}
+
+}  // namespace umbrage
