@@ -405,14 +405,26 @@ export const dpcf32: Snippet;
 export const box_moments: Snippet;
 /** variance shadow over a box of any size, from a summed-area table */
 export const summed_variance: Snippet;
+/** mean of four whole numbers over a box, from a summed-area table in two halves */
+export const box_mean: Snippet;
+/** four channels of 16 bits to four moments */
+export const turn_moments_back: Snippet;
+/** four moments, moved a little towards those of spread depths */
+export const bias_moments: Snippet;
+/** depth that grows with distance */
+export const forward_depth: Snippet;
+/** the two depths that make four moments beside a receiver's */
+export const moment_atoms: Snippet;
+/** mean of four moments to visibility */
+export const decode_msm: Snippet;
+/** moment shadow over a box of any size, from a summed-area table */
+export const summed_moments: Snippet;
 /** 2^n of whole numbers -64 to 63 */
 export const power_of_two: Snippet;
 /** 2^y to 1.8e-7 of it */
 export const exp2_polynomial: Snippet;
 /** 2^y in steps of 12 bits */
 export const exp2_steps: Snippet;
-/** depth that grows with distance */
-export const forward_depth: Snippet;
 /** most that mean and variance let be lit */
 export const chebyshev: Snippet;
 /** visibility without its least values */
@@ -445,14 +457,6 @@ export const decode_evsm4: Snippet;
 export const encode_msm: Snippet;
 /** four moments to four channels of 16 bits */
 export const turn_moments: Snippet;
-/** four channels of 16 bits to four moments */
-export const turn_moments_back: Snippet;
-/** the two depths that make four moments beside a receiver's */
-export const moment_atoms: Snippet;
-/** four moments, moved a little towards those of spread depths */
-export const bias_moments: Snippet;
-/** mean of four moments to visibility */
-export const decode_msm: Snippet;
 /** least share of depths before a receiver, of depths on [-1, 1] */
 export const hausdorff_share: Snippet;
 /** mean of four moments of depths on [-1, 1] to visibility */

@@ -2310,6 +2310,115 @@ UMBRAGE_HIGHP float umbrage_summed_variance(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
     return compared ? (d <= 0.0 ? 1.0 : behind) : 1.0;
 }
 `,
+            "box_mean": `
+// umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
+//   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end
+UMBRAGE_HIGHP vec4 umbrage_box_mean(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 first,
+                                    UMBRAGE_HIGHP vec2 end) {
+    UMBRAGE_HIGHP float right = size.x * 0.5;
+    UMBRAGE_HIGHP vec4 a = umbrage_texel(map, size, end);
+    UMBRAGE_HIGHP vec4 b = umbrage_texel(map, size, vec2(first.x, end.y));
+    UMBRAGE_HIGHP vec4 c = umbrage_texel(map, size, vec2(end.x, first.y));
+    UMBRAGE_HIGHP vec4 d = umbrage_texel(map, size, first);
+    UMBRAGE_HIGHP vec4 low = (a - b) - (c - d);
+    UMBRAGE_HIGHP vec4 carry = floor(low * (1.0 / 65536.0));
+    a = umbrage_texel(map, size, vec2(right + end.x, end.y));
+    b = umbrage_texel(map, size, vec2(right + first.x, end.y));
+    c = umbrage_texel(map, size, vec2(right + end.x, first.y));
+    d = umbrage_texel(map, size, vec2(right + first.x, first.y));
+    UMBRAGE_HIGHP vec4 above = (a - b) - (c - d) + carry;
+    UMBRAGE_HIGHP vec4 high = above - floor(above * (1.0 / 65536.0)) * 65536.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = high * 65536.0 + (low - carry * 65536.0);
+    UMBRAGE_HIGHP vec2 sides = end - first;
+    return sum / (sides.x * sides.y);
+}
+`,
+            "turn_moments_back": `
+// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
+UMBRAGE_HIGHP vec4 umbrage_turn_moments_back(UMBRAGE_HIGHP vec4 o) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = o.x - 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = o.z - 0.5;
+    UMBRAGE_HIGHP float eighth = o.y * 0.125;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b1 = z * 1.73205078 - x * 0.333333343;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b2 = o.w + eighth;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b3 = z * 1.29903817 - x * 0.75;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float b4 = o.w - eighth;
+    return vec4(b1, b2, b3, b4);
+}
+`,
+            "bias_moments": `
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+UMBRAGE_HIGHP vec4 umbrage_bias_moments(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP vec2 bias) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = b.x - b.x * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = b.y + (bias.y - b.y) * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = b.z - b.z * bias.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = b.w + (bias.y - b.w) * bias.x;
+    return vec4(x, y, z, w);
+}
+`,
+            "forward_depth": `
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+`,
+            "moment_atoms": `
+// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
+//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float x) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = b.y - b.x * b.x;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;
+    UMBRAGE_HIGHP float l = third / d;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float e = (b.w - b.y * b.y) - third * l;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float h = b.x * 2.0 - l;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float a = d * ((x + h) * x - d);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float m = x * e + h * a;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float c = d * (e - a);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = m * m - 4.0 * a * c;
+    UMBRAGE_HIGHP float root = sqrt(square > 0.0 ? square : 0.0);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
+    UMBRAGE_HIGHP vec2 t = vec2(w / a, c / w);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 q = (t + h) * t - d;
+    UMBRAGE_HIGHP float least = d * e;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 sum = least + (t * t * e + q * q * d);
+    return vec4(t.x, t.y, least / sum.x, least / sum.y);
+}
+`,
+            "decode_msm": `
+// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased
+//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
+    UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
+    UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
+    UMBRAGE_HIGHP float first = atoms.x < x ? atoms.z : 0.0;
+    UMBRAGE_HIGHP float second = atoms.y < x ? atoms.w : 0.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float lit = 1.0 - (first + second);
+    bool known = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "summed_moments": `
+// umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
+//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
+UMBRAGE_HIGHP float umbrage_summed_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                           UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                           UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 last = vec2(size.x * 0.5, size.y) - 1.0;
+    UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
+    UMBRAGE_HIGHP vec4 turned = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    return compared ? lit : 1.0;
+}
+`,
             "power_of_two": `
 // umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
 UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
@@ -2360,12 +2469,6 @@ UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
     UMBRAGE_HIGHP float r = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     UMBRAGE_HIGHP float m = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
     return m * (1.0 / 2048.0) * umbrage_power_of_two(n);
-}
-`,
-            "forward_depth": `
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
-    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 `,
             "chebyshev": `
@@ -2513,68 +2616,6 @@ UMBRAGE_HIGHP vec4 umbrage_turn_moments(UMBRAGE_HIGHP vec4 b) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP float z = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (b.y + b.w) * 0.5;
     return vec4(x, y, z, w);
-}
-`,
-            "turn_moments_back": `
-// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
-UMBRAGE_HIGHP vec4 umbrage_turn_moments_back(UMBRAGE_HIGHP vec4 o) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = o.x - 0.5;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = o.z - 0.5;
-    UMBRAGE_HIGHP float eighth = o.y * 0.125;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float b1 = z * 1.73205078 - x * 0.333333343;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float b2 = o.w + eighth;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float b3 = z * 1.29903817 - x * 0.75;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float b4 = o.w - eighth;
-    return vec4(b1, b2, b3, b4);
-}
-`,
-            "moment_atoms": `
-// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
-//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
-UMBRAGE_HIGHP vec4 umbrage_moment_atoms(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float x) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = b.y - b.x * b.x;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float third = b.z - b.x * b.y;
-    UMBRAGE_HIGHP float l = third / d;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float e = (b.w - b.y * b.y) - third * l;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float h = b.x * 2.0 - l;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float a = d * ((x + h) * x - d);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float m = x * e + h * a;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float c = d * (e - a);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = m * m - 4.0 * a * c;
-    UMBRAGE_HIGHP float root = sqrt(square > 0.0 ? square : 0.0);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
-    UMBRAGE_HIGHP vec2 t = vec2(w / a, c / w);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 q = (t + h) * t - d;
-    UMBRAGE_HIGHP float least = d * e;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 sum = least + (t * t * e + q * q * d);
-    return vec4(t.x, t.y, least / sum.x, least / sum.y);
-}
-`,
-            "bias_moments": `
-// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
-UMBRAGE_HIGHP vec4 umbrage_bias_moments(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP vec2 bias) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = b.x - b.x * bias.x;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = b.y + (bias.y - b.y) * bias.x;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = b.z - b.z * bias.x;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float w = b.w + (bias.y - b.w) * bias.x;
-    return vec4(x, y, z, w);
-}
-`,
-            "decode_msm": `
-// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased
-//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
-UMBRAGE_HIGHP float umbrage_decode_msm(UMBRAGE_HIGHP vec4 b, UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP vec2 bias) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(receiver);
-    UMBRAGE_HIGHP vec4 m = umbrage_bias_moments(b, bias);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
-    UMBRAGE_HIGHP vec4 atoms = umbrage_moment_atoms(m, x);
-    UMBRAGE_HIGHP float first = atoms.x < x ? atoms.z : 0.0;
-    UMBRAGE_HIGHP float second = atoms.y < x ? atoms.w : 0.0;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float lit = 1.0 - (first + second);
-    bool known = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
-    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
 `,
             "hausdorff_share": `
@@ -5089,6 +5130,112 @@ float umbrage_summed_variance(UMBRAGE_MAP map, float2 size, float2 coord, float 
     return compared ? (d <= 0.0 ? 1.0 : behind) : 1.0;
 }
 `,
+            "box_mean": `
+// umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
+//   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end
+float4 umbrage_box_mean(UMBRAGE_MAP map, float2 size, float2 first, float2 end) {
+    float right = size.x * 0.5;
+    float4 a = umbrage_texel(map, size, end);
+    float4 b = umbrage_texel(map, size, float2(first.x, end.y));
+    float4 c = umbrage_texel(map, size, float2(end.x, first.y));
+    float4 d = umbrage_texel(map, size, first);
+    float4 low = (a - b) - (c - d);
+    float4 carry = floor(low * (1.0 / 65536.0));
+    a = umbrage_texel(map, size, float2(right + end.x, end.y));
+    b = umbrage_texel(map, size, float2(right + first.x, end.y));
+    c = umbrage_texel(map, size, float2(right + end.x, first.y));
+    d = umbrage_texel(map, size, float2(right + first.x, first.y));
+    float4 above = (a - b) - (c - d) + carry;
+    float4 high = above - floor(above * (1.0 / 65536.0)) * 65536.0;
+    precise float4 sum = high * 65536.0 + (low - carry * 65536.0);
+    float2 sides = end - first;
+    return sum / (sides.x * sides.y);
+}
+`,
+            "turn_moments_back": `
+// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
+float4 umbrage_turn_moments_back(float4 o) {
+    precise float x = o.x - 0.5;
+    precise float z = o.z - 0.5;
+    float eighth = o.y * 0.125;
+    precise float b1 = z * 1.73205078 - x * 0.333333343;
+    precise float b2 = o.w + eighth;
+    precise float b3 = z * 1.29903817 - x * 0.75;
+    precise float b4 = o.w - eighth;
+    return float4(b1, b2, b3, b4);
+}
+`,
+            "bias_moments": `
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+float4 umbrage_bias_moments(float4 b, float2 bias) {
+    precise float x = b.x - b.x * bias.x;
+    precise float y = b.y + (bias.y - b.y) * bias.x;
+    precise float z = b.z - b.z * bias.x;
+    precise float w = b.w + (bias.y - b.w) * bias.x;
+    return float4(x, y, z, w);
+}
+`,
+            "forward_depth": `
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+float umbrage_forward_depth(float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+`,
+            "moment_atoms": `
+// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
+//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+float4 umbrage_moment_atoms(float4 b, float x) {
+    precise float d = b.y - b.x * b.x;
+    precise float third = b.z - b.x * b.y;
+    float l = third / d;
+    precise float e = (b.w - b.y * b.y) - third * l;
+    precise float h = b.x * 2.0 - l;
+    precise float a = d * ((x + h) * x - d);
+    precise float m = x * e + h * a;
+    precise float c = d * (e - a);
+    precise float square = m * m - 4.0 * a * c;
+    float root = sqrt(square > 0.0 ? square : 0.0);
+    precise float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
+    float2 t = float2(w / a, c / w);
+    precise float2 q = (t + h) * t - d;
+    float least = d * e;
+    precise float2 sum = least + (t * t * e + q * q * d);
+    return float4(t.x, t.y, least / sum.x, least / sum.y);
+}
+`,
+            "decode_msm": `
+// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased
+//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
+    float d = umbrage_forward_depth(receiver);
+    float4 m = umbrage_bias_moments(b, bias);
+    precise float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
+    float4 atoms = umbrage_moment_atoms(m, x);
+    float first = atoms.x < x ? atoms.z : 0.0;
+    float second = atoms.y < x ? atoms.w : 0.0;
+    precise float lit = 1.0 - (first + second);
+    bool known = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "summed_moments": `
+// umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
+//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
+float umbrage_summed_moments(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 last = float2(size.x * 0.5, size.y) - 1.0;
+    float2 texel = compared ? clamp(floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
+    float2 first = max(texel - radius, float2(0.0, 0.0));
+    float2 end = min(texel + radius + 1.0, last);
+    float4 turned = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
+    float lit = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    return compared ? lit : 1.0;
+}
+`,
             "power_of_two": `
 // umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
 float umbrage_power_of_two(float n) {
@@ -5122,12 +5269,6 @@ float umbrage_exp2_steps(float y) {
     float r = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     float m = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
     return m * (1.0 / 2048.0) * umbrage_power_of_two(n);
-}
-`,
-            "forward_depth": `
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-float umbrage_forward_depth(float depth) {
-    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 `,
             "chebyshev": `
@@ -5270,68 +5411,6 @@ float4 umbrage_turn_moments(float4 b) {
     precise float z = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
     precise float w = (b.y + b.w) * 0.5;
     return float4(x, y, z, w);
-}
-`,
-            "turn_moments_back": `
-// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
-float4 umbrage_turn_moments_back(float4 o) {
-    precise float x = o.x - 0.5;
-    precise float z = o.z - 0.5;
-    float eighth = o.y * 0.125;
-    precise float b1 = z * 1.73205078 - x * 0.333333343;
-    precise float b2 = o.w + eighth;
-    precise float b3 = z * 1.29903817 - x * 0.75;
-    precise float b4 = o.w - eighth;
-    return float4(b1, b2, b3, b4);
-}
-`,
-            "moment_atoms": `
-// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
-//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
-float4 umbrage_moment_atoms(float4 b, float x) {
-    precise float d = b.y - b.x * b.x;
-    precise float third = b.z - b.x * b.y;
-    float l = third / d;
-    precise float e = (b.w - b.y * b.y) - third * l;
-    precise float h = b.x * 2.0 - l;
-    precise float a = d * ((x + h) * x - d);
-    precise float m = x * e + h * a;
-    precise float c = d * (e - a);
-    precise float square = m * m - 4.0 * a * c;
-    float root = sqrt(square > 0.0 ? square : 0.0);
-    precise float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
-    float2 t = float2(w / a, c / w);
-    precise float2 q = (t + h) * t - d;
-    float least = d * e;
-    precise float2 sum = least + (t * t * e + q * q * d);
-    return float4(t.x, t.y, least / sum.x, least / sum.y);
-}
-`,
-            "bias_moments": `
-// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
-float4 umbrage_bias_moments(float4 b, float2 bias) {
-    precise float x = b.x - b.x * bias.x;
-    precise float y = b.y + (bias.y - b.y) * bias.x;
-    precise float z = b.z - b.z * bias.x;
-    precise float w = b.w + (bias.y - b.w) * bias.x;
-    return float4(x, y, z, w);
-}
-`,
-            "decode_msm": `
-// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased
-//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
-float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
-    float d = umbrage_forward_depth(receiver);
-    float4 m = umbrage_bias_moments(b, bias);
-    precise float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
-    float4 atoms = umbrage_moment_atoms(m, x);
-    float first = atoms.x < x ? atoms.z : 0.0;
-    float second = atoms.y < x ? atoms.w : 0.0;
-    precise float lit = 1.0 - (first + second);
-    bool known = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
-    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
 `,
             "hausdorff_share": `
@@ -7811,6 +7890,113 @@ inline float umbrage_summed_variance(UMBRAGE_MAP map, float2 size, float2 coord,
     return compared ? (d <= 0.0 ? 1.0 : behind) : 1.0;
 }
 `,
+            "box_mean": `
+// umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
+//   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end
+inline float4 umbrage_box_mean(UMBRAGE_MAP map, float2 size, float2 first, float2 end) {
+    float right = size.x * 0.5;
+    float4 a = umbrage_texel(map, size, end);
+    float4 b = umbrage_texel(map, size, float2(first.x, end.y));
+    float4 c = umbrage_texel(map, size, float2(end.x, first.y));
+    float4 d = umbrage_texel(map, size, first);
+    float4 low = (a - b) - (c - d);
+    float4 carry = metal::floor(low * (1.0 / 65536.0));
+    a = umbrage_texel(map, size, float2(right + end.x, end.y));
+    b = umbrage_texel(map, size, float2(right + first.x, end.y));
+    c = umbrage_texel(map, size, float2(right + end.x, first.y));
+    d = umbrage_texel(map, size, float2(right + first.x, first.y));
+    float4 above = (a - b) - (c - d) + carry;
+    float4 high = above - metal::floor(above * (1.0 / 65536.0)) * 65536.0;
+    float4 sum = high * 65536.0 + (low - carry * 65536.0);
+    float2 sides = end - first;
+    return sum / (sides.x * sides.y);
+}
+`,
+            "turn_moments_back": `
+// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
+inline float4 umbrage_turn_moments_back(float4 o) {
+    float x = o.x - 0.5;
+    float z = o.z - 0.5;
+    float eighth = o.y * 0.125;
+    float b1 = z * 1.73205078 - x * 0.333333343;
+    float b2 = o.w + eighth;
+    float b3 = z * 1.29903817 - x * 0.75;
+    float b4 = o.w - eighth;
+    return float4(b1, b2, b3, b4);
+}
+`,
+            "bias_moments": `
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+inline float4 umbrage_bias_moments(float4 b, float2 bias) {
+    float x = b.x - b.x * bias.x;
+    float y = b.y + (bias.y - b.y) * bias.x;
+    float z = b.z - b.z * bias.x;
+    float w = b.w + (bias.y - b.w) * bias.x;
+    return float4(x, y, z, w);
+}
+`,
+            "forward_depth": `
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+inline float umbrage_forward_depth(float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+`,
+            "moment_atoms": `
+// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
+//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+inline float4 umbrage_moment_atoms(float4 b, float x) {
+    float d = b.y - b.x * b.x;
+    float third = b.z - b.x * b.y;
+    float l = third / d;
+    float e = (b.w - b.y * b.y) - third * l;
+    float h = b.x * 2.0 - l;
+    float a = d * ((x + h) * x - d);
+    float m = x * e + h * a;
+    float c = d * (e - a);
+    float square = m * m - 4.0 * a * c;
+    float root = metal::sqrt(square > 0.0 ? square : 0.0);
+    float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
+    float2 t = float2(w / a, c / w);
+    float2 q = (t + h) * t - d;
+    float least = d * e;
+    float2 sum = least + (t * t * e + q * q * d);
+    return float4(t.x, t.y, least / sum.x, least / sum.y);
+}
+`,
+            "decode_msm": `
+// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased
+//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
+    float d = umbrage_forward_depth(receiver);
+    float4 m = umbrage_bias_moments(b, bias);
+    float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
+    float4 atoms = umbrage_moment_atoms(m, x);
+    float first = atoms.x < x ? atoms.z : 0.0;
+    float second = atoms.y < x ? atoms.w : 0.0;
+    float lit = 1.0 - (first + second);
+    bool known = metal::abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
+    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
+}
+`,
+            "summed_moments": `
+// umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
+//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
+inline float umbrage_summed_moments(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
+                                    float2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 last = float2(size.x * 0.5, size.y) - 1.0;
+    float2 texel = compared ? metal::clamp(metal::floor(coord), float2(0.0, 0.0), last - 1.0) : float2(0.0, 0.0);
+    float2 first = metal::max(texel - radius, float2(0.0, 0.0));
+    float2 end = metal::min(texel + radius + 1.0, last);
+    float4 turned = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
+    float lit = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    return compared ? lit : 1.0;
+}
+`,
             "power_of_two": `
 // umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
 inline float umbrage_power_of_two(float n) {
@@ -7844,12 +8030,6 @@ inline float umbrage_exp2_steps(float y) {
     float r = 1251.0 + metal::floor(f * 314.0 * (1.0 / 2048.0));
     float m = 2048.0 + f - metal::floor((g * r + 16384.0) * (1.0 / 32768.0));
     return m * (1.0 / 2048.0) * umbrage_power_of_two(n);
-}
-`,
-            "forward_depth": `
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-inline float umbrage_forward_depth(float depth) {
-    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
 }
 `,
             "chebyshev": `
@@ -7992,68 +8172,6 @@ inline float4 umbrage_turn_moments(float4 b) {
     float z = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
     float w = (b.y + b.w) * 0.5;
     return float4(x, y, z, w);
-}
-`,
-            "turn_moments_back": `
-// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
-inline float4 umbrage_turn_moments_back(float4 o) {
-    float x = o.x - 0.5;
-    float z = o.z - 0.5;
-    float eighth = o.y * 0.125;
-    float b1 = z * 1.73205078 - x * 0.333333343;
-    float b2 = o.w + eighth;
-    float b3 = z * 1.29903817 - x * 0.75;
-    float b4 = o.w - eighth;
-    return float4(b1, b2, b3, b4);
-}
-`,
-            "moment_atoms": `
-// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
-//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
-inline float4 umbrage_moment_atoms(float4 b, float x) {
-    float d = b.y - b.x * b.x;
-    float third = b.z - b.x * b.y;
-    float l = third / d;
-    float e = (b.w - b.y * b.y) - third * l;
-    float h = b.x * 2.0 - l;
-    float a = d * ((x + h) * x - d);
-    float m = x * e + h * a;
-    float c = d * (e - a);
-    float square = m * m - 4.0 * a * c;
-    float root = metal::sqrt(square > 0.0 ? square : 0.0);
-    float w = (m < 0.0 ? root - m : -(m + root)) * 0.5;
-    float2 t = float2(w / a, c / w);
-    float2 q = (t + h) * t - d;
-    float least = d * e;
-    float2 sum = least + (t * t * e + q * q * d);
-    return float4(t.x, t.y, least / sum.x, least / sum.y);
-}
-`,
-            "bias_moments": `
-// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
-inline float4 umbrage_bias_moments(float4 b, float2 bias) {
-    float x = b.x - b.x * bias.x;
-    float y = b.y + (bias.y - b.y) * bias.x;
-    float z = b.z - b.z * bias.x;
-    float w = b.w + (bias.y - b.w) * bias.x;
-    return float4(x, y, z, w);
-}
-`,
-            "decode_msm": `
-// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased
-//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
-inline float umbrage_decode_msm(float4 b, float receiver, float2 bias) {
-    float d = umbrage_forward_depth(receiver);
-    float4 m = umbrage_bias_moments(b, bias);
-    float x = ((d > 0.0 ? (d < 1.0 ? d : 1.0) : 0.0) * 2.0 - 1.0) - m.x;
-    float4 atoms = umbrage_moment_atoms(m, x);
-    float first = atoms.x < x ? atoms.z : 0.0;
-    float second = atoms.y < x ? atoms.w : 0.0;
-    float lit = 1.0 - (first + second);
-    bool known = metal::abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
-    lit = known ? (lit > 0.0 ? (lit < 1.0 ? lit : 1.0) : 0.0) : (x <= 0.0 ? 1.0 : 0.0);
-    return d > 0.0 ? lit : (d <= 0.0 ? lit : 0.0);
 }
 `,
             "hausdorff_share": `
@@ -10529,6 +10647,112 @@ fn umbrage_summed_variance(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver:
     return select(1.0, select(behind, 1.0, d <= 0.0), compared);
 }
 `,
+            "box_mean": `
+// umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
+//   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end
+fn umbrage_box_mean(UMBRAGE_MAP map, size: vec2f, first: vec2f, end: vec2f) -> vec4f {
+    let right: f32 = size.x * 0.5;
+    var a: vec4f = umbrage_texel(map, size, end);
+    var b: vec4f = umbrage_texel(map, size, vec2f(first.x, end.y));
+    var c: vec4f = umbrage_texel(map, size, vec2f(end.x, first.y));
+    var d: vec4f = umbrage_texel(map, size, first);
+    let low: vec4f = (a - b) - (c - d);
+    let carry: vec4f = floor(low * (1.0 / 65536.0));
+    a = umbrage_texel(map, size, vec2f(right + end.x, end.y));
+    b = umbrage_texel(map, size, vec2f(right + first.x, end.y));
+    c = umbrage_texel(map, size, vec2f(right + end.x, first.y));
+    d = umbrage_texel(map, size, vec2f(right + first.x, first.y));
+    let above: vec4f = (a - b) - (c - d) + carry;
+    let high: vec4f = above - floor(above * (1.0 / 65536.0)) * 65536.0;
+    let sum: vec4f = high * 65536.0 + (low - carry * 65536.0);
+    let sides: vec2f = end - first;
+    return sum / (sides.x * sides.y);
+}
+`,
+            "turn_moments_back": `
+// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
+fn umbrage_turn_moments_back(o: vec4f) -> vec4f {
+    let x: f32 = o.x - 0.5;
+    let z: f32 = o.z - 0.5;
+    let eighth: f32 = o.y * 0.125;
+    let b1: f32 = z * 1.73205078 - x * 0.333333343;
+    let b2: f32 = o.w + eighth;
+    let b3: f32 = z * 1.29903817 - x * 0.75;
+    let b4: f32 = o.w - eighth;
+    return vec4f(b1, b2, b3, b4);
+}
+`,
+            "bias_moments": `
+// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
+fn umbrage_bias_moments(b: vec4f, bias: vec2f) -> vec4f {
+    let x: f32 = b.x - b.x * bias.x;
+    let y: f32 = b.y + (bias.y - b.y) * bias.x;
+    let z: f32 = b.z - b.z * bias.x;
+    let w: f32 = b.w + (bias.y - b.w) * bias.x;
+    return vec4f(x, y, z, w);
+}
+`,
+            "forward_depth": `
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+fn umbrage_forward_depth(depth: f32) -> f32 {
+    return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
+}
+`,
+            "moment_atoms": `
+// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
+//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
+fn umbrage_moment_atoms(b: vec4f, x: f32) -> vec4f {
+    let d: f32 = b.y - b.x * b.x;
+    let third: f32 = b.z - b.x * b.y;
+    let l: f32 = third / d;
+    let e: f32 = (b.w - b.y * b.y) - third * l;
+    let h: f32 = b.x * 2.0 - l;
+    let a: f32 = d * ((x + h) * x - d);
+    let m: f32 = x * e + h * a;
+    let c: f32 = d * (e - a);
+    let square: f32 = m * m - 4.0 * a * c;
+    let root: f32 = sqrt(select(0.0, square, square > 0.0));
+    let w: f32 = select(-(m + root), root - m, m < 0.0) * 0.5;
+    let t: vec2f = vec2f(w / a, c / w);
+    let q: vec2f = (t + h) * t - d;
+    let least: f32 = d * e;
+    let sum: vec2f = least + (t * t * e + q * q * d);
+    return vec4f(t.x, t.y, least / sum.x, least / sum.y);
+}
+`,
+            "decode_msm": `
+// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
+//   b  mean of texels;   receiver  depth, biased
+//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
+fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
+    let d: f32 = umbrage_forward_depth(receiver);
+    let m: vec4f = umbrage_bias_moments(b, bias);
+    let x: f32 = (select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0) - m.x;
+    let atoms: vec4f = umbrage_moment_atoms(m, x);
+    let first: f32 = select(0.0, atoms.z, atoms.x < x);
+    let second: f32 = select(0.0, atoms.w, atoms.y < x);
+    var lit: f32 = 1.0 - (first + second);
+    let known: bool = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
+    lit = select(select(0.0, 1.0, x <= 0.0), select(0.0, select(1.0, lit, lit < 1.0), lit > 0.0), known);
+    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
+}
+`,
+            "summed_moments": `
+// umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
+//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
+fn umbrage_summed_moments(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, bias: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let last: vec2f = vec2f(size.x * 0.5, size.y) - 1.0;
+    let texel: vec2f = select(vec2f(0.0, 0.0), clamp(floor(coord), vec2f(0.0, 0.0), last - 1.0), compared);
+    let first: vec2f = max(texel - radius, vec2f(0.0, 0.0));
+    let end: vec2f = min(texel + radius + 1.0, last);
+    let turned: vec4f = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
+    let lit: f32 = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    return select(1.0, lit, compared);
+}
+`,
             "power_of_two": `
 // umbrage_power_of_two: 2^n of a whole number n, -64.0 to 63.0
 fn umbrage_power_of_two(n: f32) -> f32 {
@@ -10562,12 +10786,6 @@ fn umbrage_exp2_steps(y: f32) -> f32 {
     let r: f32 = 1251.0 + floor(f * 314.0 * (1.0 / 2048.0));
     let m: f32 = 2048.0 + f - floor((g * r + 16384.0) * (1.0 / 32768.0));
     return m * (1.0 / 2048.0) * umbrage_power_of_two(n);
-}
-`,
-            "forward_depth": `
-// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
-fn umbrage_forward_depth(depth: f32) -> f32 {
-    return select(depth, 1.0 - depth, umbrage_cleared_depth() < 0.5);
 }
 `,
             "chebyshev": `
@@ -10710,68 +10928,6 @@ fn umbrage_turn_moments(b: vec4f) -> vec4f {
     let z: f32 = (b.x * 2.25 - b.z) * 0.384900182 + 0.5;
     let w: f32 = (b.y + b.w) * 0.5;
     return vec4f(x, y, z, w);
-}
-`,
-            "turn_moments_back": `
-// umbrage_turn_moments_back: four moments of what umbrage_turn_moments made of them
-fn umbrage_turn_moments_back(o: vec4f) -> vec4f {
-    let x: f32 = o.x - 0.5;
-    let z: f32 = o.z - 0.5;
-    let eighth: f32 = o.y * 0.125;
-    let b1: f32 = z * 1.73205078 - x * 0.333333343;
-    let b2: f32 = o.w + eighth;
-    let b3: f32 = z * 1.29903817 - x * 0.75;
-    let b4: f32 = o.w - eighth;
-    return vec4f(b1, b2, b3, b4);
-}
-`,
-            "moment_atoms": `
-// umbrage_moment_atoms: the two depths that beside the receiver's have the same moments, less b.x, and their shares
-//   b  moments, biased;   x  the receiver's depth on -1.0 to 1.0 less b.x
-fn umbrage_moment_atoms(b: vec4f, x: f32) -> vec4f {
-    let d: f32 = b.y - b.x * b.x;
-    let third: f32 = b.z - b.x * b.y;
-    let l: f32 = third / d;
-    let e: f32 = (b.w - b.y * b.y) - third * l;
-    let h: f32 = b.x * 2.0 - l;
-    let a: f32 = d * ((x + h) * x - d);
-    let m: f32 = x * e + h * a;
-    let c: f32 = d * (e - a);
-    let square: f32 = m * m - 4.0 * a * c;
-    let root: f32 = sqrt(select(0.0, square, square > 0.0));
-    let w: f32 = select(-(m + root), root - m, m < 0.0) * 0.5;
-    let t: vec2f = vec2f(w / a, c / w);
-    let q: vec2f = (t + h) * t - d;
-    let least: f32 = d * e;
-    let sum: vec2f = least + (t * t * e + q * q * d);
-    return vec4f(t.x, t.y, least / sum.x, least / sum.y);
-}
-`,
-            "bias_moments": `
-// umbrage_bias_moments: moments moved by a share bias.x towards (0.0, bias.y, 0.0, bias.y)
-fn umbrage_bias_moments(b: vec4f, bias: vec2f) -> vec4f {
-    let x: f32 = b.x - b.x * bias.x;
-    let y: f32 = b.y + (bias.y - b.y) * bias.x;
-    let z: f32 = b.z - b.z * bias.x;
-    let w: f32 = b.w + (bias.y - b.w) * bias.x;
-    return vec4f(x, y, z, w);
-}
-`,
-            "decode_msm": `
-// umbrage_decode_msm: visibility of a receiver, at least its lit share less bias.x; 1.0 is lit
-//   b  mean of texels;   receiver  depth, biased
-//   bias  (3e-6, 0.375) of floats of 32 bits, (6e-5, 0.628) of channels of 16
-fn umbrage_decode_msm(b: vec4f, receiver: f32, bias: vec2f) -> f32 {
-    let d: f32 = umbrage_forward_depth(receiver);
-    let m: vec4f = umbrage_bias_moments(b, bias);
-    let x: f32 = (select(0.0, select(1.0, d, d < 1.0), d > 0.0) * 2.0 - 1.0) - m.x;
-    let atoms: vec4f = umbrage_moment_atoms(m, x);
-    let first: f32 = select(0.0, atoms.z, atoms.x < x);
-    let second: f32 = select(0.0, atoms.w, atoms.y < x);
-    var lit: f32 = 1.0 - (first + second);
-    let known: bool = abs(atoms.z + atoms.w) <= 4294967296.0;  // what is no NaN
-    lit = select(select(0.0, 1.0, x <= 0.0), select(0.0, select(1.0, lit, lit < 1.0), lit > 0.0), known);
-    return select(select(0.0, lit, d <= 0.0), lit, d > 0.0);
 }
 `,
             "hausdorff_share": `
@@ -11499,10 +11655,16 @@ const rows = [
     ["dpcf32", "dpcf32", "contact hardening by 32 points", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers32", "floor_divide", "hardened32"]],
     ["box_moments", "box_moments", "mean and squared distances from it over a box, from a summed-area table", "a", 0, 0, "100", "none", false, ["texel", "floor_divide"]],
     ["summed_variance", "summed_variance", "variance shadow over a box of any size, from a summed-area table", "c", 0, 1 / 65536, "100", "none", false, ["is_compared", "cleared_depth", "box_moments"]],
+    ["box_mean", "box_mean", "mean of four whole numbers over a box, from a summed-area table in two halves", "c", 1, 0, "100", "none", false, ["texel"]],
+    ["turn_moments_back", "turn_moments_back", "four channels of 16 bits to four moments", "b", 0, 0, "100", "none", false, []],
+    ["bias_moments", "bias_moments", "four moments, moved a little towards those of spread depths", "b", 0, 0, "100", "none", false, []],
+    ["forward_depth", "forward_depth", "depth that grows with distance", "b", 0, 0, "100", "none", false, ["cleared_depth"]],
+    ["moment_atoms", "moment_atoms", "the two depths that make four moments beside a receiver's", "c", 0, 1 / 64, "100", "none", false, []],
+    ["decode_msm", "decode_msm", "mean of four moments to visibility", "c", 0, 1 / 64, "100", "none", false, ["bias_moments", "forward_depth", "moment_atoms"]],
+    ["summed_moments", "summed_moments", "moment shadow over a box of any size, from a summed-area table", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "box_mean", "turn_moments_back", "decode_msm"]],
     ["power_of_two", "power_of_two", "2^n of whole numbers -64 to 63", "a", 0, 0, "100", "none", false, []],
     ["exp2_polynomial", "exp2_polynomial", "2^y to 1.8e-7 of it", "b", 0, 0, "100", "none", false, ["power_of_two"]],
     ["exp2_steps", "exp2_steps", "2^y in steps of 12 bits", "a", 0, 0, "100", "none", false, ["power_of_two"]],
-    ["forward_depth", "forward_depth", "depth that grows with distance", "b", 0, 0, "100", "none", false, ["cleared_depth"]],
     ["chebyshev", "chebyshev", "most that mean and variance let be lit", "c", 1, 0, "100", "none", false, []],
     ["bleed_cut", "bleed_cut", "visibility without its least values", "c", 1, 0, "100", "none", false, []],
     ["encode_vsm", "encode_vsm", "depth to a texel of a variance shadow map", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth"]],
@@ -11519,10 +11681,6 @@ const rows = [
     ["decode_evsm4", "decode_evsm4", "mean of texels of four components to visibility", "c", 1, 0, "100", "none", false, ["chebyshev", "forward_depth", "saturate", "warp_depth"]],
     ["encode_msm", "encode_msm", "depth to its first four powers on [-1, 1]", "b", 0, 0, "100", "none", false, ["saturate", "forward_depth"]],
     ["turn_moments", "turn_moments", "four moments to four channels of 16 bits", "b", 0, 0, "100", "none", false, []],
-    ["turn_moments_back", "turn_moments_back", "four channels of 16 bits to four moments", "b", 0, 0, "100", "none", false, []],
-    ["moment_atoms", "moment_atoms", "the two depths that make four moments beside a receiver's", "c", 0, 1 / 64, "100", "none", false, []],
-    ["bias_moments", "bias_moments", "four moments, moved a little towards those of spread depths", "b", 0, 0, "100", "none", false, []],
-    ["decode_msm", "decode_msm", "mean of four moments to visibility", "c", 0, 1 / 64, "100", "none", false, ["bias_moments", "forward_depth", "moment_atoms"]],
     ["hausdorff_share", "hausdorff_share", "least share of depths before a receiver, of depths on [-1, 1]", "c", 0, 1 / 1048576, "100", "none", false, []],
     ["decode_msm_hausdorff", "decode_msm_hausdorff", "mean of four moments of depths on [-1, 1] to visibility", "c", 0, 1 / 64, "100", "none", false, ["bias_moments", "decode_msm", "forward_depth", "hausdorff_share"]],
     ["fetch_bilinear", "fetch_bilinear", "mean of the four texels around a point", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
@@ -11607,4 +11765,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, power_of_two, exp2_polynomial, exp2_steps, forward_depth, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, turn_moments_back, moment_atoms, bias_moments, decode_msm, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, turn_moments_back, bias_moments, forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

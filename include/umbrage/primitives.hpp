@@ -54,6 +54,7 @@
 #include <umbrage/filter/prefiltered/prefilters.hpp>
 #include <umbrage/filter/prefiltered/reduce.hpp>
 #include <umbrage/filter/prefiltered/vsm.hpp>
+#include <umbrage/filter/table/summed_moments.hpp>
 #include <umbrage/filter/table/summed_variance.hpp>
 #include <umbrage/filter/texel_space.hpp>
 #include <umbrage/floor_divide.hpp>

@@ -7845,6 +7845,130 @@ inline constexpr auto reduce_snippets = list<&blur_row<3>, &blur_row<5>, &blur_r
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/filter/table/summed_moments.hpp
+// Moment shadows from a summed-area table: a box of any size from its four corners.
+//
+//     umbrage::image<glm::u16vec4> table = umbrage::make_moment_table(map, {.radius = 16});
+//     float visibility = umbrage::summed_moments(umbrage::clamped(table), table.size(), coord, depth - bias, 16.0f,
+//                                                umbrage::msm_bias_16);
+//
+// The table holds turned moments as whole numbers of 16 bits, so that their sums over a box are exact: its left half
+// has the sums modulo 2^16, its right half what they are over 2^16. That is one texture of RGBA16UI.
+
+namespace umbrage {
+
+/// Mean of four whole numbers below 2^16 over a box.
+/// @param table        ivec2 -> four whole numbers below 2^16: in the left half sums modulo 2^16 of all texels before
+///                     a column and a row, in the right half the same sums over 2^16, modulo 2^16
+/// @param half_width   columns of either half
+/// @param first        of the box: lowest column and row;   end  highest and one, first < end
+/// @formula            (a - b - c + d) mod 2^32 over the number of texels
+/// @exactness          C, 1 ulp: a division; its dividend is the sum to half an ulp, while that is below 2^32, however
+///                     often the table has wrapped
+template <real T, class Fetch>
+[[nodiscard]] glm::vec<4, T> box_mean(Fetch&& table, int half_width, glm::ivec2 first, glm::ivec2 end) {
+    const auto part = [&](int right) {
+        const glm::ivec2 half(right, 0);
+        const glm::vec<4, T> a(table(half + end)), b(table(half + glm::ivec2(first.x, end.y)));
+        const glm::vec<4, T> c(table(half + glm::ivec2(end.x, first.y))), d(table(half + first));
+        return (a - b) - (c - d);
+    };
+    const glm::vec<4, T> low = part(0), carry = glm::floor(low * T(1.0 / 65536.0)), above = part(half_width) + carry;
+    const glm::vec<4, T> high = above - glm::floor(above * T(1.0 / 65536.0)) * T(65536);
+    const glm::vec<2, T> sides(end - first);
+    return (high * T(65536) + (low - carry * T(65536))) / (sides.x * sides.y);
+}
+
+/// Share of the texels in a box that can be lit, from their four moments.
+/// @param table      as make_moment_table makes it
+/// @param size       of the table in texels: (2 (w + 1), h + 1) of a map of w x h
+/// @param coord      receiver in texels of the map, the first texel's centre is (0.5, 0.5); outside texel space, or
+///                   NaN: lit; what of the box lies outside the map does not count
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param radius     whole, >= 0: the box has 2 radius + 1 texels a side; at most the table's
+/// @param bias       msm_bias_16
+/// @return           visibility: at least the lit share of the box, less bias.x and decode_msm's error
+/// @formula          decode_msm of box_mean / 65535, turned back
+/// @exactness        C: within 1/64 in a shader
+/// @cite             Peters, Klein: Moment shadow mapping, I3D 2015; Crow: Summed-area tables for texture mapping,
+///                   SIGGRAPH 1984
+template <real T, class Fetch>
+[[nodiscard]] T summed_moments(Fetch&& table, glm::ivec2 size, glm::vec<2, T> coord, T receiver, T radius,
+                               glm::vec<2, T> bias, T far = T(1)) {
+    const comparison is_lit{far < T(0.5) ? depth_direction::reversed : depth_direction::forward};
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const glm::ivec2 map(size.x / 2 - 1, size.y - 1);
+    const glm::ivec2 texel = glm::clamp(glm::ivec2(glm::floor(coord)), glm::ivec2(0), map - 1);
+    const int reach = static_cast<int>(radius);
+    const glm::ivec2 first = glm::max(texel - reach, glm::ivec2(0)), end = glm::min(texel + reach + 1, map);
+    const glm::vec<4, T> turned = box_mean<T>(table, size.x / 2, first, end) * T(1.0 / 65535.0);
+    return decode_msm(turn_moments_back(turned), receiver, bias, far);
+}
+
+namespace glsl {
+
+inline constexpr snippet box_mean{
+    .name = "box_mean",
+    .summary = "mean of four whole numbers over a box, from a summed-area table in two halves",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&texel>,
+    .source = R"GLSL(
+// umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
+//   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end
+UMBRAGE_HIGHP vec4 umbrage_box_mean(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 first,
+                                    UMBRAGE_HIGHP vec2 end) {
+    UMBRAGE_HIGHP float right = size.x * 0.5;
+    UMBRAGE_HIGHP vec4 a = umbrage_texel(map, size, end);
+    UMBRAGE_HIGHP vec4 b = umbrage_texel(map, size, vec2(first.x, end.y));
+    UMBRAGE_HIGHP vec4 c = umbrage_texel(map, size, vec2(end.x, first.y));
+    UMBRAGE_HIGHP vec4 d = umbrage_texel(map, size, first);
+    UMBRAGE_HIGHP vec4 low = (a - b) - (c - d);
+    UMBRAGE_HIGHP vec4 carry = floor(low * (1.0 / 65536.0));
+    a = umbrage_texel(map, size, vec2(right + end.x, end.y));
+    b = umbrage_texel(map, size, vec2(right + first.x, end.y));
+    c = umbrage_texel(map, size, vec2(right + end.x, first.y));
+    d = umbrage_texel(map, size, vec2(right + first.x, first.y));
+    UMBRAGE_HIGHP vec4 above = (a - b) - (c - d) + carry;
+    UMBRAGE_HIGHP vec4 high = above - floor(above * (1.0 / 65536.0)) * 65536.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = high * 65536.0 + (low - carry * 65536.0);
+    UMBRAGE_HIGHP vec2 sides = end - first;
+    return sum / (sides.x * sides.y);
+}
+)GLSL",
+};
+
+inline constexpr snippet summed_moments{
+    .name = "summed_moments",
+    .summary = "moment shadow over a box of any size, from a summed-area table",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .needs = list<&is_compared, &box_mean, &turn_moments_back, &decode_msm>,
+    .source = R"GLSL(
+// umbrage_summed_moments: moment shadow from a summed-area table; visibility, 1.0 is lit
+//   map, size  the table, of make_moment_table, and its size: twice the shadow map's width and two, its height and one
+//   coord, receiver  in texels of the shadow map, first centre at (0.5, 0.5), and depth, biased
+//   radius     whole: the box has 2 radius + 1 texels a side;   bias  (6e-5, 0.628)
+UMBRAGE_HIGHP float umbrage_summed_moments(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                           UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                           UMBRAGE_HIGHP vec2 bias) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 last = vec2(size.x * 0.5, size.y) - 1.0;
+    UMBRAGE_HIGHP vec2 texel = compared ? clamp(floor(coord), vec2(0.0, 0.0), last - 1.0) : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 first = max(texel - radius, vec2(0.0, 0.0));
+    UMBRAGE_HIGHP vec2 end = min(texel + radius + 1.0, last);
+    UMBRAGE_HIGHP vec4 turned = umbrage_box_mean(map, size, first, end) * (1.0 / 65535.0);
+    UMBRAGE_HIGHP float lit = umbrage_decode_msm(umbrage_turn_moments_back(turned), receiver, bias);
+    return compared ? lit : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr auto summed_moments_snippets = list<&box_mean, &summed_moments>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/filter/table/summed_variance.hpp
 // Variance shadows from a summed-area table: a box of any size from four texels.
 //
@@ -15092,6 +15216,315 @@ template <class ParallelFor = serial>
 
 }  // namespace umbrage
 
+// ---- umbrage/images/summed_area.hpp
+// Summed-area tables: the sum over any rectangle of an image from four texels.
+//
+//     umbrage::image<std::uint32_t> sums(values.size());
+//     umbrage::summed_area(values, sums);
+//     std::uint32_t sum = umbrage::box_sum(sums, {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
+//
+// Prefer integers: quantise depths or moments first. Their tables are exact, whatever the order; a table of floats
+// loses bits as it grows, and its differences lose more.
+
+UMBRAGE_STRICT_MATH
+namespace umbrage {
+namespace detail {
+
+/// Floats are always added in fours, in the order that summed_area states; integers in any.
+template <class T, isa Set>
+inline constexpr int sum_lanes = std::is_integral_v<T>&& Set != isa::base ? running_sum_lanes : 4;
+
+/// The running sums of a band, and those of the bands before it. A load waits for an earlier store whose address has
+/// the same last twelve bits (4K aliasing): so both lie, modulo 4096, away from the rows of the image and of the table.
+/// The worst placement was measured to be five times as slow.
+template <class Sum>
+class band_sums {
+public:
+    band_sums(std::size_t length, const void* from, const void* to) : memory_(2 * length + 2 * page / sizeof(Sum)) {
+        const std::size_t a = last_bits(from), b = last_bits(to), ahead = (b - a) % page, behind = page - ahead;
+        base = place(memory_.data(), ahead > behind ? a + ahead / 3 : b + behind / 3);
+        line = place(base + length, ahead > behind ? a + 2 * ahead / 3 : b + 2 * behind / 3);
+    }
+    band_sums(const band_sums&) = delete;
+    band_sums& operator=(const band_sums&) = delete;
+
+private:
+    static constexpr std::size_t page = 4096;
+    static std::size_t last_bits(const void* p) { return reinterpret_cast<std::uintptr_t>(p) % page; }
+    static Sum* place(Sum* from, std::size_t wanted) {
+        return from + (wanted / 64 * 64 - last_bits(from)) % page / sizeof(Sum);
+    }
+
+    std::vector<Sum> memory_;
+
+public:
+    Sum *base, *line;
+};
+
+enum class table_store { none, plain, streaming };
+
+/// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`, or of
+/// integers `line` itself, which then holds all that is above.
+template <table_store Store, int Lanes, class From, class Sum>
+UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line, Sum* to, int count) {
+    using few = lanes_of<Sum, Lanes>;
+    few carry{};
+    const auto sum_few = [&](const Sum* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
+        few sums, there, together;
+        load_lanes(values, together);
+        load_lanes(lines, there);
+        running_sum<Lanes>(together);
+        sums = (carry + together) + there;
+        all_last<Lanes>(together);
+        carry = carry + together;
+        store_lanes(sums, lines);
+        if constexpr (Store == table_store::none) return;
+        if constexpr (!std::is_integral_v<Sum>) {
+            load_lanes(under, there);
+            sums = sums + there;
+        }
+        if constexpr (Store == table_store::plain) store_lanes(sums, result);
+        if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
+    };
+    int x = 0;
+    // This block and the next, which is loaded before the stores that its loads could alias with.
+    alignas(64) Sum values[2][block];
+    const auto load = [&](int first) UMBRAGE_INLINE {
+        Sum* const into = values[first / block % 2];
+        // Measured: the hardware prefetcher comes too late.
+        prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));
+        for (int i = 0; i < block; ++i) into[i] = from[first + i];
+    };
+    if (block <= count) load(0);
+    for (; x + block <= count; x += block) {
+        if (x + 2 * block <= count) load(x + block);
+        const Sum* const now = values[x / block % 2];
+        for (int i = 0; i < block; i += Lanes) sum_few(now + i, base + x + i, line + x + i, to + x + i);
+    }
+    for (; x < count; x += Lanes) {  // base and line are padded
+        const int there = count - x < Lanes ? count - x : Lanes;
+        Sum rest[std::size_t(Lanes)]{};
+        alignas(Lanes * sizeof(Sum)) Sum result[std::size_t(Lanes)];
+        for (int i = 0; i < there; ++i) rest[i] = from[x + i];
+        sum_few(rest, base + x, line + x, result);
+        if constexpr (Store != table_store::none)
+            for (int i = 0; i < there; ++i) to[x + i] = result[i];
+    }
+}
+
+inline constexpr int band_rows =
+    64;  ///< rows of a table that are summed from zero, then put on top of what is before them
+
+/// Rows first <= y < last of one band into the table; `line` becomes the sums of the band down to there.
+template <class From, class Sum>
+void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, int last, const Sum* base, Sum* line) {
+    const int width = sums.size.x;
+    const bool is_large = past_cache(sums);
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
+        for (int y = first; y < last; ++y) {
+            const From* from = values.row(y);
+            Sum* to = sums.row(y);
+            if (is_large && streams_to(to)) sum_row<table_store::streaming, lanes>(from, base, line, to, width);
+            else sum_row<table_store::plain, lanes>(from, base, line, to, width);
+        }
+    });
+    if (is_large) finish_streaming();
+}
+
+/// What those rows put under all that follow; `line` starts as zeros.
+template <class From, class Sum>
+void total_of_rows(image_view<const From> values, int first, int last, Sum* line) {
+    const int width = values.size.x;
+    on_best_isa([&](auto set) UMBRAGE_INLINE {
+        if constexpr (std::is_integral_v<Sum>) {  // in any order: down the columns, then along one row
+            for (int y = first; y < last; ++y) {
+                const From* from = values.row(y);
+                int x = 0;
+                for (; x + block <= width; x += block) {
+                    UMBRAGE_NO_OVERLAP
+                    for (int i = 0; i < block; ++i) line[x + i] += from[x + i];
+                }
+                for (; x < width; ++x) line[x] += from[x];
+            }
+            for (int x = 1; x < width; ++x) line[x] += line[x - 1];
+        } else {
+            for (int y = first; y < last; ++y)
+                sum_row<table_store::none, sum_lanes<Sum, decltype(set)::value>>(values.row(y), line, line, line,
+                                                                                 width);
+        }
+    });
+}
+
+}  // namespace detail
+
+/// Each texel: the sum of all in its row and the rows before, up to and including its column.
+///
+/// @param values    uint8_t, uint16_t or uint32_t for a table of uint32_t; float for one of floats
+/// @param sums      same size, other pixels
+/// @param parallel  cuts bands of 64 rows into pieces, see parallel.hpp; the image is then read twice
+/// @throws std::invalid_argument  sizes differ
+/// @exactness   uint32_t A: modulo 2^32. float B. In a row, groups g of four from its start, each summed as g0, g0+g1,
+///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right;
+///              to that the texel above, in bands of 64 rows; to that the last row of the bands before, added up
+///              downwards
+template <class From, class Sum, class ParallelFor = serial>
+void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& parallel = {}) {
+    using value = std::remove_const_t<From>;
+    static_assert(std::is_same_v<Sum, float> ? std::is_same_v<value, float>
+                                             : std::is_same_v<Sum, std::uint32_t> && std::is_unsigned_v<value> &&
+                                                   sizeof(value) <= sizeof(Sum));
+    if (values.size != sums.size) detail::fail("umbrage::summed_area: sizes differ");
+    if (values.empty()) return;
+    const int height = sums.size.y, bands = (height + detail::band_rows - 1) / detail::band_rows;
+    const auto length = (static_cast<std::size_t>(sums.size.x) + 7) / 8 * 8;
+    const auto end_of = [=](int b) { return b + 1 < bands ? (b + 1) * detail::band_rows : height; };
+    const auto add = [=](const Sum* from, Sum* to) {
+        for (std::size_t i = 0; i < length; ++i) to[i] = from[i] + to[i];
+    };
+    if constexpr (std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>) {
+        detail::band_sums<Sum> band(length, values.data, sums.data);
+        for (int b = 0; b < bands; ++b) {
+            detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), band.base, band.line);
+            if constexpr (std::is_integral_v<Sum>) continue;
+            add(band.line, band.base);
+            std::fill(band.line, band.line + length, Sum(0));
+        }
+    } else {
+        // What each band puts under the next one, by itself and then with all before it; then the bands, in any order.
+        std::vector<Sum> bases(length * static_cast<std::size_t>(bands));
+        const auto base = [&](int b) { return bases.data() + length * static_cast<std::size_t>(b); };
+        if (bands > 1)
+            parallel(bands - 1, [&](int first, int last) {
+                for (int b = first; b < last; ++b)
+                    detail::total_of_rows<value, Sum>(values, b * detail::band_rows, end_of(b), base(b + 1));
+            });
+        for (int b = 1; b < bands; ++b) add(base(b - 1), base(b));
+        parallel(bands, [&](int first, int last) {
+            for (int b = first; b < last; ++b) {
+                detail::band_sums<Sum> band(length, values.data, sums.data);
+                std::copy(base(b), base(b) + length, std::is_integral_v<Sum> ? band.line : band.base);
+                detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), band.base, band.line);
+            }
+        });
+    }
+}
+
+/// The same where one of the two is an image.
+template <class From, class Sums, class ParallelFor = serial>
+requires detail::some_image<From, Sums>
+void summed_area(const From& values, Sums&& sums, ParallelFor&& parallel = {}) {
+    summed_area(detail::view_of(values), detail::view_of(sums), parallel);
+}
+
+/// Sum over a rectangle of the image that a table was made of.
+///
+/// @param sums     a table from summed_area
+/// @param first    lowest column and row
+/// @param last     highest column and row, they count too
+/// @return         what lies outside the image counts as 0, as does a rectangle with last < first
+/// @formula        S(last) - S(first.x - 1, last.y) - S(last.x, first.y - 1) + S(first - 1)
+/// @exactness      uint32_t A: exact while the rectangle's area times the greatest value < 2^32, even where sums of the
+///                 table have wrapped around. float B
+template <class T>
+[[nodiscard]] std::remove_const_t<T> box_sum(image_view<T> sums, glm::ivec2 first, glm::ivec2 last) {
+    const int left = first.x > 0 ? first.x : 0, right = last.x < sums.size.x ? last.x : sums.size.x - 1;
+    const int low = first.y > 0 ? first.y : 0, high = last.y < sums.size.y ? last.y : sums.size.y - 1;
+    if (left > right || low > high) return 0;
+    const auto at = [&](int x, int y) { return x < 0 || y < 0 ? std::remove_const_t<T>(0) : sums.row(y)[x]; };
+    return ((at(right, high) - at(left - 1, high)) - at(right, low - 1)) + at(left - 1, low - 1);
+}
+template <class T>
+[[nodiscard]] T box_sum(const image<T>& sums, glm::ivec2 first, glm::ivec2 last) {
+    return box_sum(sums.view(), first, last);
+}
+
+}  // namespace umbrage
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/images/moment_table.hpp
+// Summed-area tables of a shadow map's four moments, and visibility of whole images from them.
+//
+//     umbrage::moment_table of{.radius = 16};
+//     umbrage::image<glm::u16vec4> table = umbrage::make_moment_table(map, of);
+//     umbrage::summed_visibility(table, of, receivers, 16, out);
+//
+// A box of 33 x 33 texels costs what one of 3 x 3 does, and bleeds less light than variance.
+
+namespace umbrage {
+
+/// What a table is made for.
+struct moment_table {
+    int radius = 16;  ///< of the largest box: 2 radius + 1 texels a side
+    glm::vec2 bias = msm_bias_16;
+    depth_direction direction = depth_direction::forward;
+};
+
+/// Sums of a map's moments for summed_moments.
+///
+/// @param map         depths; NaN counts as far
+/// @param of          the largest box, n texels of it within the map
+/// @return            two halves, each with one column and row more than the map: sums of 65535 turn_moments(encode_msm),
+///                    rounded, of what lies before a column and row; modulo 2^16, and over 2^16
+/// @throws std::invalid_argument  empty map, radius out of range, or 65535 n >= 2^32: what a box may then hold wraps
+template <class ParallelFor = serial>
+[[nodiscard]] image<glm::u16vec4> make_moment_table(image_view<const float> map, const moment_table& of,
+                                                    ParallelFor&& parallel = {}) {
+    if (map.empty()) detail::fail("umbrage::make_moment_table: empty map");
+    if (of.radius < 0 || of.radius > 32767) detail::fail("umbrage::make_moment_table: radius out of range");
+    const std::int64_t side = 2 * std::int64_t(of.radius) + 1;
+    const std::int64_t n = std::min<std::int64_t>(side, map.size.x) * std::min<std::int64_t>(side, map.size.y);
+    if (n > 65537) detail::fail("umbrage::make_moment_table: sums in a box of that radius may reach 2^32");
+
+    image<glm::u16vec4> codes(map.size), table({2 * (map.size.x + 1), map.size.y + 1}, glm::u16vec4(0));
+    const float far = cleared_depth(of.direction);
+    parallel(map.size.y, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < map.size.x; ++x)
+                codes[{x, y}] = glm::u16vec4(turn_moments(encode_msm(map.row(y)[x], far)) * 65535.0f + 0.5f);
+    });
+    image<std::uint32_t> channel(map.size), sums(map.size);
+    for (glm::length_t c = 0; c < 4; ++c) {
+        std::transform(codes.texels().begin(), codes.texels().end(), channel.texels().begin(),
+                       [c](const glm::u16vec4& t) { return std::uint32_t(t[c]); });
+        summed_area(channel, sums, parallel);
+        for (int y = 0; y < map.size.y; ++y)
+            for (int x = 0; x < map.size.x; ++x) {
+                const std::uint32_t sum = sums[{x, y}];
+                table[{x + 1, y + 1}][c] = static_cast<std::uint16_t>(sum & 0xFFFF);
+                table[{map.size.x + x + 2, y + 1}][c] = static_cast<std::uint16_t>(sum >> 16);
+            }
+    }
+    return table;
+}
+
+/// summed_moments of each receiver.
+/// @param table, of   from make_moment_table
+/// @param receivers   (x, y) in texels of the map, z depth, biased
+/// @param radius      of the box, at most the table's
+/// @param out         visibility, 1 lit; same size as receivers
+/// @throws std::invalid_argument  sizes differ, no table of two halves, or a radius below 0 or above the table's
+template <class ParallelFor = serial>
+void summed_visibility(image_view<const glm::u16vec4> table, const moment_table& of,
+                       image_view<const glm::vec3> receivers, int radius, image_view<float> out,
+                       ParallelFor&& parallel = {}) {
+    if (receivers.size != out.size) detail::fail("umbrage::summed_visibility: sizes differ");
+    if (table.size.x < 4 || table.size.x % 2 || table.size.y < 2)
+        detail::fail("umbrage::summed_visibility: the table is not one of make_moment_table");
+    if (radius < 0 || radius > of.radius) detail::fail("umbrage::summed_visibility: the table is of another radius");
+    const auto fetch = [table](glm::ivec2 at) { return glm::vec4(table.row(at.y)[at.x]); };
+    const auto reach = static_cast<float>(radius), far = cleared_depth(of.direction);
+    parallel(out.size.y, [&](int first, int last) {
+        for (int y = first; y < last; ++y)
+            for (int x = 0; x < out.size.x; ++x) {
+                const glm::vec3 r = receivers.row(y)[x];
+                out.row(y)[x] = summed_moments(fetch, table.size, glm::vec2(r), r.z, reach, of.bias, far);
+            }
+    });
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/images/overlay.hpp
 // A shadow map in the corner of the picture it shadowed, stretched in contrast so that people see something.
 //
@@ -15798,232 +16231,6 @@ template <class Frame>
 }
 
 }  // namespace umbrage
-
-// ---- umbrage/images/summed_area.hpp
-// Summed-area tables: the sum over any rectangle of an image from four texels.
-//
-//     umbrage::image<std::uint32_t> sums(values.size());
-//     umbrage::summed_area(values, sums);
-//     std::uint32_t sum = umbrage::box_sum(sums, {3, 5}, {10, 9});  // columns 3 .. 10, rows 5 .. 9
-//
-// Prefer integers: quantise depths or moments first. Their tables are exact, whatever the order; a table of floats
-// loses bits as it grows, and its differences lose more.
-
-UMBRAGE_STRICT_MATH
-namespace umbrage {
-namespace detail {
-
-/// Floats are always added in fours, in the order that summed_area states; integers in any.
-template <class T, isa Set>
-inline constexpr int sum_lanes = std::is_integral_v<T>&& Set != isa::base ? running_sum_lanes : 4;
-
-/// The running sums of a band, and those of the bands before it. A load waits for an earlier store whose address has
-/// the same last twelve bits (4K aliasing): so both lie, modulo 4096, away from the rows of the image and of the table.
-/// The worst placement was measured to be five times as slow.
-template <class Sum>
-class band_sums {
-public:
-    band_sums(std::size_t length, const void* from, const void* to) : memory_(2 * length + 2 * page / sizeof(Sum)) {
-        const std::size_t a = last_bits(from), b = last_bits(to), ahead = (b - a) % page, behind = page - ahead;
-        base = place(memory_.data(), ahead > behind ? a + ahead / 3 : b + behind / 3);
-        line = place(base + length, ahead > behind ? a + 2 * ahead / 3 : b + 2 * behind / 3);
-    }
-    band_sums(const band_sums&) = delete;
-    band_sums& operator=(const band_sums&) = delete;
-
-private:
-    static constexpr std::size_t page = 4096;
-    static std::size_t last_bits(const void* p) { return reinterpret_cast<std::uintptr_t>(p) % page; }
-    static Sum* place(Sum* from, std::size_t wanted) {
-        return from + (wanted / 64 * 64 - last_bits(from)) % page / sizeof(Sum);
-    }
-
-    std::vector<Sum> memory_;
-
-public:
-    Sum *base, *line;
-};
-
-enum class table_store { none, plain, streaming };
-
-/// Adds the running sums of a row of the image to `line`, and stores a row of the table: that plus `base`, or of
-/// integers `line` itself, which then holds all that is above.
-template <table_store Store, int Lanes, class From, class Sum>
-UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line, Sum* to, int count) {
-    using few = lanes_of<Sum, Lanes>;
-    few carry{};
-    const auto sum_few = [&](const Sum* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
-        few sums, there, together;
-        load_lanes(values, together);
-        load_lanes(lines, there);
-        running_sum<Lanes>(together);
-        sums = (carry + together) + there;
-        all_last<Lanes>(together);
-        carry = carry + together;
-        store_lanes(sums, lines);
-        if constexpr (Store == table_store::none) return;
-        if constexpr (!std::is_integral_v<Sum>) {
-            load_lanes(under, there);
-            sums = sums + there;
-        }
-        if constexpr (Store == table_store::plain) store_lanes(sums, result);
-        if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
-    };
-    int x = 0;
-    // This block and the next, which is loaded before the stores that its loads could alias with.
-    alignas(64) Sum values[2][block];
-    const auto load = [&](int first) UMBRAGE_INLINE {
-        Sum* const into = values[first / block % 2];
-        // Measured: the hardware prefetcher comes too late.
-        prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));
-        for (int i = 0; i < block; ++i) into[i] = from[first + i];
-    };
-    if (block <= count) load(0);
-    for (; x + block <= count; x += block) {
-        if (x + 2 * block <= count) load(x + block);
-        const Sum* const now = values[x / block % 2];
-        for (int i = 0; i < block; i += Lanes) sum_few(now + i, base + x + i, line + x + i, to + x + i);
-    }
-    for (; x < count; x += Lanes) {  // base and line are padded
-        const int there = count - x < Lanes ? count - x : Lanes;
-        Sum rest[std::size_t(Lanes)]{};
-        alignas(Lanes * sizeof(Sum)) Sum result[std::size_t(Lanes)];
-        for (int i = 0; i < there; ++i) rest[i] = from[x + i];
-        sum_few(rest, base + x, line + x, result);
-        if constexpr (Store != table_store::none)
-            for (int i = 0; i < there; ++i) to[x + i] = result[i];
-    }
-}
-
-inline constexpr int band_rows =
-    64;  ///< rows of a table that are summed from zero, then put on top of what is before them
-
-/// Rows first <= y < last of one band into the table; `line` becomes the sums of the band down to there.
-template <class From, class Sum>
-void sum_rows(image_view<const From> values, image_view<Sum> sums, int first, int last, const Sum* base, Sum* line) {
-    const int width = sums.size.x;
-    const bool is_large = past_cache(sums);
-    on_best_isa([&](auto set) UMBRAGE_INLINE {
-        constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
-        for (int y = first; y < last; ++y) {
-            const From* from = values.row(y);
-            Sum* to = sums.row(y);
-            if (is_large && streams_to(to)) sum_row<table_store::streaming, lanes>(from, base, line, to, width);
-            else sum_row<table_store::plain, lanes>(from, base, line, to, width);
-        }
-    });
-    if (is_large) finish_streaming();
-}
-
-/// What those rows put under all that follow; `line` starts as zeros.
-template <class From, class Sum>
-void total_of_rows(image_view<const From> values, int first, int last, Sum* line) {
-    const int width = values.size.x;
-    on_best_isa([&](auto set) UMBRAGE_INLINE {
-        if constexpr (std::is_integral_v<Sum>) {  // in any order: down the columns, then along one row
-            for (int y = first; y < last; ++y) {
-                const From* from = values.row(y);
-                int x = 0;
-                for (; x + block <= width; x += block) {
-                    UMBRAGE_NO_OVERLAP
-                    for (int i = 0; i < block; ++i) line[x + i] += from[x + i];
-                }
-                for (; x < width; ++x) line[x] += from[x];
-            }
-            for (int x = 1; x < width; ++x) line[x] += line[x - 1];
-        } else {
-            for (int y = first; y < last; ++y)
-                sum_row<table_store::none, sum_lanes<Sum, decltype(set)::value>>(values.row(y), line, line, line,
-                                                                                 width);
-        }
-    });
-}
-
-}  // namespace detail
-
-/// Each texel: the sum of all in its row and the rows before, up to and including its column.
-///
-/// @param values    uint8_t, uint16_t or uint32_t for a table of uint32_t; float for one of floats
-/// @param sums      same size, other pixels
-/// @param parallel  cuts bands of 64 rows into pieces, see parallel.hpp; the image is then read twice
-/// @throws std::invalid_argument  sizes differ
-/// @exactness   uint32_t A: modulo 2^32. float B. In a row, groups g of four from its start, each summed as g0, g0+g1,
-///              (g1+g2)+g0, (g2+g3)+(g0+g1); to them the last sums of the groups before, added up from left to right;
-///              to that the texel above, in bands of 64 rows; to that the last row of the bands before, added up
-///              downwards
-template <class From, class Sum, class ParallelFor = serial>
-void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& parallel = {}) {
-    using value = std::remove_const_t<From>;
-    static_assert(std::is_same_v<Sum, float> ? std::is_same_v<value, float>
-                                             : std::is_same_v<Sum, std::uint32_t> && std::is_unsigned_v<value> &&
-                                                   sizeof(value) <= sizeof(Sum));
-    if (values.size != sums.size) detail::fail("umbrage::summed_area: sizes differ");
-    if (values.empty()) return;
-    const int height = sums.size.y, bands = (height + detail::band_rows - 1) / detail::band_rows;
-    const auto length = (static_cast<std::size_t>(sums.size.x) + 7) / 8 * 8;
-    const auto end_of = [=](int b) { return b + 1 < bands ? (b + 1) * detail::band_rows : height; };
-    const auto add = [=](const Sum* from, Sum* to) {
-        for (std::size_t i = 0; i < length; ++i) to[i] = from[i] + to[i];
-    };
-    if constexpr (std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>) {
-        detail::band_sums<Sum> band(length, values.data, sums.data);
-        for (int b = 0; b < bands; ++b) {
-            detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), band.base, band.line);
-            if constexpr (std::is_integral_v<Sum>) continue;
-            add(band.line, band.base);
-            std::fill(band.line, band.line + length, Sum(0));
-        }
-    } else {
-        // What each band puts under the next one, by itself and then with all before it; then the bands, in any order.
-        std::vector<Sum> bases(length * static_cast<std::size_t>(bands));
-        const auto base = [&](int b) { return bases.data() + length * static_cast<std::size_t>(b); };
-        if (bands > 1)
-            parallel(bands - 1, [&](int first, int last) {
-                for (int b = first; b < last; ++b)
-                    detail::total_of_rows<value, Sum>(values, b * detail::band_rows, end_of(b), base(b + 1));
-            });
-        for (int b = 1; b < bands; ++b) add(base(b - 1), base(b));
-        parallel(bands, [&](int first, int last) {
-            for (int b = first; b < last; ++b) {
-                detail::band_sums<Sum> band(length, values.data, sums.data);
-                std::copy(base(b), base(b) + length, std::is_integral_v<Sum> ? band.line : band.base);
-                detail::sum_rows<value, Sum>(values, sums, b * detail::band_rows, end_of(b), band.base, band.line);
-            }
-        });
-    }
-}
-
-/// The same where one of the two is an image.
-template <class From, class Sums, class ParallelFor = serial>
-requires detail::some_image<From, Sums>
-void summed_area(const From& values, Sums&& sums, ParallelFor&& parallel = {}) {
-    summed_area(detail::view_of(values), detail::view_of(sums), parallel);
-}
-
-/// Sum over a rectangle of the image that a table was made of.
-///
-/// @param sums     a table from summed_area
-/// @param first    lowest column and row
-/// @param last     highest column and row, they count too
-/// @return         what lies outside the image counts as 0, as does a rectangle with last < first
-/// @formula        S(last) - S(first.x - 1, last.y) - S(last.x, first.y - 1) + S(first - 1)
-/// @exactness      uint32_t A: exact while the rectangle's area times the greatest value < 2^32, even where sums of the
-///                 table have wrapped around. float B
-template <class T>
-[[nodiscard]] std::remove_const_t<T> box_sum(image_view<T> sums, glm::ivec2 first, glm::ivec2 last) {
-    const int left = first.x > 0 ? first.x : 0, right = last.x < sums.size.x ? last.x : sums.size.x - 1;
-    const int low = first.y > 0 ? first.y : 0, high = last.y < sums.size.y ? last.y : sums.size.y - 1;
-    if (left > right || low > high) return 0;
-    const auto at = [&](int x, int y) { return x < 0 || y < 0 ? std::remove_const_t<T>(0) : sums.row(y)[x]; };
-    return ((at(right, high) - at(left - 1, high)) - at(right, low - 1)) + at(left - 1, low - 1);
-}
-template <class T>
-[[nodiscard]] T box_sum(const image<T>& sums, glm::ivec2 first, glm::ivec2 last) {
-    return box_sum(sums.view(), first, last);
-}
-
-}  // namespace umbrage
-UMBRAGE_END_STRICT_MATH
 
 // ---- umbrage/images/tessellate.hpp
 // A mesh cut for maps in which straight edges are curves: until between vertices places and distances from the light
@@ -17813,7 +18020,7 @@ inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 
 inline constexpr auto maps =
     collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
             filters, pcf_2x2_cube_snippets, pcf_2x2_hardware_snippets, window_hardware_snippets, bounds_lit_snippets,
-            penumbra_snippets, pcss_snippets, dpcf_snippets, summed_variance_snippets);
+            penumbra_snippets, pcss_snippets, dpcf_snippets, summed_variance_snippets, summed_moments_snippets);
 inline constexpr auto prefiltered =
     collect(exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
             hausdorff_snippets, look_up_snippets, reduce_snippets);

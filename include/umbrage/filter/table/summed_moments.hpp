@@ -36,8 +36,7 @@ template <real T, class Fetch>
         return (a - b) - (c - d);
     };
     const glm::vec<4, T> low = part(0), carry = glm::floor(low * T(1.0 / 65536.0)), above = part(half_width) + carry;
-    const glm::vec<4, T> high =
-        glm::max(above - glm::floor(above * T(1.0 / 65536.0)) * T(65536), T(0));  // or a compiler distributes
+    const glm::vec<4, T> high = above - glm::floor(above * T(1.0 / 65536.0)) * T(65536);
     const glm::vec<2, T> sides(end - first);
     return (high * T(65536) + (low - carry * T(65536))) / (sides.x * sides.y);
 }
@@ -94,7 +93,6 @@ UMBRAGE_HIGHP vec4 umbrage_box_mean(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UM
     d = umbrage_texel(map, size, vec2(right + first.x, first.y));
     UMBRAGE_HIGHP vec4 above = (a - b) - (c - d) + carry;
     UMBRAGE_HIGHP vec4 high = above - floor(above * (1.0 / 65536.0)) * 65536.0;
-    high = max(high, vec4(0.0, 0.0, 0.0, 0.0));  // or a compiler distributes
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = high * 65536.0 + (low - carry * 65536.0);
     UMBRAGE_HIGHP vec2 sides = end - first;
     return sum / (sides.x * sides.y);

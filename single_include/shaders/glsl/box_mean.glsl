@@ -1,0 +1,58 @@
+// umbrage 0.1.0, MIT License: box_mean
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BOX_MEAN
+#define UMBRAGE_HAS_BOX_MEAN
+// umbrage_box_mean: mean of four whole numbers below 65536.0 over a box
+//   map, size  a table of make_moment_table and its size;   first, end  of the box, first < end
+UMBRAGE_HIGHP vec4 umbrage_box_mean(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 first,
+                                    UMBRAGE_HIGHP vec2 end) {
+    UMBRAGE_HIGHP float right = size.x * 0.5;
+    UMBRAGE_HIGHP vec4 a = umbrage_texel(map, size, end);
+    UMBRAGE_HIGHP vec4 b = umbrage_texel(map, size, vec2(first.x, end.y));
+    UMBRAGE_HIGHP vec4 c = umbrage_texel(map, size, vec2(end.x, first.y));
+    UMBRAGE_HIGHP vec4 d = umbrage_texel(map, size, first);
+    UMBRAGE_HIGHP vec4 low = (a - b) - (c - d);
+    UMBRAGE_HIGHP vec4 carry = floor(low * (1.0 / 65536.0));
+    a = umbrage_texel(map, size, vec2(right + end.x, end.y));
+    b = umbrage_texel(map, size, vec2(right + first.x, end.y));
+    c = umbrage_texel(map, size, vec2(right + end.x, first.y));
+    d = umbrage_texel(map, size, vec2(right + first.x, first.y));
+    UMBRAGE_HIGHP vec4 above = (a - b) - (c - d) + carry;
+    UMBRAGE_HIGHP vec4 high = above - floor(above * (1.0 / 65536.0)) * 65536.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = high * 65536.0 + (low - carry * 65536.0);
+    UMBRAGE_HIGHP vec2 sides = end - first;
+    return sum / (sides.x * sides.y);
+}
+#endif
