@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "set_ups.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -11,6 +13,8 @@
 
 #include <umbrage/images/depth_span.hpp>
 #include <umbrage/images/light_choice.hpp>
+#include <umbrage/light/adaptive/pages.hpp>
+#include <umbrage/light/adaptive/root.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
@@ -127,6 +131,40 @@ placed_maps warped_cascades(const lit_view& v, const frustum& range) {
     return maps;
 }
 
+/// As many texels in 256 pages around the scene, of which one in 2 x 2 of the pixels wants some. Surfaces that the light
+/// grazes are hardly lit, and would take all: beyond a quarter of its strength they want no more.
+placed_maps adaptive(const lit_view& v) {
+    constexpr int deepest = 15;
+    const glm::dvec3 low(v.scene.low), high(v.scene.high);
+    const auto root = umbrage::make_page_root<double>({.direction = v.light.direction,
+                                                       .up = v.light.up,
+                                                       .centre = (low + high) / 2.0,
+                                                       .side = 1.01 * glm::distance(low, high),
+                                                       .scene = {low, high}});
+    const glm::dmat4 to_root = umbrage::page_matrix(root), pixels = to_pixels(v);
+    placed_maps maps{glm::ivec2(v.map_size / 16), {-v.light.direction, 0}, {}};
+    for (int level = 0; level <= deepest; ++level)
+        maps.to_texels.push_back(umbrage::texture_matrix(root, maps.size << level));
+    std::vector<umbrage::page_receiver> receivers;
+    for (glm::ivec2 p{0}; p.y < v.seen.size().y; p.y += 2)
+        for (p.x = 0; p.x < v.seen.size().x; p.x += 2) {
+            if (v.seen[p] == nothing) continue;
+            const surface at = surface_at(v.scene, v.camera, v.seen, p);
+            const glm::dvec3 position(at.position), normal(at.face_normal);
+            const double facing = -glm::dot(normal, glm::normalize(v.light.direction));
+            if (!(facing > 0)) continue;
+            const double extent = std::min(1.0, 4 * facing) * umbrage::longest_extent(umbrage::pixels_per_texel(
+                                                                  maps.to_texels[0], pixels, position, normal));
+            receivers.push_back({glm::vec2(umbrage::shadow_coordinate(to_root, position)), static_cast<float>(extent)});
+        }
+    umbrage::page_cache cache({.slots = {16, 16}, .deepest_level = deepest});
+    maps.chosen = std::to_string(cache.update(receivers).drawn.size()) + " of them";
+    maps.level = [cache, to_root](glm::dvec3 p) {
+        return cache.level_at(glm::dvec2(umbrage::shadow_coordinate(to_root, p)));
+    };
+    return maps;
+}
+
 std::vector<set_up> all_set_ups() {
     std::vector<set_up> all{
         {"whole scene", [](const lit_view& v) { return directional(v, whole(v.scene), v.light.up); }},
@@ -163,6 +201,7 @@ std::vector<set_up> all_set_ups() {
                        const glm::dvec4 ground(0, 1, 0, -v.scene.low.y);
                        return warped(v, umbrage::fit_plane_optimal(warp_fit(v, v.planes), ground));
                    }});
+    all.push_back({"256 pages", &adaptive});
     return all;
 }
 
@@ -189,18 +228,22 @@ umbrage::quality_report measure(const set_up& s, const lit_view& v, int step, um
     const glm::ivec2 screen = v.seen.size();
     const glm::dmat4 pixels = to_pixels(v);
     return umbrage::measure_quality(
-        {.screen = screen, .map_size = maps.size, .maps = static_cast<int>(maps.to_texels.size()), .step = step},
+        {.screen = screen,
+         .map_size = maps.size,
+         .maps = maps.level ? 256 : static_cast<int>(maps.to_texels.size()),
+         .step = step},
         [&](glm::ivec2 pixel) {
             if (v.seen[pixel] == nothing) return glm::dmat2(0);
             const surface at = surface_at(v.scene, v.camera, v.seen, pixel);
             const glm::dvec3 p(at.position), normal(at.face_normal);
             if (!(glm::dot(normal, glm::dvec3(maps.light) - p * maps.light.w) > 0)) return glm::dmat2(0);
             const double depth = glm::dot(p - v.planes.position, v.planes.direction);
-            const glm::dmat4& to_texels =
-                maps.to_texels[static_cast<std::size_t>(umbrage::cascade_by_depth(depth, maps.ends))];
+            const int which =
+                maps.level ? maps.level(p) : static_cast<int>(umbrage::cascade_by_depth(depth, maps.ends));
+            const glm::dmat4& to_texels = maps.to_texels[static_cast<std::size_t>(which)];
             const glm::dvec2 texel(umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, p)));
             const bool inside = glm::all(glm::greaterThanEqual(texel, glm::dvec2(0))) &&
-                                glm::all(glm::lessThan(texel, glm::dvec2(maps.size)));
+                                glm::all(glm::lessThan(texel, glm::dvec2(maps.size << (maps.level ? which : 0))));
             return inside ? umbrage::pixels_per_texel(to_texels, pixels, p, normal) : glm::dmat2(0);
         },
         extents);

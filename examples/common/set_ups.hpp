@@ -47,6 +47,8 @@ struct placed_maps {
     std::vector<glm::dmat4> to_texels;                         ///< texture_matrix
     glm::dvec3 ends{std::numeric_limits<double>::infinity()};  ///< see cascade_by_depth
     std::string chosen{};                                      ///< of several, where there was a choice
+    std::function<int(glm::dvec3)> level{};  ///< of an adaptive map, whose pages are that large: which
+                                             ///< of to_texels a point is seen in
 };
 
 struct set_up {

@@ -128,5 +128,6 @@ TEST_CASE("set_ups: one map and four from measured depths, on a kilometre of gro
         CHECK(four.p95 == doctest::Approx(r.cascades_p95).epsilon(0.1));
         CHECK(four.greatest == doctest::Approx(r.cascades_greatest).epsilon(0.1));
         CHECK(of("4 uniform tight, measured").p95 > 5 * four.p95);
+        CHECK(of("256 pages").p95 * 20 < one.p95);
     }
 }
