@@ -15854,8 +15854,8 @@ namespace umbrage {
 ///
 /// @param root    in double, from which matrices of pages are made and rounded once
 /// @param pages   what page_cache::update gives
-/// @param draw    (image_view<float> map, const glm::mat4& world_to_clip): a depth pass under root.clip; called once for
-///                each page, with its gutter
+/// @param draw    (image_view<float> map, const glm::mat4& world_to_clip): a depth pass under root.clip; called once
+///                for each page, with its gutter
 /// @throws std::invalid_argument  a slot beyond the atlas, and what page_light complains of
 template <class Draw>
 void draw_pages(image_view<float> atlas, const page_size& size, const light_space<double>& root,

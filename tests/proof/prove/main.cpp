@@ -27,7 +27,7 @@
 
 #include "../acne.hpp"
 #include "../codecs.hpp"
-#include "../rays.hpp"
+#include "../page_rays.hpp"
 
 namespace {
 
@@ -189,6 +189,18 @@ seen agrees_with_rays(count first, count last) {
     return s;
 }
 
+seen pages_agree_with_rays(count first, count last) {
+    seen s;
+    std::array<int, 16> levels{};
+    for (count n = first; n < last; ++n) {
+        proof::page_scene scene(n);
+        auto found = scene.compare(umbrage::filters::hard{}, 400, levels);
+        found += scene.compare(umbrage::filters::pcf_2x2{}, 400, levels);
+        s.failures += found.wrong + found.outside;
+    }
+    return s;
+}
+
 std::vector<line> make_table() {
     namespace glsl = umbrage::glsl;
     std::vector<line> table;
@@ -205,6 +217,8 @@ std::vector<line> make_table() {
         [&](const auto& filter, auto direction) { table.push_back(acne_under(filter, direction)); });
     table.push_back(
         {glsl::shadow_coordinate, "of fitted lights, to the look-up", 0, 500 * proof::setting_count, agrees_with_rays});
+    table.push_back({glsl::page_coordinate, "of pages within a budget, to the look-up", 0,
+                     500 * proof::clip_space_count, pages_agree_with_rays});
     std::apply([&](auto... format) { (add_foreign<decltype(format)>(table), ...); }, proof::foreign{});
     return table;
 }
