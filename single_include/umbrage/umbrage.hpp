@@ -15464,8 +15464,9 @@ struct moment_table {
 ///
 /// @param map         depths; NaN counts as far
 /// @param of          the largest box, n texels of it within the map
-/// @return            two halves, each with one column and row more than the map: sums of 65535 turn_moments(encode_msm),
-///                    rounded, of what lies before a column and row; modulo 2^16, and over 2^16
+/// @return            two halves, each with one column and row more than the map: sums of 65535
+///                    turn_moments(encode_msm), rounded, of what lies before a column and row; modulo 2^16, and over
+///                    2^16
 /// @throws std::invalid_argument  empty map, radius out of range, or 65535 n >= 2^32: what a box may then hold wraps
 template <class ParallelFor = serial>
 [[nodiscard]] image<glm::u16vec4> make_moment_table(image_view<const float> map, const moment_table& of,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Inputs of decoders: means of what a few depths are encoded as, and a receiver at one of them, close to an end, elsewhere
-// or beyond.
+// Inputs of decoders: means of what a few depths are encoded as, and a receiver at one of them, close to an end,
+// elsewhere or beyond.
 #pragma once
 
 #include <cmath>
@@ -13,20 +13,21 @@ namespace parity {
 /// In x0 the mean of `encode` of one to four depths, in x1.x a receiver; the rest of x1 and x2 from `others`.
 template <class Encode>
 [[nodiscard]] input_class windows(const Encode& encode, const std::vector<range>& others) {
-    return {"windows", [encode, others](std::uint64_t i, random& r, sample& s) {
-                const int count = 1 + r.below(4);
-                for (std::size_t k = 0; k < others.size(); ++k)
-                    s.x[1 + (k + 1) / 4][static_cast<int>((k + 1) % 4)] = r.between(others[k].low, others[k].high);
-                vec4 sum(0);
-                float depth = r.unit();
-                for (int k = 0; k < count; ++k) {
-                    depth = i % 2 ? r.unit() : depth + r.unit() * 0.01f;
-                    sum += encode(depth, s);
-                }
-                s.x[0] = sum / static_cast<float>(count);
-                const float near_end = std::ldexp(r.unit(), -r.below(24));
-                s.x[1].x = i % 3 == 0 ? depth : i % 3 == 1 ? r.between(-0.25f, 1.25f) : i % 2 ? near_end : 1.0f - near_end;
-            }};
+    return {
+        "windows", [encode, others](std::uint64_t i, random& r, sample& s) {
+            const int count = 1 + r.below(4);
+            for (std::size_t k = 0; k < others.size(); ++k)
+                s.x[1 + (k + 1) / 4][static_cast<int>((k + 1) % 4)] = r.between(others[k].low, others[k].high);
+            vec4 sum(0);
+            float depth = r.unit();
+            for (int k = 0; k < count; ++k) {
+                depth = i % 2 ? r.unit() : depth + r.unit() * 0.01f;
+                sum += encode(depth, s);
+            }
+            s.x[0] = sum / static_cast<float>(count);
+            const float near_end = std::ldexp(r.unit(), -r.below(24));
+            s.x[1].x = i % 3 == 0 ? depth : i % 3 == 1 ? r.between(-0.25f, 1.25f) : i % 2 ? near_end : 1.0f - near_end;
+        }};
 }
 
 /// Moments in x0 and a receiver in x1.x of all kinds, with settings in what follows, which are ordinary.
