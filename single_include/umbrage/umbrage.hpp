@@ -8146,7 +8146,8 @@ namespace umbrage {
 inline constexpr int deepest_page_level = 15;
 
 /// A texel of a page table: RGBA8, read with the nearest filter. How many pages of its level the root is wide stands
-/// there as a number, low byte first, in place of its logarithm, from which shaders would have to make it in steps.
+/// there as a number, low byte first, in place of its logarithm, from which shaders would have to make it in steps. A
+/// power of two has a single bit: one of the bytes is 0, and both together round once.
 /// @param slot    of the page in the atlas, each 0 .. 255;   level  0 .. 15: its side is the root's over 2^level
 /// @return        all zero, which no page gives, stands for no page
 [[nodiscard]] inline glm::u8vec4 page_entry(glm::ivec2 slot, int level) {
@@ -8164,7 +8165,7 @@ inline constexpr int deepest_page_level = 15;
 ///                 on. Outside the root beside its nearest page, where the page's edge counts as a map's does; NaN
 ///                 stays NaN; without a page (32768, 32768, 0, 0): both of which every filter takes as lit
 /// @formula        origin = slot (page + 2 gutter); (coord 2^level - floor(coord 2^level)) page + gutter
-/// @exactness      A in the root; beside it two sums round
+/// @exactness      A in the root, for bytes read within 2^-(level + 2) of themselves; beside it two sums round
 /// @cite           Fernando, Fernandez, Bala, Greenberg: Adaptive Shadow Maps, SIGGRAPH 2001
 template <real T, class Table>
 [[nodiscard]] glm::vec<4, T> page_coordinate(Table&& table, T size, glm::vec<2, T> coord, T page, T gutter) {
@@ -8192,11 +8193,12 @@ inline constexpr snippet page_coordinate{
 UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float page, UMBRAGE_HIGHP float gutter) {
     UMBRAGE_HIGHP vec2 nearest = min(max(vec2(1.0, 1.0), coord), vec2(1.99999988, 1.99999988));  // a NaN is the first
-    UMBRAGE_HIGHP vec4 entry = umbrage_from_unorm(umbrage_texel(table, size, floor(nearest * size - size)));
-    UMBRAGE_HIGHP float across = entry.z + entry.w * 256.0;
+    UMBRAGE_HIGHP vec4 entry = umbrage_texel(table, size, floor(nearest * size - size));
+    UMBRAGE_HIGHP vec2 slot = umbrage_from_unorm(vec2(entry.x, entry.y));
+    UMBRAGE_HIGHP float across = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
     UMBRAGE_HIGHP vec2 within = coord * across - floor(nearest * across);
     UMBRAGE_HIGHP vec2 at = within * page + (across > 0.0 ? gutter : 32768.0);
-    return vec4(at, vec2(entry.x, entry.y) * (page + gutter * 2.0));
+    return vec4(at, slot * (page + gutter * 2.0));
 }
 )GLSL",
 };

@@ -57,10 +57,11 @@ UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
 UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float page, UMBRAGE_HIGHP float gutter) {
     UMBRAGE_HIGHP vec2 nearest = min(max(vec2(1.0, 1.0), coord), vec2(1.99999988, 1.99999988));  // a NaN is the first
-    UMBRAGE_HIGHP vec4 entry = umbrage_from_unorm(umbrage_texel(table, size, floor(nearest * size - size)));
-    UMBRAGE_HIGHP float across = entry.z + entry.w * 256.0;
+    UMBRAGE_HIGHP vec4 entry = umbrage_texel(table, size, floor(nearest * size - size));
+    UMBRAGE_HIGHP vec2 slot = umbrage_from_unorm(vec2(entry.x, entry.y));
+    UMBRAGE_HIGHP float across = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
     UMBRAGE_HIGHP vec2 within = coord * across - floor(nearest * across);
     UMBRAGE_HIGHP vec2 at = within * page + (across > 0.0 ? gutter : 32768.0);
-    return vec4(at, vec2(entry.x, entry.y) * (page + gutter * 2.0));
+    return vec4(at, slot * (page + gutter * 2.0));
 }
 #endif

@@ -32,10 +32,11 @@ float4 umbrage_texel(Texture2D<float4> map, float2 size, float2 texel) {
 //   page, gutter  side of a page and what it has around it, texels
 float4 umbrage_page_coordinate(Texture2D<float4> table, float2 size, float2 coord, float page, float gutter) {
     float2 nearest = min(max(float2(1.0, 1.0), coord), float2(1.99999988, 1.99999988));  // a NaN is the first
-    float4 entry = umbrage_from_unorm(umbrage_texel(table, size, floor(nearest * size - size)));
-    float across = entry.z + entry.w * 256.0;
+    float4 entry = umbrage_texel(table, size, floor(nearest * size - size));
+    float2 slot = umbrage_from_unorm(float2(entry.x, entry.y));
+    float across = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
     float2 within = coord * across - floor(nearest * across);
     float2 at = within * page + (across > 0.0 ? gutter : 32768.0);
-    return float4(at, float2(entry.x, entry.y) * (page + gutter * 2.0));
+    return float4(at, slot * (page + gutter * 2.0));
 }
 #endif
