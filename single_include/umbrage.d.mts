@@ -127,6 +127,18 @@ export const cube_atlas_direction: Snippet;
 export const dual_paraboloid_coordinate: Snippet;
 /** a vertex of a paraboloid map's depth pass */
 export const dual_paraboloid_position: Snippet;
+/** face of a tetrahedron that a direction meets */
+export const tetrahedron_face: Snippet;
+/** a direction in its tetrahedron face's axes */
+export const tetrahedron_plane: Snippet;
+/** distance along the normal of the tetrahedron's face that a direction meets */
+export const tetrahedron_view_z: Snippet;
+/** face of a tetrahedron, and where on it, that a direction meets */
+export const tetrahedron_coordinate: Snippet;
+/** a point of a tetrahedron's face in the map */
+export const tetrahedron_texel: Snippet;
+/** face of a tetrahedron that a texel belongs to */
+export const tetrahedron_face_of: Snippet;
 /** casters before the near plane, onto it */
 export const pancaked: Snippet;
 /** texel inside a map */

@@ -521,6 +521,65 @@ UMBRAGE_HIGHP vec4 umbrage_dual_paraboloid_position(UMBRAGE_HIGHP vec3 direction
     return vec4(behind ? direction.x : -direction.x, direction.y, distance_to * w, w);
 }
 `,
+            "tetrahedron_face": `
+// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+UMBRAGE_HIGHP float umbrage_tetrahedron_face(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float beside = abs(direction.z) - abs(direction.x);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float up = direction.y * 1.414213562;
+    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 3.0 : 2.0;
+    return beside >= up ? z : x;
+}
+`,
+            "tetrahedron_plane": `
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+UMBRAGE_HIGHP vec3 umbrage_tetrahedron_plane(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(direction);
+    UMBRAGE_HIGHP vec3 d = direction;
+    UMBRAGE_HIGHP vec3 z = face < 0.5 ? vec3(-d.x, d.y, d.z) : vec3(d.x, d.y, -d.z);
+    UMBRAGE_HIGHP vec3 x = face < 2.5 ? vec3(-d.z, -d.y, d.x) : vec3(d.z, -d.y, -d.x);
+    return face < 1.5 ? z : x;
+}
+`,
+            "tetrahedron_view_z": `
+// umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
+UMBRAGE_HIGHP float umbrage_tetrahedron_view_z(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 p = umbrage_tetrahedron_plane(direction);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = p.z * 0.816496581 + p.y * -0.577350269;
+    return z;
+}
+`,
+            "tetrahedron_coordinate": `
+// umbrage_tetrahedron_coordinate: (s, t, face) of a direction: -1.0 to 1.0 along the base, 0.0 at it to 1.0 at the apex
+UMBRAGE_HIGHP vec3 umbrage_tetrahedron_coordinate(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 p = umbrage_tetrahedron_plane(direction);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float d = p.z * 2.0 + p.y * -1.414213562;
+    return vec3(p.x / d, p.z / d, umbrage_tetrahedron_face(direction));
+}
+`,
+            "tetrahedron_texel": `
+// umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
+//   size  of the map, in texels;   border  along the sides of each triangle, in texels
+UMBRAGE_HIGHP vec2 umbrage_tetrahedron_texel(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP float size,
+                                             UMBRAGE_HIGHP float border) {
+    UMBRAGE_HIGHP float half_size = size * 0.5;
+    UMBRAGE_HIGHP float scale = half_size - border * 3.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = at.x * scale;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = at.y * scale + (border - half_size);
+    UMBRAGE_HIGHP vec2 off = at.z < 1.5 ? vec2(x, y) : vec2(-y, x);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 texel = half_size + (at.z < 0.5 || (at.z > 1.5 && at.z < 2.5) ? off : -off);
+    return texel;
+}
+`,
+            "tetrahedron_face_of": `
+// umbrage_tetrahedron_face_of: the face, 0.0 to 3.0, whose triangle in a map of size texels a texel lies in
+UMBRAGE_HIGHP float umbrage_tetrahedron_face_of(UMBRAGE_HIGHP vec2 texel, UMBRAGE_HIGHP float size) {
+    UMBRAGE_HIGHP vec2 off = texel * 2.0 + (1.0 - size);
+    UMBRAGE_HIGHP float column = off.y < 0.0 ? 0.0 : 1.0;
+    UMBRAGE_HIGHP float row = off.x < 0.0 ? 3.0 : 2.0;
+    return abs(off.y) >= abs(off.x) ? column : row;
+}
+`,
             "pancaked": `
 // umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
@@ -3479,6 +3538,64 @@ float4 umbrage_dual_paraboloid_position(float3 direction, float map) {
     return float4(behind ? direction.x : -direction.x, direction.y, distance_to * w, w);
 }
 `,
+            "tetrahedron_face": `
+// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+float umbrage_tetrahedron_face(float3 direction) {
+    precise float beside = abs(direction.z) - abs(direction.x);
+    precise float up = direction.y * 1.414213562;
+    float z = direction.z < 0.0 ? 1.0 : 0.0;
+    float x = direction.x < 0.0 ? 3.0 : 2.0;
+    return beside >= up ? z : x;
+}
+`,
+            "tetrahedron_plane": `
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+float3 umbrage_tetrahedron_plane(float3 direction) {
+    float face = umbrage_tetrahedron_face(direction);
+    float3 d = direction;
+    float3 z = face < 0.5 ? float3(-d.x, d.y, d.z) : float3(d.x, d.y, -d.z);
+    float3 x = face < 2.5 ? float3(-d.z, -d.y, d.x) : float3(d.z, -d.y, -d.x);
+    return face < 1.5 ? z : x;
+}
+`,
+            "tetrahedron_view_z": `
+// umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
+float umbrage_tetrahedron_view_z(float3 direction) {
+    float3 p = umbrage_tetrahedron_plane(direction);
+    precise float z = p.z * 0.816496581 + p.y * -0.577350269;
+    return z;
+}
+`,
+            "tetrahedron_coordinate": `
+// umbrage_tetrahedron_coordinate: (s, t, face) of a direction: -1.0 to 1.0 along the base, 0.0 at it to 1.0 at the apex
+float3 umbrage_tetrahedron_coordinate(float3 direction) {
+    float3 p = umbrage_tetrahedron_plane(direction);
+    precise float d = p.z * 2.0 + p.y * -1.414213562;
+    return float3(p.x / d, p.z / d, umbrage_tetrahedron_face(direction));
+}
+`,
+            "tetrahedron_texel": `
+// umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
+//   size  of the map, in texels;   border  along the sides of each triangle, in texels
+float2 umbrage_tetrahedron_texel(float3 at, float size, float border) {
+    float half_size = size * 0.5;
+    float scale = half_size - border * 3.0;
+    precise float x = at.x * scale;
+    precise float y = at.y * scale + (border - half_size);
+    float2 off = at.z < 1.5 ? float2(x, y) : float2(-y, x);
+    precise float2 texel = half_size + (at.z < 0.5 || (at.z > 1.5 && at.z < 2.5) ? off : -off);
+    return texel;
+}
+`,
+            "tetrahedron_face_of": `
+// umbrage_tetrahedron_face_of: the face, 0.0 to 3.0, whose triangle in a map of size texels a texel lies in
+float umbrage_tetrahedron_face_of(float2 texel, float size) {
+    float2 off = texel * 2.0 + (1.0 - size);
+    float column = off.y < 0.0 ? 0.0 : 1.0;
+    float row = off.x < 0.0 ? 3.0 : 2.0;
+    return abs(off.y) >= abs(off.x) ? column : row;
+}
+`,
             "pancaked": `
 // umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
@@ -6232,6 +6349,64 @@ inline float4 umbrage_dual_paraboloid_position(float3 direction, float map) {
     float distance_to = metal::sqrt(square);
     float w = distance_to + (behind ? -direction.z : direction.z);
     return float4(behind ? direction.x : -direction.x, direction.y, distance_to * w, w);
+}
+`,
+            "tetrahedron_face": `
+// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+inline float umbrage_tetrahedron_face(float3 direction) {
+    float beside = metal::abs(direction.z) - metal::abs(direction.x);
+    float up = direction.y * 1.414213562;
+    float z = direction.z < 0.0 ? 1.0 : 0.0;
+    float x = direction.x < 0.0 ? 3.0 : 2.0;
+    return beside >= up ? z : x;
+}
+`,
+            "tetrahedron_plane": `
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+inline float3 umbrage_tetrahedron_plane(float3 direction) {
+    float face = umbrage_tetrahedron_face(direction);
+    float3 d = direction;
+    float3 z = face < 0.5 ? float3(-d.x, d.y, d.z) : float3(d.x, d.y, -d.z);
+    float3 x = face < 2.5 ? float3(-d.z, -d.y, d.x) : float3(d.z, -d.y, -d.x);
+    return face < 1.5 ? z : x;
+}
+`,
+            "tetrahedron_view_z": `
+// umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
+inline float umbrage_tetrahedron_view_z(float3 direction) {
+    float3 p = umbrage_tetrahedron_plane(direction);
+    float z = p.z * 0.816496581 + p.y * -0.577350269;
+    return z;
+}
+`,
+            "tetrahedron_coordinate": `
+// umbrage_tetrahedron_coordinate: (s, t, face) of a direction: -1.0 to 1.0 along the base, 0.0 at it to 1.0 at the apex
+inline float3 umbrage_tetrahedron_coordinate(float3 direction) {
+    float3 p = umbrage_tetrahedron_plane(direction);
+    float d = p.z * 2.0 + p.y * -1.414213562;
+    return float3(p.x / d, p.z / d, umbrage_tetrahedron_face(direction));
+}
+`,
+            "tetrahedron_texel": `
+// umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
+//   size  of the map, in texels;   border  along the sides of each triangle, in texels
+inline float2 umbrage_tetrahedron_texel(float3 at, float size, float border) {
+    float half_size = size * 0.5;
+    float scale = half_size - border * 3.0;
+    float x = at.x * scale;
+    float y = at.y * scale + (border - half_size);
+    float2 off = at.z < 1.5 ? float2(x, y) : float2(-y, x);
+    float2 texel = half_size + (at.z < 0.5 || (at.z > 1.5 && at.z < 2.5) ? off : -off);
+    return texel;
+}
+`,
+            "tetrahedron_face_of": `
+// umbrage_tetrahedron_face_of: the face, 0.0 to 3.0, whose triangle in a map of size texels a texel lies in
+inline float umbrage_tetrahedron_face_of(float2 texel, float size) {
+    float2 off = texel * 2.0 + (1.0 - size);
+    float column = off.y < 0.0 ? 0.0 : 1.0;
+    float row = off.x < 0.0 ? 3.0 : 2.0;
+    return metal::abs(off.y) >= metal::abs(off.x) ? column : row;
 }
 `,
             "pancaked": `
@@ -8998,6 +9173,64 @@ fn umbrage_dual_paraboloid_position(direction: vec3f, map: f32) -> vec4f {
     return vec4f(select(-direction.x, direction.x, behind), direction.y, distance_to * w, w);
 }
 `,
+            "tetrahedron_face": `
+// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+fn umbrage_tetrahedron_face(direction: vec3f) -> f32 {
+    let beside: f32 = abs(direction.z) - abs(direction.x);
+    let up: f32 = direction.y * 1.414213562;
+    let z: f32 = select(0.0, 1.0, direction.z < 0.0);
+    let x: f32 = select(2.0, 3.0, direction.x < 0.0);
+    return select(x, z, beside >= up);
+}
+`,
+            "tetrahedron_plane": `
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+fn umbrage_tetrahedron_plane(direction: vec3f) -> vec3f {
+    let face: f32 = umbrage_tetrahedron_face(direction);
+    let d: vec3f = direction;
+    let z: vec3f = select(vec3f(d.x, d.y, -d.z), vec3f(-d.x, d.y, d.z), face < 0.5);
+    let x: vec3f = select(vec3f(d.z, -d.y, -d.x), vec3f(-d.z, -d.y, d.x), face < 2.5);
+    return select(x, z, face < 1.5);
+}
+`,
+            "tetrahedron_view_z": `
+// umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
+fn umbrage_tetrahedron_view_z(direction: vec3f) -> f32 {
+    let p: vec3f = umbrage_tetrahedron_plane(direction);
+    let z: f32 = p.z * 0.816496581 + p.y * -0.577350269;
+    return z;
+}
+`,
+            "tetrahedron_coordinate": `
+// umbrage_tetrahedron_coordinate: (s, t, face) of a direction: -1.0 to 1.0 along the base, 0.0 at it to 1.0 at the apex
+fn umbrage_tetrahedron_coordinate(direction: vec3f) -> vec3f {
+    let p: vec3f = umbrage_tetrahedron_plane(direction);
+    let d: f32 = p.z * 2.0 + p.y * -1.414213562;
+    return vec3f(p.x / d, p.z / d, umbrage_tetrahedron_face(direction));
+}
+`,
+            "tetrahedron_texel": `
+// umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
+//   size  of the map, in texels;   border  along the sides of each triangle, in texels
+fn umbrage_tetrahedron_texel(at: vec3f, size: f32, border: f32) -> vec2f {
+    let half_size: f32 = size * 0.5;
+    let scale: f32 = half_size - border * 3.0;
+    let x: f32 = at.x * scale;
+    let y: f32 = at.y * scale + (border - half_size);
+    let off: vec2f = select(vec2f(-y, x), vec2f(x, y), at.z < 1.5);
+    let texel: vec2f = half_size + select(-off, off, at.z < 0.5 || (at.z > 1.5 && at.z < 2.5));
+    return texel;
+}
+`,
+            "tetrahedron_face_of": `
+// umbrage_tetrahedron_face_of: the face, 0.0 to 3.0, whose triangle in a map of size texels a texel lies in
+fn umbrage_tetrahedron_face_of(texel: vec2f, size: f32) -> f32 {
+    let off: vec2f = texel * 2.0 + (1.0 - size);
+    let column: f32 = select(1.0, 0.0, off.y < 0.0);
+    let row: f32 = select(2.0, 3.0, off.x < 0.0);
+    return select(row, column, abs(off.y) >= abs(off.x));
+}
+`,
             "pancaked": `
 // umbrage_pancaked: a clip space position, moved onto the near plane where it lies before it
 //   at_near  z/w of the near plane: 0.0 or -1.0, or 1.0 for reversed depth
@@ -11520,6 +11753,12 @@ const rows = [
     ["cube_atlas_direction", "cube_atlas_direction", "direction that reads an atlas' texel from a texture of a cube", "a", 0, 0, "100", "none", false, ["cube_atlas_texel", "cube_point"]],
     ["dual_paraboloid_coordinate", "dual_paraboloid_coordinate", "paraboloid map, and where in it, that sees a direction", "c", 1, 0, "100", "none", false, []],
     ["dual_paraboloid_position", "dual_paraboloid_position", "a vertex of a paraboloid map's depth pass", "c", 1, 0, "100", "none", false, []],
+    ["tetrahedron_face", "tetrahedron_face", "face of a tetrahedron that a direction meets", "b", 0, 0, "100", "none", false, []],
+    ["tetrahedron_plane", "tetrahedron_plane", "a direction in its tetrahedron face's axes", "b", 0, 0, "100", "none", false, ["tetrahedron_face"]],
+    ["tetrahedron_view_z", "tetrahedron_view_z", "distance along the normal of the tetrahedron's face that a direction meets", "b", 0, 0, "100", "none", false, ["tetrahedron_plane"]],
+    ["tetrahedron_coordinate", "tetrahedron_coordinate", "face of a tetrahedron, and where on it, that a direction meets", "c", 1, 0, "100", "none", false, ["tetrahedron_face", "tetrahedron_plane"]],
+    ["tetrahedron_texel", "tetrahedron_texel", "a point of a tetrahedron's face in the map", "b", 0, 0, "100", "none", false, []],
+    ["tetrahedron_face_of", "tetrahedron_face_of", "face of a tetrahedron that a texel belongs to", "a", 0, 0, "100", "none", false, []],
     ["pancaked", "pancaked", "casters before the near plane, onto it", "b", 0, 0, "100", "none", false, []],
     ["texel", "texel", "texel inside a map", "a", 0, 0, "100", "texel", false, []],
     ["from_unorm", "from_unorm", "value read from an 8-bit texture to channel 0..255", "a", 0, 0, "100", "none", false, []],
@@ -11769,4 +12008,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, turn_moments_back, bias_moments, forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, turn_moments_back, bias_moments, forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

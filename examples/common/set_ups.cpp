@@ -30,6 +30,7 @@
 #include <umbrage/unorm.hpp>
 #include <umbrage/view/false_colour.hpp>
 
+#include "point_maps.hpp"
 #include "surface.hpp"
 
 namespace example {
@@ -202,6 +203,7 @@ std::vector<set_up> all_set_ups() {
                        return warped(v, umbrage::fit_plane_optimal(warp_fit(v, v.planes), ground));
                    }});
     all.push_back({"256 pages", &adaptive});
+    for (set_up& s : point_set_ups()) all.push_back(std::move(s));
     return all;
 }
 
@@ -225,13 +227,11 @@ const std::vector<set_up>& set_ups() {
 
 umbrage::quality_report measure(const set_up& s, const lit_view& v, int step, umbrage::image_view<float> extents) {
     const placed_maps maps = s.place(v);
+    const int count = maps.level ? 256 : maps.around ? maps.count : static_cast<int>(maps.to_texels.size());
     const glm::ivec2 screen = v.seen.size();
     const glm::dmat4 pixels = to_pixels(v);
     return umbrage::measure_quality(
-        {.screen = screen,
-         .map_size = maps.size,
-         .maps = maps.level ? 256 : static_cast<int>(maps.to_texels.size()),
-         .step = step},
+        {.screen = screen, .map_size = maps.size, .maps = count, .step = step},
         [&](glm::ivec2 pixel) {
             if (v.seen[pixel] == nothing) return glm::dmat2(0);
             const surface at = surface_at(v.scene, v.camera, v.seen, pixel);
@@ -240,7 +240,7 @@ umbrage::quality_report measure(const set_up& s, const lit_view& v, int step, um
             const double depth = glm::dot(p - v.planes.position, v.planes.direction);
             const int which =
                 maps.level ? maps.level(p) : static_cast<int>(umbrage::cascade_by_depth(depth, maps.ends));
-            const glm::dmat4& to_texels = maps.to_texels[static_cast<std::size_t>(which)];
+            const glm::dmat4 to_texels = maps.around ? maps.around(p) : maps.to_texels[static_cast<std::size_t>(which)];
             const glm::dvec2 texel(umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, p)));
             const bool inside = glm::all(glm::greaterThanEqual(texel, glm::dvec2(0))) &&
                                 glm::all(glm::lessThan(texel, glm::dvec2(maps.size << (maps.level ? which : 0))));

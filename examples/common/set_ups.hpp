@@ -46,6 +46,8 @@ struct placed_maps {
     glm::dvec4 light;                                          ///< position and 1, or the way towards it and 0
     std::vector<glm::dmat4> to_texels;                         ///< texture_matrix
     glm::dvec3 ends{std::numeric_limits<double>::infinity()};  ///< see cascade_by_depth
+    std::function<glm::dmat4(glm::dvec3)> around{};            ///< instead of to_texels: of a point's surroundings
+    int count = 0;                                             ///< of maps with those
     std::string chosen{};                                      ///< of several, where there was a choice
     std::function<int(glm::dvec3)> level{};  ///< of an adaptive map, whose pages are that large: which
                                              ///< of to_texels a point is seen in

@@ -8,6 +8,9 @@
 #include <glm/trigonometric.hpp>
 
 #include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/cube_map.hpp>
+#include <umbrage/light/dual_paraboloid.hpp>
+#include <umbrage/light/tetrahedron.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include <camera.hpp>
@@ -53,10 +56,13 @@ void add_view(page& page, const settings& o, const view& v) {
                                         r.storage_factor)});
     }
     page.entry(v.id, v.title,
-               text("%d × %d pixels; one map of %d × %d texels, or four of %d × %d.", screen.x, screen.y, v.map_size,
-                    v.map_size, v.map_size / 2, v.map_size / 2),
+               text("%d × %d pixels; one map of %d × %d texels, or four of %d × %d; of a point light six, two or "
+                    "one of as many in all.",
+                    screen.x, screen.y, v.map_size, v.map_size, v.map_size / 2, v.map_size / 2),
                figures, numbers,
-               together_and_alone({glsl::shadow_coordinate, glsl::cascade_by_depth, glsl::cascade_coordinate}));
+               together_and_alone({glsl::shadow_coordinate, glsl::cascade_by_depth, glsl::cascade_coordinate,
+                                   glsl::cube_coordinate, glsl::dual_paraboloid_coordinate,
+                                   glsl::tetrahedron_coordinate, glsl::tetrahedron_texel}));
 }
 
 }  // namespace

@@ -79,6 +79,8 @@
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/sweep.hpp>
+#include <umbrage/light/tetrahedron.hpp>
+#include <umbrage/light/tetrahedron_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/light/warp/lamp.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>

@@ -26,6 +26,7 @@
 #include <umbrage/images/stability.hpp>
 #include <umbrage/images/summed_area.hpp>
 #include <umbrage/images/tessellate.hpp>
+#include <umbrage/images/tetrahedron_pass.hpp>
 #include <umbrage/images/variance_table.hpp>
 #include <umbrage/images/visibility.hpp>
 

@@ -49,6 +49,7 @@
 #include <umbrage/light/cube_map.hpp>
 #include <umbrage/light/dual_paraboloid.hpp>
 #include <umbrage/light/pancake.hpp>
+#include <umbrage/light/tetrahedron.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shade/lighting.hpp>
 #include <umbrage/unorm.hpp>
@@ -115,7 +116,7 @@ inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::
 // The rooms.
 inline constexpr auto light =
     collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets, cube_atlas_snippets,
-            dual_paraboloid_snippets, pancake_snippets, page_table_snippets);
+            dual_paraboloid_snippets, tetrahedron_snippets, pancake_snippets, page_table_snippets);
 inline constexpr auto kinds = collect(kinds_snippets);
 inline constexpr auto codes = collect(scalar_snippets, floor_divide_snippets, unorm_snippets, writers,
                                       rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);

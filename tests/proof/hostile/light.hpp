@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// tier_a.cpp's inputs for what looks a light's map up: faces of cubes, cascades, pages.
+// tier_a.cpp's inputs for what looks a light's map up: faces of cubes and tetrahedra, cascades, pages.
 #pragma once
 
 #include <array>
@@ -11,6 +11,7 @@
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cube_atlas.hpp>
 #include <umbrage/light/cube_map.hpp>
+#include <umbrage/light/tetrahedron.hpp>
 
 #include "hostile.hpp"
 
@@ -39,6 +40,8 @@ void each_of_light(const Run& run, const Fetch& fetch) {
         [](glm::vec4 v) { return cube_atlas_direction(glm::vec2(v) + 1.0f, v.w * 2.0f); });
     run("cube_lit", 1, cube_texel, [&](glm::vec4 v) { return cube_lit(fetch, v.w, glm::vec3(v), 0.5f); });
     run("cube_tile", 1, cube_texel, [](glm::vec4 v) { return glm::vec2(cube_tile(int(v.z), int(v.w))); });
+    run("tetrahedron_face_of", 1, cube_texel,
+        [](glm::vec4 v) { return float(tetrahedron_face_of(glm::vec2(v) + 1.0f, v.w + 2.0f)); });
     run(
         "cascade_by_depth", 1, [](source& s) { return s.level() * 4.0f; },
         [](float depth) { return cascade_by_depth(depth, glm::vec3(1.0f, 1.5f, 3.25f)); });

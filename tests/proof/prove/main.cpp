@@ -28,6 +28,7 @@
 #include "../acne.hpp"
 #include "../codecs.hpp"
 #include "../page_rays.hpp"
+#include "../point_rays.hpp"
 
 namespace {
 
@@ -201,6 +202,16 @@ seen pages_agree_with_rays(count first, count last) {
     return s;
 }
 
+/// The same of a point light's maps.
+template <class Maps>
+seen agrees_around_points(count first, count last) {
+    seen s;
+    for (count n = first; n < last; ++n)
+        s.failures += proof::compare_with_rays<Maps>(n, umbrage::filters::hard{}, 400).wrong +
+                      proof::compare_with_rays<Maps>(n, umbrage::filters::pcf_2x2{}, 400).wrong;
+    return s;
+}
+
 std::vector<line> make_table() {
     namespace glsl = umbrage::glsl;
     std::vector<line> table;
@@ -219,6 +230,10 @@ std::vector<line> make_table() {
         {glsl::shadow_coordinate, "of fitted lights, to the look-up", 0, 500 * proof::setting_count, agrees_with_rays});
     table.push_back({glsl::page_coordinate, "of pages within a budget, to the look-up", 0,
                      500 * proof::clip_space_count, pages_agree_with_rays});
+    table.push_back({glsl::dual_paraboloid_coordinate, "of lights, to the look-up", 0, 500 * proof::clip_space_count,
+                     agrees_around_points<proof::paraboloid_maps>});
+    table.push_back({glsl::tetrahedron_coordinate, "of lights, to the look-up", 0, 500 * proof::clip_space_count,
+                     agrees_around_points<proof::tetrahedron_map>});
     std::apply([&](auto... format) { (add_foreign<decltype(format)>(table), ...); }, proof::foreign{});
     return table;
 }

@@ -5,150 +5,24 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <map>
 #include <numbers>
 #include <random>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include <umbrage/light/cascades/cascades.hpp>
-#include <umbrage/light/cascades/warped.hpp>
-#include <umbrage/light/directional_fit.hpp>
-#include <umbrage/light/directional_light.hpp>
-#include <umbrage/light/point_light.hpp>
-#include <umbrage/light/spot_fit.hpp>
-#include <umbrage/light/spot_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/light/warp/light_space_perspective.hpp>
-#include <umbrage/light/warp/perspective.hpp>
-#include <umbrage/light/warp/plane_optimal.hpp>
-#include <umbrage/light/warp/trapezoidal.hpp>
 
 #include "../bodies.hpp"
 #include "../clip_spaces.hpp"
+#include "../set_ups.hpp"
 
-using namespace umbrage;
+using namespace set_up_functions;
 
 namespace {
-
-/// All that lights are set up from: a spot inside a scene, and a camera inside it.
-template <class T>
-struct arguments {
-    using vec = glm::vec<3, T>;
-    vec direction{T(0.3), T(-1), T(0.2)}, up{T(0), T(1), T(0)}, position{T(1), T(4), T(2)};
-    T angle = T(0.5), z_near = T(0.5), z_far = T(30);
-    bounding_box<T> scene{vec(-10, -3, -10), vec(10, 8, 10)};
-    vec eye{T(-2), T(1), T(6)}, ahead{T(0.1), T(-0.2), T(-1)};
-    T tangent = T(0.8);
-    clip_space clip{};
-
-    [[nodiscard]] frustum<T> camera() const { return {eye, ahead, up, tangent, T(0.5), z_near, z_far}; }
-};
-
-template <class Cascades>
-auto spaces(const Cascades& cascades) -> std::vector<std::decay_t<decltype(cascades[0].light)>> {
-    return {cascades[0].light, cascades[1].light};
-}
-
-template <class T>
-warp_fit<T> warp_of(const arguments<T>& a) {
-    return {.camera = a.camera(),
-            .direction = a.direction,
-            .receivers = intersection(a.camera(), a.scene),
-            .casters = a.scene,
-            .clip = a.clip};
-}
-
-/// Every set-up function, by its name.
-template <class T>
-const std::map<std::string, std::function<std::vector<light_space<T>>(const arguments<T>&)>> functions{
-    {"make_directional_light",
-     [](const arguments<T>& a) -> std::vector<light_space<T>> {
-         return {make_directional_light<T>({.direction = a.direction,
-                                            .target = a.position,
-                                            .up = a.up,
-                                            .z_near = a.z_near,
-                                            .z_far = a.z_far,
-                                            .clip = a.clip})};
-     }},
-    {"make_spot_light",
-     [](const arguments<T>& a) -> std::vector<light_space<T>> {
-         return {make_spot_light<T>({a.position, a.direction, a.up, a.angle, a.z_near, a.z_far, a.clip})};
-     }},
-    {"make_point_light",
-     [](const arguments<T>& a) {
-         const auto faces =
-             make_point_light<T>({.position = a.position, .z_near = a.z_near, .z_far = a.z_far, .clip = a.clip});
-         return std::vector<light_space<T>>(faces.begin(), faces.end());
-     }},
-    {"fit_directional_light",
-     [](const arguments<T>& a) -> std::vector<light_space<T>> {
-         return {fit_directional_light<T>({.direction = a.direction,
-                                           .up = a.up,
-                                           .receivers = intersection(a.camera(), a.scene),
-                                           .casters = a.scene,
-                                           .clip = a.clip})};
-     }},
-    {"fit_spot_light",
-     [](const arguments<T>& a) -> std::vector<light_space<T>> {
-         return {fit_spot_light<T>({.position = a.position,
-                                    .direction = a.direction,
-                                    .up = a.up,
-                                    .outer_angle_radians = a.angle,
-                                    .z_near = a.z_near,
-                                    .receivers = a.scene,
-                                    .casters = a.scene,
-                                    .clip = a.clip})};
-     }},
-    {"make_stable_cascades",
-     [](const arguments<T>& a) {
-         return spaces(make_stable_cascades<2>(
-             cascade_fit<T>{
-                 .camera = a.camera(), .direction = a.direction, .up = a.up, .scene = a.scene, .clip = a.clip},
-             {a.z_near, (a.z_near + a.z_far) / T(2), a.z_far}));
-     }},
-    {"make_tight_cascades",
-     [](const arguments<T>& a) {
-         return spaces(make_tight_cascades<2>(
-             cascade_fit<T>{
-                 .camera = a.camera(), .direction = a.direction, .up = a.up, .scene = a.scene, .clip = a.clip},
-             {a.z_near, (a.z_near + a.z_far) / T(2), a.z_far}));
-     }},
-    {"fit_light_space_perspective",
-     [](const arguments<T>& a) -> std::vector<light_space<T>> {
-         return {fit_light_space_perspective(warp_of(a)).light};
-     }},
-    {"fit_trapezoidal",
-     [](const arguments<T>& a) -> std::vector<light_space<T>> { return {fit_trapezoidal(warp_of(a), T(2)).light}; }},
-    {"fit_perspective",
-     [](const arguments<T>& a) -> std::vector<light_space<T>> { return {fit_perspective(warp_of(a)).light}; }},
-    {"fit_plane_optimal",
-     [](const arguments<T>& a) -> std::vector<light_space<T>> {
-         const glm::vec<4, T> across(a.ahead, -glm::dot(a.ahead, a.eye + T(5) * a.ahead));
-         return {fit_plane_optimal(warp_of(a), across).light};
-     }},
-    {"make_warped_cascades", [](const arguments<T>& a) {
-         return spaces(make_warped_cascades<2>(
-             cascade_fit<T>{
-                 .camera = a.camera(), .direction = a.direction, .up = a.up, .scene = a.scene, .clip = a.clip},
-             {a.z_near, (a.z_near + a.z_far) / T(2), a.z_far},
-             [](const auto& part) { return fit_light_space_perspective(part); }));
-     }}};
-
-const std::vector<std::string> set_ups{
-    "make_directional_light", "make_spot_light",      "make_point_light",    "fit_directional_light",
-    "fit_spot_light",         "make_stable_cascades", "make_tight_cascades", "fit_light_space_perspective",
-    "fit_trapezoidal",        "make_warped_cascades", "fit_perspective",     "fit_plane_optimal"};
-const std::vector<std::string> of_camera{
-    "fit_directional_light", "make_stable_cascades", "make_tight_cascades", "fit_light_space_perspective",
-    "fit_trapezoidal",       "make_warped_cascades", "fit_perspective"};
-const std::vector<std::string> of_spots{"make_spot_light", "fit_spot_light"};
 
 /// In every convention: functions that complain of one of the arguments, each of which is followed by what it must be.
 template <class T, class Change>
@@ -199,7 +73,7 @@ TEST_CASE_TEMPLATE("set-ups: directions of zero are named, an up along the direc
                    double) {
     using vec = glm::vec<3, T>;
     auto directed = set_ups;
-    std::erase(directed, "make_point_light");
+    for (const std::string& name : around_points) std::erase(directed, name);
     refused<T>(directed, {"direction"}, [](auto& a) { a.direction = vec(0); });
     refused<T>(of_camera, {"direction"}, [](auto& a) { a.ahead = vec(0); });
     for (const vec up : {vec(T(0.3), T(-1), T(0.2)), vec(T(-3), T(10), T(-2)), vec(0)})
@@ -228,8 +102,11 @@ TEST_CASE_TEMPLATE("set-ups: bounds that are empty are named, flat ones will do,
 }
 
 TEST_CASE_TEMPLATE("set-ups: planes out of order and opening angles from 180 degrees on are named", T, float, double) {
+    auto planed = set_ups;
+    std::erase(planed, "make_dual_paraboloid_light");  // which has a range alone
+    refused<T>({"make_dual_paraboloid_light"}, {"range"}, [](auto& a) { a.z_far = T(-1); });
     for (const T z_far : {T(60), T(30), T(-1)})
-        refused<T>(set_ups, {"z_far", "z_near and z_far", "splits", "receivers"},
+        refused<T>(planed, {"z_far", "z_near and z_far", "splits", "receivers"},
                    [&](auto& a) { a.z_near = T(60), a.z_far = z_far; });
     const T infinity = std::numeric_limits<T>::infinity(), pi = std::numbers::pi_v<T>;
     for (const T angle : {pi / 2, T(2), pi, infinity})
@@ -256,7 +133,7 @@ TEST_CASE_TEMPLATE("set-ups: a light inside the scene holds what of it is in its
         });
     CHECK(held > 50);
     taken<T>(
-        {"make_point_light"}, [](auto&) {}, anything);
+        around_points, [](auto&) {}, anything);
 }
 
 TEST_CASE_TEMPLATE(

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+//
+// The depth pass of a tetrahedron's map on the CPU.
+//
+//     umbrage::rasterize_tetrahedron(map.view(), mesh, umbrage::make_tetrahedron_light(light));
+//
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include <glm/vec2.hpp>
+
+#include <umbrage/image.hpp>
+#include <umbrage/images/mesh.hpp>
+#include <umbrage/images/parallel.hpp>
+#include <umbrage/images/rasterize.hpp>
+#include <umbrage/light/light_space.hpp>
+#include <umbrage/light/tetrahedron.hpp>
+
+namespace umbrage {
+
+/// Renders each face's depths into its triangle of the map, as tetrahedron_face_of has it, and nowhere else.
+///
+/// @param depth      of light.map_size^2 texels, cleared or of an earlier pass
+/// @param faces      make_tetrahedron_light's, on its own triangles
+/// @throws std::invalid_argument  as rasterize_depth, and where depth is not square
+/// @exactness        the bits of rasterize_depth
+/// The rest as for rasterize_depth.
+template <class ParallelFor = serial>
+void rasterize_tetrahedron(image_view<float> depth, const mesh_view& mesh,
+                           const std::array<light_space<float>, 4>& faces, cull_mode cull = cull_mode::none,
+                           ParallelFor&& parallel = {}) {
+    detail::require(depth.size.x == depth.size.y, "rasterize_tetrahedron", "depth", "must be square");
+    const auto side = static_cast<float>(depth.size.x);
+    image<float> drawn(depth.size);
+    for (int i = 0; i < 4; ++i) {
+        const light_space<float>& face = faces[static_cast<std::size_t>(i)];
+        for (int y = 0; y < depth.size.y; ++y) std::copy_n(depth.row(y), depth.size.x, drawn.view().row(y));
+        rasterize_depth(drawn.view(), mesh, face.projection * face.view, face.clip, cull, parallel);
+        for (glm::ivec2 texel{0}; texel.y < depth.size.y; ++texel.y)
+            for (texel.x = 0; texel.x < depth.size.x; ++texel.x)
+                if (tetrahedron_face_of(glm::vec2(texel), side) == i) depth[texel] = drawn[texel];
+    }
+}
+
+}  // namespace umbrage

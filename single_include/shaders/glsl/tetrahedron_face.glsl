@@ -1,0 +1,28 @@
+// umbrage 0.1.0, MIT License: tetrahedron_face
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_TETRAHEDRON_FACE
+#define UMBRAGE_HAS_TETRAHEDRON_FACE
+// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+UMBRAGE_HIGHP float umbrage_tetrahedron_face(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float beside = abs(direction.z) - abs(direction.x);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float up = direction.y * 1.414213562;
+    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 3.0 : 2.0;
+    return beside >= up ? z : x;
+}
+#endif

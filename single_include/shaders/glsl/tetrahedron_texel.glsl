@@ -1,0 +1,32 @@
+// umbrage 0.1.0, MIT License: tetrahedron_texel
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_TETRAHEDRON_TEXEL
+#define UMBRAGE_HAS_TETRAHEDRON_TEXEL
+// umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
+//   size  of the map, in texels;   border  along the sides of each triangle, in texels
+UMBRAGE_HIGHP vec2 umbrage_tetrahedron_texel(UMBRAGE_HIGHP vec3 at, UMBRAGE_HIGHP float size,
+                                             UMBRAGE_HIGHP float border) {
+    UMBRAGE_HIGHP float half_size = size * 0.5;
+    UMBRAGE_HIGHP float scale = half_size - border * 3.0;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float x = at.x * scale;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float y = at.y * scale + (border - half_size);
+    UMBRAGE_HIGHP vec2 off = at.z < 1.5 ? vec2(x, y) : vec2(-y, x);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 texel = half_size + (at.z < 0.5 || (at.z > 1.5 && at.z < 2.5) ? off : -off);
+    return texel;
+}
+#endif

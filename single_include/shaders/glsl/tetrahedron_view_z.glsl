@@ -1,0 +1,50 @@
+// umbrage 0.1.0, MIT License: tetrahedron_view_z
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_TETRAHEDRON_FACE
+#define UMBRAGE_HAS_TETRAHEDRON_FACE
+// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+UMBRAGE_HIGHP float umbrage_tetrahedron_face(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float beside = abs(direction.z) - abs(direction.x);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float up = direction.y * 1.414213562;
+    UMBRAGE_HIGHP float z = direction.z < 0.0 ? 1.0 : 0.0;
+    UMBRAGE_HIGHP float x = direction.x < 0.0 ? 3.0 : 2.0;
+    return beside >= up ? z : x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TETRAHEDRON_PLANE
+#define UMBRAGE_HAS_TETRAHEDRON_PLANE
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+UMBRAGE_HIGHP vec3 umbrage_tetrahedron_plane(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP float face = umbrage_tetrahedron_face(direction);
+    UMBRAGE_HIGHP vec3 d = direction;
+    UMBRAGE_HIGHP vec3 z = face < 0.5 ? vec3(-d.x, d.y, d.z) : vec3(d.x, d.y, -d.z);
+    UMBRAGE_HIGHP vec3 x = face < 2.5 ? vec3(-d.z, -d.y, d.x) : vec3(d.z, -d.y, -d.x);
+    return face < 1.5 ? z : x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TETRAHEDRON_VIEW_Z
+#define UMBRAGE_HAS_TETRAHEDRON_VIEW_Z
+// umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
+UMBRAGE_HIGHP float umbrage_tetrahedron_view_z(UMBRAGE_HIGHP vec3 direction) {
+    UMBRAGE_HIGHP vec3 p = umbrage_tetrahedron_plane(direction);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float z = p.z * 0.816496581 + p.y * -0.577350269;
+    return z;
+}
+#endif

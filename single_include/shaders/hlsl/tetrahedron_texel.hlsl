@@ -1,0 +1,16 @@
+// umbrage 0.1.0, MIT License: tetrahedron_texel
+
+#ifndef UMBRAGE_HAS_TETRAHEDRON_TEXEL
+#define UMBRAGE_HAS_TETRAHEDRON_TEXEL
+// umbrage_tetrahedron_texel: texels of a square map, from (s, t, face) on a tetrahedron
+//   size  of the map, in texels;   border  along the sides of each triangle, in texels
+float2 umbrage_tetrahedron_texel(float3 at, float size, float border) {
+    float half_size = size * 0.5;
+    float scale = half_size - border * 3.0;
+    precise float x = at.x * scale;
+    precise float y = at.y * scale + (border - half_size);
+    float2 off = at.z < 1.5 ? float2(x, y) : float2(-y, x);
+    precise float2 texel = half_size + (at.z < 0.5 || (at.z > 1.5 && at.z < 2.5) ? off : -off);
+    return texel;
+}
+#endif

@@ -1,0 +1,35 @@
+// umbrage 0.1.0, MIT License: tetrahedron_view_z
+
+#ifndef UMBRAGE_HAS_TETRAHEDRON_FACE
+#define UMBRAGE_HAS_TETRAHEDRON_FACE
+// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+float umbrage_tetrahedron_face(float3 direction) {
+    precise float beside = abs(direction.z) - abs(direction.x);
+    precise float up = direction.y * 1.414213562;
+    float z = direction.z < 0.0 ? 1.0 : 0.0;
+    float x = direction.x < 0.0 ? 3.0 : 2.0;
+    return beside >= up ? z : x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TETRAHEDRON_PLANE
+#define UMBRAGE_HAS_TETRAHEDRON_PLANE
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+float3 umbrage_tetrahedron_plane(float3 direction) {
+    float face = umbrage_tetrahedron_face(direction);
+    float3 d = direction;
+    float3 z = face < 0.5 ? float3(-d.x, d.y, d.z) : float3(d.x, d.y, -d.z);
+    float3 x = face < 2.5 ? float3(-d.z, -d.y, d.x) : float3(d.z, -d.y, -d.x);
+    return face < 1.5 ? z : x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TETRAHEDRON_VIEW_Z
+#define UMBRAGE_HAS_TETRAHEDRON_VIEW_Z
+// umbrage_tetrahedron_view_z: distance along the face's normal, of which per-face depths are made
+float umbrage_tetrahedron_view_z(float3 direction) {
+    float3 p = umbrage_tetrahedron_plane(direction);
+    precise float z = p.z * 0.816496581 + p.y * -0.577350269;
+    return z;
+}
+#endif

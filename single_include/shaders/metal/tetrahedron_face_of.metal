@@ -1,0 +1,16 @@
+// umbrage 0.1.0, MIT License: tetrahedron_face_of
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_TETRAHEDRON_FACE_OF
+#define UMBRAGE_HAS_TETRAHEDRON_FACE_OF
+// umbrage_tetrahedron_face_of: the face, 0.0 to 3.0, whose triangle in a map of size texels a texel lies in
+inline float umbrage_tetrahedron_face_of(float2 texel, float size) {
+    float2 off = texel * 2.0 + (1.0 - size);
+    float column = off.y < 0.0 ? 0.0 : 1.0;
+    float row = off.x < 0.0 ? 3.0 : 2.0;
+    return metal::abs(off.y) >= metal::abs(off.x) ? column : row;
+}
+#endif

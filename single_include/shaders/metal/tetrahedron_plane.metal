@@ -1,0 +1,29 @@
+// umbrage 0.1.0, MIT License: tetrahedron_plane
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_TETRAHEDRON_FACE
+#define UMBRAGE_HAS_TETRAHEDRON_FACE
+// umbrage_tetrahedron_face: the face that a direction meets, 0.0 to 3.0: down and +z, down and -z, up and +x, up and -x
+inline float umbrage_tetrahedron_face(float3 direction) {
+    float beside = metal::abs(direction.z) - metal::abs(direction.x);
+    float up = direction.y * 1.414213562;
+    float z = direction.z < 0.0 ? 1.0 : 0.0;
+    float x = direction.x < 0.0 ? 3.0 : 2.0;
+    return beside >= up ? z : x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TETRAHEDRON_PLANE
+#define UMBRAGE_HAS_TETRAHEDRON_PLANE
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+inline float3 umbrage_tetrahedron_plane(float3 direction) {
+    float face = umbrage_tetrahedron_face(direction);
+    float3 d = direction;
+    float3 z = face < 0.5 ? float3(-d.x, d.y, d.z) : float3(d.x, d.y, -d.z);
+    float3 x = face < 2.5 ? float3(-d.z, -d.y, d.x) : float3(d.z, -d.y, -d.x);
+    return face < 1.5 ? z : x;
+}
+#endif

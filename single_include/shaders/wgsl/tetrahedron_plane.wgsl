@@ -1,0 +1,11 @@
+// umbrage 0.1.0, MIT License: tetrahedron_plane
+// Paste along: tetrahedron_face.wgsl
+
+// umbrage_tetrahedron_plane: (along the base, up, away) of a direction in the axes of the face that it meets
+fn umbrage_tetrahedron_plane(direction: vec3f) -> vec3f {
+    let face: f32 = umbrage_tetrahedron_face(direction);
+    let d: vec3f = direction;
+    let z: vec3f = select(vec3f(d.x, d.y, -d.z), vec3f(-d.x, d.y, d.z), face < 0.5);
+    let x: vec3f = select(vec3f(d.z, -d.y, -d.x), vec3f(-d.z, -d.y, d.x), face < 2.5);
+    return select(x, z, face < 1.5);
+}
