@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,25 +18,19 @@
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/shade/lighting.hpp>
-#include <umbrage/unorm.hpp>
 
 #include <camera.hpp>
 #include <png.hpp>
 #include <progress.hpp>
-#include <srgb.hpp>
-#include <surface.hpp>
 
-#include "shade.hpp"
+#include "film.hpp"
 #include "sheet.hpp"
+#include "sun_film.hpp"
 
 namespace shadow_render {
 namespace {
 
 constexpr int frames = 24;
-
-/// How far points are lifted off their surfaces, world units: less than that is acne's.
-float lift(const options& o) { return 0.007f * o.camera_distance; }
 
 /// What the camera does: it walks past the scene, and turns and nods as it does.
 example::camera camera_at(const options& o, const example::scene& scene, int frame) {
@@ -62,15 +55,6 @@ example::camera camera_above(const options& o, const example::scene& scene) {
                                  .aspect = static_cast<float>(o.width) / static_cast<float>(o.height),
                                  .z_near = scene.z_near,
                                  .z_far = scene.z_far});
-}
-
-/// Calls use(pixel, surface) for what a camera sees.
-template <class Use>
-void for_each_surface(const options& o, const example::scene& scene, const example::camera& camera, Use&& use) {
-    const auto seen = example::camera_pass(scene.geometry, camera, {o.width, o.height});
-    for (glm::ivec2 p{0}; p.y < o.height; ++p.y)
-        for (p.x = 0; p.x < o.width; ++p.x)
-            if (seen[p] != example::nothing) use(p, surface_at(scene, camera, seen, p));
 }
 
 /// How cascades are made, and how depths are drawn and looked up.
@@ -142,15 +126,11 @@ private:
     std::vector<umbrage::image<float>> maps_;
 };
 
-using look_up = std::function<umbrage::placed_point(glm::vec3)>;
-
 look_up draw(const options& o, const example::scene& scene, int number, const way& w) {
     const example::camera camera = camera_at(o, scene, number);
     if (w.in_double) return frame<double>(o, scene, camera, w);
     return frame<float>(o, scene, camera, w);
 }
-
-glm::vec3 lifted(const options& o, const example::surface& at) { return at.position + lift(o) * at.face_normal; }
 
 /// Points that the first frame's camera sees, where they face the light, a little off their surfaces.
 std::vector<glm::vec3> points_of(const options& o, const example::scene& scene) {
@@ -168,18 +148,6 @@ example::scene moved(example::scene scene, glm::vec3 by) {
     return scene;
 }
 
-/// What the camera sees.
-picture photograph(const options& o, const example::scene& scene, const example::camera& camera, const look_up& lit) {
-    picture out({o.width, o.height}, example::to_srgb(background));
-    const glm::vec3 to_light = example::direction_at(o.azimuth, o.elevation);
-    for_each_surface(o, scene, camera, [&](glm::ivec2 p, const example::surface& at) {
-        const umbrage::placed_point in = lit(lifted(o, at));
-        out[p] = example::to_srgb(umbrage::diffuse_ambient(at.colour, ambient, glm::dot(at.normal, to_light),
-                                                           in.map < 0 ? 1.0f : static_cast<float>(in.visibility)));
-    });
-    return out;
-}
-
 /// Visibility from above. Red: where it is another than in the first frame, whose look-up `first` is.
 picture from_above(const options& o, const example::scene& scene, const look_up& lit, const look_up& first) {
     picture out({o.width, o.height});
@@ -187,7 +155,7 @@ picture from_above(const options& o, const example::scene& scene, const look_up&
         const umbrage::placed_point now = lit(lifted(o, at)), then = first(lifted(o, at));
         const bool same = now.map != then.map || now.visibility == then.visibility;
         const glm::vec3 grey(static_cast<float>(0.15 + 0.7 * now.visibility));
-        out[p] = umbrage::store_unorm8(same ? grey : glm::vec3(0.9f, 0.1f, 0.1f));
+        out[p] = umbrage::store_unorm8(same ? grey : mark);
     });
     return out;
 }
@@ -198,7 +166,7 @@ void stability_report(const options& o, const example::scene& scene) {
     constexpr way stable{"4 practical spheres, double", true, true}, tight{"4 practical tight, float", false};
     constexpr std::array ways{stable, way{"4 practical spheres, float", true},
                               way{"4 practical spheres, float, one matrix", true, false, true}, tight};
-    example::progress progress(2 * ways.size() + 2, o.quiet);
+    example::progress progress(2 * ways.size() + 3, o.quiet);
     const auto points = progress.stage("points", [&] { return points_of(o, scene); });
     const std::string title = text("%s: four cascades of %d x %d texels, %d frames of a camera that moves and turns",
                                    title_of(o).c_str(), o.map_size / 2, o.map_size / 2, frames);
@@ -220,6 +188,7 @@ void stability_report(const options& o, const example::scene& scene) {
             });
     }
     progress.stage("film", [&] {
+        const glm::vec3 to_light = example::direction_at(o.azimuth, o.elevation);
         sheet film({o.width, o.height}, 4 * sheet::columns,
                    {title, "Below each row what the scene shades in the same frames, from above, white where lit",
                     "Red: in another light than in the first frame, by the same cascade"});
@@ -229,13 +198,15 @@ void stability_report(const options& o, const example::scene& scene) {
             for (int i = 0; i < sheet::columns; ++i) {
                 const int number = i * (frames - 1) / (sheet::columns - 1);
                 const look_up lit = draw(o, scene, number, w);
-                film.add(photograph(o, scene, camera_at(o, scene, number), lit), {w.name, text("frame %d", number)});
+                film.add(photograph(o, scene, camera_at(o, scene, number), to_light, lit),
+                         {w.name, text("frame %d", number)});
                 below.push_back(from_above(o, scene, lit, first));
             }
             for (const picture& p : below) film.add(p, {});
         }
         example::write_png(o.output / "film.png", film.pixels().view());
     });
+    progress.stage("sun", [&] { sun_film(o, scene); });
 }
 
 }  // namespace shadow_render

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// What film strips share: a camera's pictures under look-ups of shadow maps.
+#pragma once
+
+#include <functional>
+
+#include <glm/geometric.hpp>
+
+#include <umbrage/images/stability.hpp>
+#include <umbrage/shade/lighting.hpp>
+#include <umbrage/unorm.hpp>
+
+#include <camera.hpp>
+#include <scene.hpp>
+#include <srgb.hpp>
+#include <surface.hpp>
+
+#include "options.hpp"
+#include "shade.hpp"
+#include "sheet.hpp"
+
+namespace shadow_render {
+
+/// Where a point of the world is in a frame's maps, and its light.
+using look_up = std::function<umbrage::placed_point(glm::vec3)>;
+
+/// How far points are lifted off their surfaces, world units: less than that is acne's.
+[[nodiscard]] inline float lift(const options& o) { return 0.007f * o.camera_distance; }
+
+[[nodiscard]] inline glm::vec3 lifted(const options& o, const example::surface& at) {
+    return at.position + lift(o) * at.face_normal;
+}
+
+/// Calls use(pixel, surface) for what a camera sees.
+template <class Use>
+void for_each_surface(const options& o, const example::scene& scene, const example::camera& camera, Use&& use) {
+    const auto seen = example::camera_pass(scene.geometry, camera, {o.width, o.height});
+    for (glm::ivec2 p{0}; p.y < o.height; ++p.y)
+        for (p.x = 0; p.x < o.width; ++p.x)
+            if (seen[p] != example::nothing) use(p, surface_at(scene, camera, seen, p));
+}
+
+constexpr glm::vec3 mark(0.9f, 0.1f, 0.1f);  ///< red
+
+/// What the camera sees, with marks where a point has another light than in `then`.
+[[nodiscard]] inline picture photograph(const options& o, const example::scene& scene, const example::camera& camera,
+                                        glm::vec3 to_light, const look_up& lit, const look_up& then = {}) {
+    picture out({o.width, o.height}, example::to_srgb(background));
+    for_each_surface(o, scene, camera, [&](glm::ivec2 p, const example::surface& at) {
+        const umbrage::placed_point in = lit(lifted(o, at));
+        if (then && then(lifted(o, at)).visibility != in.visibility) {
+            out[p] = umbrage::store_unorm8(mark);
+            return;
+        }
+        out[p] = example::to_srgb(umbrage::diffuse_ambient(at.colour, ambient, glm::dot(at.normal, to_light),
+                                                           in.map < 0 ? 1.0f : static_cast<float>(in.visibility)));
+    });
+    return out;
+}
+
+}  // namespace shadow_render
