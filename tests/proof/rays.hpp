@@ -132,11 +132,13 @@ protected:
     void make_light() {
         using namespace umbrage;
         using fitted_to = light_kind::fitted_to;
-        position_ = random_() % 4 ? around(real(6, 9)) : glm::vec3(real(-1, 1), real(1, 3), real(-1, 1));
-        direction_ = kind_.is_spot ? vector(-1, 1) - position_ : vector(-1, 1);
+        const polyhedron seen = intersection(camera_, box_);
+        do {
+            position_ = random_() % 4 ? around(real(6, 9)) : glm::vec3(real(-1, 1), real(1, 3), real(-1, 1));
+            direction_ = kind_.is_spot ? vector(-1, 1) - position_ : vector(-1, 1);
+        } while (kind_.is_spot && intersection(seen, cone()).empty());  // of use for nothing that is seen
         if (kind_.receivers == fitted_to::ground && std::abs(direction_.y) < 0.1f)
             direction_.y = std::copysign(0.1f, direction_.y);  // no lower than plane_optimal_rounding holds for
-        const polyhedron seen = intersection(camera_, box_);
         std::optional<bounding_box<float>> casters;
         if (kind_.at_near == near_plane::clips) casters = box_;
         if (kind_.receivers >= fitted_to::light_space) {
