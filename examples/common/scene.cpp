@@ -81,6 +81,21 @@ scene default_scene() {
     return finish(m);
 }
 
+scene plain_scene() {
+    scene s;
+    s.target = {0, 2, -100}, s.z_near = 0.5f, s.z_far = 1000;
+    const glm::vec3 up(0, 1, 0);
+    add_surface(s.geometry, {120, 120}, glm::mat4(1), {0.42f, 0.48f, 0.30f}, [&](float u, float v) {
+        return vertex{{1200 * u - 600, 0, 1200 * v - 1000}, up};
+    });
+    s.floor_triangles = s.geometry.triangles.size();
+    for (const float away : {12.0f, 30.0f, 70.0f, 160.0f, 400.0f, 900.0f})
+        for (const float side : {-1.0f, 1.0f})
+            add_pillar(s.geometry, {side * away / 4, 0, -away}, 0.4f, 10, {0.75f, 0.72f, 0.66f});
+    find_bounds(s);
+    return s;
+}
+
 scene on_floor(mesh object, up_axis up) {
     if (up == up_axis::z)
         for (auto* vectors : {&object.positions, &object.normals})

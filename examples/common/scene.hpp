@@ -55,6 +55,9 @@ enum class up_axis { y, z };  ///< of a mesh that somebody else made
 /// A kilometre of hills with a village, woods and rocks: a sun's cascades have something to do.
 [[nodiscard]] scene outdoor_scene();
 
+/// A kilometre of plain with a few posts on it, seen from two metres above: what papers on warps draw their lights for.
+[[nodiscard]] scene plain_scene();
+
 /// A tiled floor, and on it a ball on a pillar that throws its shadow on a box, and a torus.
 [[nodiscard]] scene default_scene();
 

@@ -14,6 +14,7 @@
 #include <umbrage/light/texture_matrix.hpp>
 
 #include <camera.hpp>
+#include <map_overlay.hpp>
 #include <scene.hpp>
 #include <set_ups.hpp>
 
@@ -51,7 +52,9 @@ void add_view(page& page, const settings& o, const view& v) {
     for (const example::set_up& s : example::set_ups()) {
         umbrage::image<float> extents((screen - 1) / step + 1);
         const umbrage::quality_report r = example::measure(s, lit, step, extents.view());
-        figures.push_back({page.picture(example::false_colours(lit, extents, step)), s.name});
+        umbrage::image<glm::u8vec3> colours = example::false_colours(lit, extents, step);
+        example::overlay_maps(colours, lit, s.place(lit));
+        figures.push_back({page.picture(colours), s.name});
         numbers.push_back({s.name, text("mean %.3g, p95 %.3g, greatest %.3g, storage %.3g", r.mean, r.p95, r.greatest,
                                         r.storage_factor)});
     }
@@ -72,7 +75,7 @@ void add_lights(page& page, const settings& o) {
                  "How many pixels a texel's longer axis covers, by every way of placing a light's maps, over surfaces "
                  "that face it. Dark blue: an eighth of a pixel or less; green: one; dark red: eight or more; grey: "
                  "outside the map, or turned away. Storage is what maps would need, in screens, for one pixel a texel "
-                 "everywhere. Measured: cascades between the nearest and the farthest thing seen.");
+                 "everywhere. Measured: between the nearest and the farthest thing seen. In the corner: the maps.");
     add_view(page, o,
              {.id = "indoor",
               .title = "A few things on a floor",
@@ -89,6 +92,14 @@ void add_lights(page& page, const settings& o) {
               .light_elevation = 30,
               .light_distance = 100,
               .map_size = 4096});
+    add_view(page, o,
+             {.id = "plain",
+              .title = "A kilometre of plain, from two metres above",
+              .scene = example::plain_scene(),
+              .camera = {.elevation = 0, .distance = 100, .fov = 60},
+              .light_elevation = 45,
+              .light_distance = 100,
+              .map_size = 2048});
 }
 
 }  // namespace gallery

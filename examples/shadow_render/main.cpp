@@ -73,10 +73,14 @@ void render(const options& o, const example::scene& scene) {
     if (!o.quiet) progress.print_times();
 }
 
+example::scene scene_of(const options& o) {
+    if (!o.mesh.empty()) return example::on_floor(example::load_mesh(o.mesh), o.up);
+    if (o.scene == built_in::outdoor) return example::outdoor_scene();
+    return o.scene == built_in::plain ? example::plain_scene() : example::default_scene();
+}
+
 void run(const options& o) {
-    const example::scene scene = o.outdoor        ? example::outdoor_scene()
-                                 : o.mesh.empty() ? example::default_scene()
-                                                  : example::on_floor(example::load_mesh(o.mesh), o.up);
+    const example::scene scene = scene_of(o);
     std::error_code error;
     std::filesystem::create_directories(o.output, error);
     if (!std::filesystem::is_directory(o.output))

@@ -18,7 +18,8 @@ using choices = std::vector<std::pair<std::string, Kind>>;
 
 const choices<light_kind> lights{
     {"spot", light_kind::spot}, {"directional", light_kind::directional}, {"cascades", light_kind::cascades}};
-const choices<bool> scenes{{"indoor", false}, {"outdoor", true}};
+const choices<built_in> scenes{
+    {"indoor", built_in::indoor}, {"outdoor", built_in::outdoor}, {"plain", built_in::plain}};
 const choices<float> edges{
     {"lower", umbrage::lower_edge<float>}, {"centre", umbrage::centre<float>}, {"upper", umbrage::upper_edge<float>}};
 const choices<example::up_axis> axes{{"y", example::up_axis::y}, {"z", example::up_axis::z}};
@@ -54,7 +55,8 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.option_defaults()->always_capture_default();
 
     CLI::Option* mesh = example::add_mesh(app, "mesh", o.mesh);
-    add_choice(app, "--scene", o.outdoor, scenes, "built-in scene: a few things on a floor, or a kilometre of hills")
+    add_choice(app, "--scene", o.scene, scenes,
+               "built-in scene: a few things on a floor, a kilometre of hills, or one of plain")
         ->excludes(mesh);
     add_choice(app, "--up", o.up, axes, "axis of the mesh that points up");
     app.add_option("-o,--output", o.output, "folder for the pictures, made when missing");
@@ -124,17 +126,18 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.footer(names);
 
     if (!example::parse(app, argc, argv)) return std::nullopt;
-    if (o.outdoor) {
+    if (o.scene != built_in::indoor) {
+        const bool plain = o.scene == built_in::plain;
         const auto unless_given = [&](const char* name, auto& value, auto usual) {
             if (app.count(name) == 0) value = usual;
         };
         unless_given("--light", o.light, light_kind::cascades);
         unless_given("--elevation", o.elevation, 30.0f);
-        unless_given("--map-size", o.map_size, 4096);
-        unless_given("--camera-elevation", o.camera_elevation, 4.0f);
-        unless_given("--camera-distance", o.camera_distance, 64.0f);
+        unless_given("--map-size", o.map_size, plain ? 2048 : 4096);
+        unless_given("--camera-elevation", o.camera_elevation, plain ? 0.0f : 4.0f);
+        unless_given("--camera-distance", o.camera_distance, plain ? 100.0f : 64.0f);
         unless_given("--distance", o.distance, 100.0f);
-        unless_given("--fov", o.fov, 50.0f);
+        unless_given("--fov", o.fov, plain ? 60.0f : 50.0f);
     }
     const bool sheet_of_pictures = o.compare || o.stability_report;
     if (sheet_of_pictures && app.count("--width") == 0) o.width = 480;

@@ -12,11 +12,12 @@
 namespace shadow_render {
 
 enum class light_kind { spot, directional, cascades };
+enum class built_in { indoor, outdoor, plain };
 
 /// Angles are in degrees. Azimuth 0 is towards the default camera, 90 to its right; elevation 90 is straight above.
 struct options {
     std::string mesh;  ///< empty: a built-in scene
-    bool outdoor = false;
+    built_in scene = built_in::indoor;
     example::up_axis up = example::up_axis::y;
     std::filesystem::path output = "out";
 
@@ -49,7 +50,8 @@ struct options {
 
 /// What the scene is called.
 [[nodiscard]] inline std::string title_of(const options& o) {
-    if (o.outdoor) return "Outdoor scene";
+    if (o.scene == built_in::outdoor) return "Outdoor scene";
+    if (o.scene == built_in::plain) return "Plain";
     return o.mesh.empty() ? "Built-in scene" : std::filesystem::path(o.mesh).filename().string();
 }
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+//
+// What a set-up's maps hold, in the corner of a picture.
+//
+//     example::overlay_maps(picture, view, set_up.place(view));
+//
+#pragma once
+
+#include <glm/gtc/type_precision.hpp>
+
+#include <umbrage/image.hpp>
+
+#include "set_ups.hpp"
+
+namespace example {
+
+/// Draws each map as the light sees it, farther is lighter, side by side from the picture's top left corner on.
+/// @param maps   of umbrage's default clip space
+void overlay_maps(umbrage::image_view<glm::u8vec3> picture, const lit_view& v, const placed_maps& maps);
+
+}  // namespace example
