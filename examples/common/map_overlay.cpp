@@ -11,7 +11,7 @@
 namespace example {
 
 void overlay_maps(umbrage::image_view<glm::u8vec3> picture, const lit_view& v, const placed_maps& maps) {
-    const int count = static_cast<int>(maps.to_texels.size());
+    const int count = maps.level ? 1 : static_cast<int>(maps.to_texels.size());  // of pages the root
     const int side = std::min(picture.size.y / 4, picture.size.x / std::max(count, 6)) - 2;
     if (side < 1) return;
     const glm::dmat4 to_clip = glm::inverse(umbrage::texture_matrix<double>({}, maps.size));
