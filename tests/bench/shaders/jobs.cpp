@@ -252,15 +252,15 @@ std::vector<job> jobs(const std::string& folder) {
 
 job registry() {
     job all{"every snippet", {}};
-    for (const snippet* s : glsl::registry)
+    for (const snippet* s : glsl::registry) {
+        const parity::entry* of = nullptr;  // its plain one, else the first
         for (const parity::entry& e : parity::entries())
-            if (e.primitive == s && e.variant.empty()) {
-                const auto snippets = e.snippets();
-                all.shaders.push_back(
-                    {"umbrage", std::string(s->name), e.preamble, {snippets.begin(), snippets.end()}, e.call});
-                break;
-            }
-    if (all.shaders.size() != glsl::registry.size()) throw std::runtime_error("a snippet without a parity entry");
+            if (e.primitive == s && (!of || (e.variant.empty() && !of->variant.empty()))) of = &e;
+        if (!of) throw std::runtime_error(std::string(s->name) + " has no parity entry");
+        const auto snippets = of->snippets();
+        all.shaders.push_back(
+            {"umbrage", std::string(s->name), of->preamble, {snippets.begin(), snippets.end()}, of->call});
+    }
     return all;
 }
 
