@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "soft.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <umbrage/depth/depth32f.hpp>
@@ -15,6 +16,10 @@ const std::vector<std::string>& hardening_names() {
         return all;
     }();
     return names;
+}
+
+bool hardens(std::string_view filter) {
+    return std::ranges::find(hardening_names(), filter) != hardening_names().end();
 }
 
 look_up contact_hardening(std::string_view name, umbrage::image_view<const float> map,

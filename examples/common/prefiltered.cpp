@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "soft.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
 #include <glm/common.hpp>
 
+#include <umbrage/filter/blocker/pcss.hpp>
 #include <umbrage/images/blur.hpp>
 #include <umbrage/images/prefilter.hpp>
 #include <umbrage/images/variance_table.hpp>
@@ -81,7 +83,15 @@ int prefilter_bytes(std::string_view name) {
     return bytes;
 }
 
-float prefilter_reach(std::string_view name) { return name == table_name ? 0.5f : 0.0f; }
+bool filters_ahead(std::string_view filter) {
+    return std::ranges::find(prefilter_names(), filter) != prefilter_names().end();
+}
+
+std::optional<float> soft_reach(std::string_view name, float widest) {
+    if (hardens(name)) return umbrage::filters::pcss{.softness{.widest = 16 * widest}}.reach();
+    if (filters_ahead(name)) return name == table_name ? 0.5f : 0.0f;
+    return std::nullopt;
+}
 
 look_up prefiltered(std::string_view name, umbrage::image_view<const float> map, int radius, progress& progress) {
     if (name == table_name) return of_table(map, radius, progress);

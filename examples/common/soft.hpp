@@ -8,6 +8,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,12 +30,18 @@ using look_up = std::function<void(const umbrage::receiver_planes&, umbrage::ima
 /// Those of umbrage::prefilters, and summed_variance.
 [[nodiscard]] const std::vector<std::string>& prefilter_names();
 
+/// Whether a name is one of those.
+[[nodiscard]] bool hardens(std::string_view filter);
+[[nodiscard]] bool filters_ahead(std::string_view filter);
+
 /// Bytes a texel of a prefiltered map.
 [[nodiscard]] int prefilter_bytes(std::string_view name);
 
-/// Texels between a receiver and the middle of what a prefiltered map answers for it: where that is a plane, its mean
-/// depth is the middle's.
-[[nodiscard]] float prefilter_reach(std::string_view name);
+/// Texels that a bias has to cover: the widest penumbra's; of a prefiltered map what lies between a receiver and the
+/// middle of its window, which has the window's mean depth where that is a plane.
+/// @param widest   texels
+/// @return         nothing where no soft shadows are called so
+[[nodiscard]] std::optional<float> soft_reach(std::string_view name, float widest);
 
 /// @param map      z/w; outlives what is returned, as does progress
 /// @throws std::invalid_argument  none of hardening_names()

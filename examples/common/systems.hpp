@@ -77,6 +77,7 @@ struct shadow_system {
     std::string_view filter = "hard";  ///< one of umbrage::filters; pcf_2x2_dx_sdk adds epsilon on the map's side
     test_kind test = test_kind::less_equal;
     std::optional<float> radius{};            ///< of a box or a disc, texels; without one as it is by itself
+    float light_size = 0.4f, widest = 8;      ///< diameter, and texels: what contact hardening makes penumbrae of
     float epsilon = 0x1p-18f;                 ///< constant bias in the map's depth
     std::string_view bias = "normal_offset";  ///< one of example::biases; the originals had none
     float reach = covered(umbrage::filters::hard{}.reach());  ///< texels that it covers

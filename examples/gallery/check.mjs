@@ -122,6 +122,17 @@ try {
     });
   }
 
+  for (const soft of ["pcss16", "dpcf16", "vsm", "evsm4", "msm", "summed_variance"]) {
+    const shown = await page.locator("#" + soft).evaluate(article => ({
+      pictures: article.querySelectorAll("img").length,
+      rows: [...article.querySelectorAll("dd")].map(row => row.textContent) }));
+    check(soft + ": soft shadows have pictures, memory and times", () => {
+      assert.equal(shown.pictures, 2);
+      assert.match(shown.rows[0], /^\d+ bytes$/);
+      for (const time of shown.rows.slice(1)) assert.match(time, /^[\d.]+ ms$/);
+    });
+  }
+
   for (const view of ["indoor", "outdoor"]) {
     const shown = await page.locator("#" + view).evaluate(article => ({
       pictures: article.querySelectorAll("img").length,

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -66,13 +65,6 @@ void add_filter(page& page, const settings& o, const std::filesystem::path& fold
                 {text("%.0f receivers, best of 5", count), text("%.3f ms", ms)},
                 {"each", text("%.1f ns", ms * 1e6 / count)}},
                together_and_alone(snippets));
-}
-
-/// A summary as a sentence.
-std::string sentence(std::string_view summary) {
-    std::string out(summary);
-    out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
-    return out + '.';
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Renders the systems, encodings, biases, filters and set-ups of lights of the library into one page.
+// Renders the systems, encodings, biases, filters, soft shadows and set-ups of lights of the library into one page.
 //
 //     gallery --output build/gallery/index.html
 //
@@ -25,6 +25,7 @@ void run(const settings& o) {
     add_encodings(page, o, folder);
     add_biases(page, o, folder);
     add_filters(page, o, folder);
+    add_soft_shadows(page, o, folder);
     add_lights(page, o);
     page.write(o.output, "Times are of one run on one thread of " + example::processor() + " unless said otherwise.");
     std::filesystem::remove_all(folder);

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <umbrage/images/overlay.hpp>
@@ -29,12 +31,19 @@ void add_encodings(page& page, const settings& o, const std::filesystem::path& f
 void add_biases(page& page, const settings& o, const std::filesystem::path& folder);
 void add_lights(page& page, const settings& o);
 void add_filters(page& page, const settings& o, const std::filesystem::path& folder);
+void add_soft_shadows(page& page, const settings& o, const std::filesystem::path& folder);
 
 template <class... Values>
 [[nodiscard]] std::string text(const char* format, Values... values) {
     char out[400];
     std::snprintf(out, sizeof out, format, values...);
     return out;
+}
+/// A snippet's summary.
+[[nodiscard]] inline std::string sentence(std::string_view summary) {
+    std::string out(summary);
+    out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
+    return out + '.';
 }
 [[nodiscard]] inline std::string milliseconds(double ms) { return text("%.1f ms", ms); }
 [[nodiscard]] inline std::string square(int size) { return text("%d × %d", size, size); }

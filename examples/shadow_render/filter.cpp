@@ -39,12 +39,6 @@ struct on_planes {
     }
 };
 
-bool lists(const std::vector<std::string>& names, const std::string& name) {
-    return std::ranges::find(names, name) != names.end();
-}
-bool hardens(const options& o) { return lists(example::hardening_names(), o.filter); }
-bool filtered_ahead(const options& o) { return lists(example::prefilter_names(), o.filter); }
-
 umbrage::light_softness softness_of(const options& o, const light& lamp) {
     const float radius = 0.5f * o.light_size;
     return umbrage::make_softness(lamp.units, lamp.spot() ? radius : radius / o.distance, std::min(1.0f, o.widest),
@@ -74,17 +68,15 @@ const std::vector<std::string>& filter_names() {
 }
 
 float reach_of(const options& o) {
-    const float reach = hardens(o)          ? umbrage::filters::pcss{.softness{.widest = 16 * o.widest}}.reach()
-                        : filtered_ahead(o) ? example::prefilter_reach(o.filter)
-                                            : example::reach_of(o.filter, o.radius);
+    const float reach = example::soft_reach(o.filter, o.widest).value_or(example::reach_of(o.filter, o.radius));
     return o.reach.value_or(example::covered(reach));
 }
 
 bool compares_projected(const options& o) {
-    return hardens(o) || (example::moves_stored_depths(o.bias) && !filtered_ahead(o));
+    return example::hardens(o.filter) || (example::moves_stored_depths(o.bias) && !example::filters_ahead(o.filter));
 }
 int bytes_read(const options& o) {
-    return filtered_ahead(o) ? example::prefilter_bytes(o.filter) : example::encoding_bytes(o.encoding);
+    return example::filters_ahead(o.filter) ? example::prefilter_bytes(o.filter) : example::encoding_bytes(o.encoding);
 }
 
 look_up prepare(const options& o, umbrage::image_view<const float> map, const light& lamp,
@@ -96,7 +88,8 @@ look_up prepare(const options& o, umbrage::image_view<const float> map, const li
             return visibility;
         };
     };
-    if (filtered_ahead(o)) return made(example::prefiltered(o.filter, map, static_cast<int>(o.radius), progress));
+    if (example::filters_ahead(o.filter))
+        return made(example::prefiltered(o.filter, map, static_cast<int>(o.radius), progress));
 
     look_up out;
     if (!compares_projected(o)) {

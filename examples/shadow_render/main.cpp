@@ -12,8 +12,6 @@
 #include <system_error>
 #include <utility>
 
-#include <umbrage/images/rasterize.hpp>
-
 #include <biases.hpp>
 #include <camera.hpp>
 #include <names.hpp>
@@ -47,8 +45,7 @@ void render(const options& o, const example::scene& scene) {
     // Depth pass: the distance to what the light sees first.
     umbrage::image<float> depth(glm::ivec2(o.map_size), umbrage::cleared_depth(view.lamp.space.clip));
     progress.stage("depth pass", [&] {
-        umbrage::rasterize_depth(depth, example::view_of(scene.geometry), view.lamp.world_to_clip(),
-                                 view.lamp.space.clip, umbrage::cull_mode::none, progress.bands());
+        example::draw_depths(depth.view(), view_of(scene.geometry), example::once, view.lamp.world_to_clip());
         for (float& d : depth.texels()) d = view.lamp.even_depth(d);
     });
 

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+//
+// Soft shadows: what hardens where casters touch, and what is blurred ahead.
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <umbrage/bias/constant.hpp>
+#include <umbrage/filter/blocker/dpcf.hpp>
+#include <umbrage/filter/blocker/pcss.hpp>
+#include <umbrage/filter/filters.hpp>
+#include <umbrage/filter/prefiltered/prefilters.hpp>
+#include <umbrage/filter/table/summed_variance.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+#include <biases.hpp>
+#include <soft.hpp>
+
+#include "sections.hpp"
+
+namespace gallery {
+namespace {
+
+using namespace example;
+namespace glsl = umbrage::glsl;
+
+constexpr float light_radius = 0.3f, widest = 12;  // world units, texels
+constexpr int blur = 3;
+
+/// A ball on a pillar, whose shadow begins where it stands.
+struct scene_of_soft {
+    example::stage stage;
+    shadow_system system;
+    example::light light = make_light(system, stage.scene, system.azimuth, system.elevation, system.map_size);
+    umbrage::image<float> map = depth_pass(system, stage.scene, light, system.map_size);
+
+    [[nodiscard]] umbrage::light_softness softness() const {
+        return umbrage::make_softness(umbrage::make_light_units(light.space, map.size()), light_radius, 1.0f, widest);
+    }
+};
+
+scene_of_soft make_scene_of(depth_kind depth, float reach, const settings& o, const std::filesystem::path& folder) {
+    shadow_system system = radeon_8500;
+    system.depth = depth;
+    system.reach = covered(reach);
+    scene_of_soft out{.stage{system, {.output = folder, .size = 3}}, .system = system};
+    out.stage.camera =
+        make_camera({.target = {0.25f, 0.3f, -0.5f}, .elevation = 40, .distance = 7.5f, .fov = 20, .aspect = 1});
+    out.stage.seen = camera_pass(out.stage.scene.geometry, out.stage.camera, glm::ivec2(o.size * 2 / 3));
+    return out;
+}
+
+/// @param made   map, where progress is told -> look-up
+template <class Make>
+void add_soft(page& page, const scene_of_soft& on, std::string_view name, const std::string& about, int bytes,
+              const std::vector<glsl::snippet>& snippets, const Make& made) {
+    const glm::ivec2 size = on.stage.seen.size();
+    const glm::mat4 to_texels = umbrage::texture_matrix(on.light.space, on.map.size());
+    const glm::vec3 nothing = umbrage::project_coordinate(glm::vec4(0));
+    umbrage::image<float> x(size, nothing.x), y(size, nothing.y), depth(size, nothing.z), visibility(size);
+    const bias_light by = make_bias_light(on.light.space, on.light.direction, on.map.size(), on.system.reach,
+                                          on.light.w(on.stage.scene.target));
+    on.stage.for_each_surface([&](glm::ivec2 pixel, const surface& s) {
+        const receiver_bias bias =
+            biases::acne_free{}(by, {s.position, s.face_normal, on.light.direction, on.light.w(s.position)});
+        const glm::vec3 p = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, s.position));
+        x[pixel] = p.x, y[pixel] = p.y;
+        const float even = on.light.depth(on.system, umbrage::biased(p.z, bias.depth));
+        depth[pixel] = umbrage::biased(even, 0x1p-18f);  // floats, rounded twice
+    });
+    progress quiet(1, true);
+    look_up filter;
+    const double map_ms = best_of_5([&] { filter = made(on.map.view(), quiet); });
+    const double ms = best_of_5([&] { filter({x, y, depth}, visibility.view()); });
+    page.entry(name, name, about,
+               {{page.picture(on.stage.shade(on.system, on.light, visibility)), "Shaded"},
+                {page.picture(grey(visibility)), "Visibility"}},
+               {{"a texel", std::to_string(bytes) + " bytes"},
+                {text("map of %s", square(on.system.map_size).c_str()), milliseconds(map_ms)},
+                {text("%d receivers, best of 5", size.x * size.y), milliseconds(ms)}},
+               together_and_alone(snippets));
+}
+
+}  // namespace
+
+void add_soft_shadows(page& page, const settings& o, const std::filesystem::path& folder) {
+    page.section(
+        "soft", "Soft shadows",
+        text("A pillar with a ball, lit by a disc %g across. Contact hardening knows its size: sharp where the "
+             "pillar stands, soft where the ball's shadow falls. Maps that are filtered ahead have one "
+             "softness, a blur of %d texels: their shadows cost a single look-up.",
+             2 * double(light_radius), 2 * blur + 1));
+    const scene_of_soft projected = make_scene_of(depth_kind::projected, *soft_reach("pcss16", widest), o, folder);
+    umbrage::filters::soft::for_each([&](const auto& filter) {
+        add_soft(page, projected, filter.name, sentence(filter.snippet->summary), sizeof(float),
+                 {glsl::disc_turn, *filter.snippet}, [&](auto map, progress& quiet) {
+                     return contact_hardening(filter.name, map, projected.softness(), quiet);
+                 });
+    });
+    const scene_of_soft linear = make_scene_of(depth_kind::linear, *soft_reach("summed_variance", widest), o, folder);
+    const auto add_prefiltered = [&](std::string_view name, const std::string& about,
+                                     const std::vector<glsl::snippet>& snippets) {
+        add_soft(page, linear, name, about, prefilter_bytes(name), snippets,
+                 [&](auto map, progress& quiet) { return prefiltered(name, map, blur, quiet); });
+    };
+    umbrage::prefilters::all::for_each([&](const auto& filter) {
+        add_prefiltered(filter.name, sentence(filter.writer->summary) + ' ' + sentence(filter.snippet->summary),
+                        {*filter.writer, *filter.snippet});
+    });
+    add_prefiltered(glsl::summed_variance.name, sentence(glsl::summed_variance.summary), {glsl::summed_variance});
+}
+
+}  // namespace gallery
