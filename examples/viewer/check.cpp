@@ -102,10 +102,14 @@ TEST_CASE("refusals: one line and an exit code") {
     };
     fails("--headless --system dx_sdk --es2", 2, "needs a float map");
     fails("--headless --es2 --encoding float-bits", 2, "float_bits");
+    fails("--headless --es2 --filter vsm", 2, "vsm");
+    fails("--headless --filter summed_variance", 2, "--filter");
+    fails("--headless --light-size 5", 2, "--light-size");
     fails("--headless --system nothing", 2, "nothing");
     fails("--headless --system outdoor --es2", 2, "OpenGL 3.3");
     fails("--headless --system outdoor --encoding rg11", 2, "--encoding");
     fails("--headless --system outdoor --filter four_tap", 2, "four_tap");
+    fails("--headless --system outdoor --filter pcss16", 2, "pcss16");
     fails("--headless --tint", 2, "--tint");
     fails("--headless --map-size 0", 2, "0");
     fails("--headless --bias none", 2, "--bias");
@@ -121,7 +125,7 @@ TEST_CASE("keys: each changes what the text says it does") {
     viewer::session s(o);
     s.press('F');
     CHECK(s.system.filter == "pcf_2x2");
-    for (std::size_t i = 1; i < example::filter_names().size(); ++i) s.press('F');
+    for (std::size_t i = 1; i < viewer::filter_names().size(); ++i) s.press('F');
     CHECK(s.system.filter == "four_tap");  // all the way round
     s.press('E');
     CHECK(s.system.encoding == "rg12");
@@ -139,7 +143,15 @@ TEST_CASE("keys: each changes what the text says it does") {
     s.press('B');
     CHECK(s.system.bias == "normal_offset");  // all the way round
     CHECK(s.system.receiver == example::receiver_kind::scaled);
+    s.filter("pcss16");
+    CHECK(s.system.receiver == example::receiver_kind::plain);
+    const float light_size = s.system.light_size;
+    s.press('D');
+    CHECK(s.system.light_size > light_size);
+    s.press('S');
+    CHECK(s.system.light_size == doctest::Approx(light_size));
     s.filter("disc16");
+    CHECK(s.system.receiver == example::receiver_kind::scaled);
     const float reach = s.system.reach;
     s.press('K');
     CHECK(*s.system.radius == 3);
@@ -182,6 +194,10 @@ TEST_CASE("keys: each changes what the text says it does") {
     for (std::size_t i = 0; i < example::encoding_names().size(); ++i) {
         CHECK(old.system.encoding != "depth32f");
         old.press('E');
+    }
+    for (std::size_t i = 0; i < viewer::filter_names().size(); ++i) {
+        CHECK(old.system.filter != "vsm");
+        old.press('F');
     }
     old.press('2');  // has no float map there: stays
     CHECK(old.system.name == "radeon_8500");

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include <names.hpp>
+#include <soft.hpp>
 #include <systems.hpp>
 
 #include "check.hpp"
@@ -17,6 +20,11 @@ namespace {
 int pixels_a_texel(const std::string& filter) {
     const float times = std::max(example::reach_of(filter) / 1.5f, 1.0f);
     return static_cast<int>(times * times);
+}
+
+/// Pixels that are neither lit nor dark.
+int soft_pixels(const picture& mask) {
+    return static_cast<int>(std::ranges::count_if(mask.texels(), [](glm::u8vec3 p) { return p.r > 8 && p.r < 247; }));
 }
 
 }  // namespace
@@ -57,6 +65,34 @@ TEST_CASE("choices: every bias on every system keeps what is lit lit, and shadow
                 CHECK(other < 0.08 * 300 * 200);
             }
         }
+}
+
+TEST_CASE("choices: soft shadows are where hard ones are, and soft") {
+    const std::string small = "--headless --mask --width 300 --height 200 --system ";
+    std::vector<std::string> filters = example::prefilter_names();
+    filters.back() = "dpcf16";  // for the summed-area table
+    for (const char* size : {"0", "0.4"}) filters.push_back(std::string("pcss16 --light-size ") + size);
+    for (const std::string system : {"radeon_8500 ", "dx_sdk "}) {
+        const picture sharp = viewed(small + system + "--bias acne_free --filter pcf_2x2");
+        for (const std::string& filter : filters) {
+            if (system == "dx_sdk " && !filter.starts_with("pcss16") && filter != "evsm4") continue;
+            const picture mask = viewed(small + system + "--bias acne_free --filter " + filter);
+            CAPTURE(system);
+            CAPTURE(filter);
+            CHECK(mask[{150, 195}].r > 250);  // the floor in front
+            CHECK(mask[{148, 82}].r < 40);    // the ball's shadow on the box
+            int other = 0;
+            for (glm::ivec2 p{0}; p.y < 200; ++p.y)
+                for (p.x = 0; p.x < 300; ++p.x) other += std::abs(mask[p].r - sharp[p].r) > 128;
+            CHECK(other < 300 * 200 / 100);
+        }
+    }
+    for (const std::string dialect : {"radeon_8500 ", "radeon_8500 --es2 "}) {
+        const std::string pcss = small + dialect + "--filter pcss32 --light-size ";
+        CHECK(soft_pixels(viewed(pcss + "1.6")) > 1.5 * soft_pixels(viewed(pcss + "0.1")));
+    }
+    CHECK(soft_pixels(viewed(small + "dx_sdk --filter vsm --radius 3")) >
+          1.5 * soft_pixels(viewed(small + "dx_sdk --filter vsm --radius 0")));
 }
 
 TEST_CASE("choices: a disc's radius, and what a bias is to reach") {

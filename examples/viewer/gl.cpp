@@ -69,12 +69,13 @@ void attribute_at(GLuint place, GLint size, std::size_t stride, std::size_t offs
 
 program::program(stages text) : id_(linked(text)), text_(std::move(text)) {}
 
-target::target(glm::ivec2 size_, bool floats_) : size(size_), floats(floats_) {
+target::target(glm::ivec2 size_, texels_of kind_) : size(size_), kind(kind_) {
     glBindTexture(GL_TEXTURE_2D, texels);
     nearest_texel();
-    const auto format = static_cast<GLint>(floats ? GL_R32F : epoxy_is_desktop_gl() ? GL_RGBA8 : GL_RGBA);
-    glTexImage2D(GL_TEXTURE_2D, 0, format, size.x, size.y, 0, floats ? GL_RED : GL_RGBA,
-                 floats ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+    const bool bytes = kind == texels_of::bytes, one = kind == texels_of::depth;
+    const auto format = bytes ? (epoxy_is_desktop_gl() ? GL_RGBA8 : GL_RGBA) : one ? GL_R32F : GL_RGBA32F;
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), size.x, size.y, 0, one ? GL_RED : GL_RGBA,
+                 bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, nullptr);
     const bool deep = epoxy_is_desktop_gl() || epoxy_has_gl_extension("GL_OES_depth24");
     glBindRenderbuffer(GL_RENDERBUFFER, depth);
     glRenderbufferStorage(GL_RENDERBUFFER, deep ? GL_DEPTH_COMPONENT24 : GL_DEPTH_COMPONENT16, size.x, size.y);
@@ -83,7 +84,7 @@ target::target(glm::ivec2 size_, bool floats_) : size(size_), floats(floats_) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw std::runtime_error("OpenGL cannot draw into " + std::to_string(size.x) + " x " + std::to_string(size.y) +
-                                 (floats ? " texels of floats here" : " texels here"));
+                                 (bytes ? " texels here" : " texels of floats here"));
 }
 
 handle<texture_kind> make_table(glm::ivec2 size, const void* rgba) {

@@ -135,16 +135,18 @@ private:
     stages text_;
 };
 
+enum class texels_of { bytes, depth, moments };  ///< four bytes, one float, four floats
+
 /// Texels to draw into, with a depth buffer, and to read from.
 struct target {
     glm::ivec2 size;
-    bool floats;
+    texels_of kind;
     handle<texture_kind> texels{};
     handle<renderbuffer_kind> depth{};
     handle<framebuffer_kind> framebuffer{};
 
     /// @throws std::runtime_error  OpenGL has no such target here
-    target(glm::ivec2 size_, bool floats_);
+    target(glm::ivec2 size_, texels_of kind_);
 };
 
 /// A texture of bytes, nearest texel.

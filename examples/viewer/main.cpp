@@ -78,7 +78,7 @@ void run_headless(const options& o) {
     prepare_context();
     const glm::ivec2 size(o.width, o.height);
     renderer renderer;
-    const target target(size, false);
+    const target target(size, texels_of::bytes);
     frame_times times;
     while (times.frames() < o.frames) times.add(timed([&] { renderer.draw(session, target.framebuffer, size); }));
     if (!o.screenshot.empty()) save(o.screenshot, size);

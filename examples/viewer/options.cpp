@@ -33,8 +33,11 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
     app.add_option("--azimuth", o.azimuth, "where the light stands, degrees")->check(within(-360, 360));
     app.add_option("--elevation", o.elevation, "90 is straight above")->check(within(lowest_light, 90));
     example::add_encoding(app, o.encoding)->type_name("NAME");
-    example::add_filter(app, o.filter);
-    app.add_option("--radius", o.radius, "of a box, whole, or a disc, texels")->check(within(0, largest_radius));
+    example::add_filter(app, o.filter, filter_names());
+    app.add_option("--radius", o.radius, "of a disc, or, whole, a box or a filtered map's blur, texels")
+        ->check(within(0, largest_radius));
+    app.add_option("--light-size", o.light_size, "diameter, of pcss and dpcf, world units")
+        ->check(within(0, largest_light));
     app.add_option("--map-size", o.map_size, "texels along an edge")->check(within(smallest_map, largest_map));
     example::add_bias(app, o.bias);
     app.add_option("--reach", o.reach, "texels that the bias covers; without it, what the filter's own asks for")

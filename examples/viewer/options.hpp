@@ -18,7 +18,7 @@ struct options {
     std::optional<float> azimuth{}, elevation{};  ///< of the light
     std::optional<std::string> encoding{}, filter{}, bias{};
     std::optional<int> map_size{};
-    std::optional<float> radius{}, reach{}, epsilon{};
+    std::optional<float> radius{}, light_size{}, reach{}, epsilon{};
 
     int width = 960, height = 640;
     bool es2 = false;   ///< OpenGL ES 2 and GLSL 100

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "parts.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
 #include <string_view>
 
 #include <umbrage/compare.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
 #include <umbrage/depth/kinds.hpp>
 #include <umbrage/depth/rg_table.hpp>
+#include <umbrage/filter/prefiltered/prefilters.hpp>
 
 #include <biases.hpp>
 #include <filters.hpp>
 #include <names.hpp>
+#include <soft.hpp>
 
 #include "stored_as.hpp"
 
@@ -46,15 +51,74 @@ std::string projected(const shadow_system& s, const std::string& depth) {
     return "umbrage_" + std::string(from) + "depth_from_view_z(" + depth + " * planes.y, planes.x, planes.y)";
 }
 
+std::string even(const shadow_system& s, const std::string& depth) {
+    if (s.depth != example::depth_kind::projected || s.light != example::light_kind::spot) return depth;
+    return "umbrage_linear_depth(umbrage_view_z_from_depth(" + depth + ", planes.x, planes.y), planes.z)";
+}
+
+bool compares_projected(const shadow_system& s) {
+    return !example::filters_ahead(s.filter) &&
+           (example::moves_stored_depths(s.bias) ||
+            (example::hardens(s.filter) && s.depth != example::depth_kind::projected));
+}
+
 bias bias_of(const shadow_system& s, const glsl::binding& map) {
     bias out{.uses{}, .statement{}, .ahead{planes}};
     example::with_bias(s.bias, [&](const auto& of) { out.uses = of.snippets(), out.statement = of.statement; });
-    if (!example::moves_stored_depths(s.bias)) return out;
+    const bool moves = example::moves_stored_depths(s.bias);
+    if (moves) out.ahead += "vec2 plane, plane_at;\n";
+    if (!compares_projected(s)) return out;
     out.uses.insert(out.uses.end(), map.needs.begin(), map.needs.end());
     std::string stored = map.depth.empty() ? "value.x" : map.depth;
     stored.replace(stored.find("value"), 5, "umbrage_fetch_clamped(map, size, texel)");
-    out.ahead += "vec2 plane, plane_at;\n#define UMBRAGE_FETCH(map, size, texel) umbrage_on_receiver_plane(" +
-                 projected(s, stored) + ", plane, plane_at, texel)\n";
+    stored = projected(s, stored);
+    if (moves) stored = "umbrage_on_receiver_plane(" + stored + ", plane, plane_at, texel)";
+    out.ahead += "#define UMBRAGE_FETCH(map, size, texel) " + stored + "\n";
+    return out;
+}
+
+namespace {
+
+std::string text(float v) {
+    std::array<char, 32> out{};
+    std::snprintf(out.data(), out.size(), "%.9e", double(v));
+    return out.data();
+}
+std::string text(glm::vec2 v) { return "vec2(" + text(v.x) + ", " + text(v.y) + ")"; }
+
+/// What a prefilter's writer is called with after the depth, and its look-up after the receiver.
+struct parameters {
+    std::string writer, look_up;
+};
+template <class Prefilter>
+parameters parameters_of(const Prefilter& of) {
+    if constexpr (requires { of.settings; })
+        return {", " + text(of.settings.exponent), ", " + text(of.settings.exponent)};
+    else if constexpr (requires { of.parameters; }) {
+        const umbrage::evsm_parameters& p = of.parameters;
+        if (Prefilter::texel::length() == 2)
+            return {", " + text(p.exponents.x), ", " + text(p.exponents.x) + ", " + text(p.deviations.x)};
+        return {", " + text(p.exponents), ", " + text(p.exponents) + ", " + text(p.deviations)};
+    } else if constexpr (requires { of.bias; }) return {"", ", " + text(of.bias)};
+    else return {"", ", " + text(of.min_variance)};
+}
+
+}  // namespace
+
+std::optional<prefilter> prefilter_of(const shadow_system& s) {
+    std::optional<prefilter> out;
+    umbrage::prefilters::all::with(s.filter, [&]<class Prefilter>(const Prefilter& of) {
+        constexpr std::array zeros{"", ", 0.0, 0.0, 0.0", ", 0.0, 0.0", "", ""};
+        std::string depth = "depth";
+        snippets writers{*of.writer};
+        if (of.writer == &glsl::turn_moments) {
+            depth = "umbrage_encode_msm(depth)";
+            writers.push_back(glsl::encode_msm);
+        }
+        const std::string value = "umbrage_" + std::string(of.writer->name) + "(" + depth + parameters_of(of).writer;
+        out = {writers, "vec4(" + value + ")" + zeros[sizeof(typename Prefilter::texel) / sizeof(float)] + ")",
+               2 * std::clamp(static_cast<int>(s.radius.value_or(2)), 0, 3) + 1};
+    });
     return out;
 }
 
@@ -65,8 +129,18 @@ filter filter_of(const shadow_system& s) {
         return {{glsl::compare_exercise, glsl::fetch_depth},
                 "umbrage_compare_exercise(depth, umbrage_fetch_depth(map, map_size, floor(p.xy)), epsilon)"};
     const glsl::snippet* snippet = nullptr;
-    std::string arguments = "p.xy, receiver";
+    std::string arguments = "p.xy, receiver", map = "map";
     snippets uses;
+    umbrage::filters::soft::with(s.filter, [&](const auto& of) {
+        snippet = of.snippet;
+        arguments += ", softness, umbrage_disc_turn(gl_FragCoord.xy)";
+        uses.push_back(glsl::disc_turn);
+    });
+    umbrage::prefilters::all::with(s.filter, [&](const auto& of) {
+        snippet = of.snippet;
+        arguments += parameters_of(of).look_up;
+        map = "moments";
+    });
     example::with_filter(s.filter, s.radius, [&](const auto& of) {
         snippet = of.snippet;
         if constexpr (requires { of.radius_texels; }) {
@@ -78,7 +152,7 @@ filter filter_of(const shadow_system& s) {
     uses.push_back(*snippet);
     if (snippet == &glsl::four_tap) arguments = "tap(0), tap(1), tap(2), tap(3), receiver";
     if (snippet == &glsl::pcf_2x2_dx_sdk) arguments = moved ? "p.xy, depth, depth - biased" : "p.xy, depth, epsilon";
-    return {uses, "umbrage_" + std::string(snippet->name) + "(map, map_size, " + arguments + ")"};
+    return {uses, "umbrage_" + std::string(snippet->name) + "(" + map + ", map_size, " + arguments + ")"};
 }
 
 std::string receiver_of(const shadow_system& s) {

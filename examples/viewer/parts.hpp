@@ -3,6 +3,7 @@
 // The parts of a system as GLSL: how its map is written and read, which filter and which bias it has.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,12 @@ struct storage {
 [[nodiscard]] const snippets& depth_snippets();
 inline constexpr const char* planes = "uniform vec3 planes;\n";
 
-/// The way back, of an expression.
+/// The way back, of an expression; and the depth that a map holds which is filtered ahead: it grows evenly.
 [[nodiscard]] std::string projected(const example::shadow_system& s, const std::string& depth);
+[[nodiscard]] std::string even(const example::shadow_system& s, const std::string& depth);
+
+/// Whether stored depths and receivers become z/w when they are compared.
+[[nodiscard]] bool compares_projected(const example::shadow_system& s);
 
 /// What a bias does to a receiver, and, ahead of the snippets, to stored depths.
 struct bias {
@@ -46,6 +51,14 @@ struct filter {
     std::string visibility;  ///< expression of p, depth, biased, receiver and epsilon
 };
 [[nodiscard]] filter filter_of(const example::shadow_system& s);
+
+/// A map that is filtered ahead: its texel, an expression of even `depth`, and how wide a pass blurs it each way.
+struct prefilter {
+    snippets writers;
+    std::string texel;
+    int taps;  ///< of the blur: 1, 3, 5 or 7
+};
+[[nodiscard]] std::optional<prefilter> prefilter_of(const example::shadow_system& s);
 
 /// The side that is compared with the map, an expression of `depth`, biased.
 [[nodiscard]] std::string receiver_of(const example::shadow_system& s);

@@ -9,10 +9,12 @@
 
 #include <umbrage/bias/constant.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
+#include <umbrage/filter/prefiltered/reduce.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shade/lighting.hpp>
 
 #include <names.hpp>
+#include <soft.hpp>
 
 #include "parts.hpp"
 #include "stored_as.hpp"
@@ -92,7 +94,8 @@ stages camera_stages(const shadow_system& s, version v, bool mask) {
     const storage how = storage_of(s);
     const filter filter = filter_of(s);
     const bias bias = bias_of(s, how.map);
-    const bool moved = example::moves_stored_depths(s.bias);
+    const bool projects = compares_projected(s), ahead = example::filters_ahead(s.filter);
+    const auto compared = [&](const char* depth) { return ahead ? even(s, depth) : projected(s, depth); };
     const std::string lit = s.shading == example::shading_kind::diffuse_ambient
                                 ? "umbrage_diffuse_ambient(albedo, ambient, n_dot_l, visibility)"
                                 : "umbrage_diffuse_ambient(albedo, ambient, n_dot_l, 1.0) * "
@@ -120,7 +123,7 @@ void main() {
                                          filter.uses,
                                          {glsl::receiver_ps14, glsl::shadow_coordinate, glsl::project_coordinate,
                                           glsl::texels_to_world, glsl::biased, glsl::spot_cone, glsl::diffuse_ambient}},
-                                        moved ? std::nullopt : std::optional(how.map)),
+                                        projects ? std::nullopt : std::optional(ahead ? glsl::binding{} : how.map)),
                                  R"GLSL(
 varying vec3 world, world_normal, world_face;
 varying vec4 surface_colour;  // alpha: 1 on the floor
@@ -128,8 +131,9 @@ uniform vec3 eye, light_direction;
 uniform vec4 light_position;  // w: 1 for a spot, 0 for a directional light
 uniform float cos_outer, reach, constant, epsilon, ambient;
 uniform mat4 world_to_texels, plane_matrix, taps[4];
-uniform sampler2D map, table;
+uniform sampler2D map, table, moments;
 uniform vec2 map_size, units;
+uniform vec3 softness;
 )GLSL" + map_depth(s) + R"GLSL(
 vec3 unit(vec3 a, vec3 otherwise) { return length(a) > 0.0 ? a / length(a) : otherwise; }
 vec3 towards(vec3 a, vec3 side) { return dot(a, side) < 0.0 ? -a : a; }
@@ -170,10 +174,10 @@ void main() {
 
     // Fetch, decode, compare, filter.
     float biased = umbrage_biased(depth, epsilon);
-)GLSL" +
-                                     (moved ? "    plane_at = p.xy;\n    depth = " + projected(s, "depth") +
-                                                  ";\n    biased = " + projected(s, "biased") + ";\n"
-                                            : std::string()) +
+)GLSL" + (example::moves_stored_depths(s.bias) ? "    plane_at = p.xy;\n" : "") +
+                                     (projects || ahead ? "    depth = " + compared("depth") +
+                                                              ";\n    biased = " + compared("biased") + ";\n"
+                                                        : std::string()) +
                                      R"GLSL(
     float receiver = )GLSL" + receiver_of(s) +
                                      R"GLSL(;
@@ -200,6 +204,26 @@ void main() {
 }
 )GLSL";
     return out;
+}
+
+stages moments_stages(const shadow_system& s, version v) {
+    const prefilter of = *prefilter_of(s);
+    snippets uses = depth_snippets();
+    uses.insert(uses.end(), of.writers.begin(), of.writers.end());
+    return {vertex_text(v, {}, rectangle_vertex), overlay_head(s, v, uses) + planes +
+                                                      "void main() {\n    float depth = " + even(s, "depth_here()") +
+                                                      ";\n    fragment_colour = " + of.texel + ";\n}\n"};
+}
+
+stages blur_stages(version v, int taps) {
+    const glsl::snippet& row = taps == 3 ? glsl::blur_row<3> : taps == 5 ? glsl::blur_row<5> : glsl::blur_row<7>;
+    return {vertex_text(v, {}, rectangle_vertex), fragment_text(v, {row}, R"GLSL(
+uniform sampler2D map;
+uniform vec2 map_size, along;
+varying vec2 at;
+void main() {
+    vec2 texel = floor(vec2(at.x, 1.0 - at.y) * map_size);
+    fragment_colour = umbrage_)GLSL" + std::string(row.name) + "(map, map_size, texel, along);\n}\n")};
 }
 
 stages overlay_stages(const shadow_system& s, version v) {

@@ -23,6 +23,13 @@ struct stages {
 /// From the light: depth, encoded, into the map.
 [[nodiscard]] stages depth_stages(const example::shadow_system& s, umbrage::glsl::version v);
 
+/// Over the whole of another map: the texels of one that is filtered ahead, of the depths in `map`.
+[[nodiscard]] stages moments_stages(const example::shadow_system& s, umbrage::glsl::version v);
+
+/// The same texels, blurred `along` (1, 0) or (0, 1).
+/// @param taps   3, 5 or 7
+[[nodiscard]] stages blur_stages(umbrage::glsl::version v, int taps);
+
 /// From the camera: fetch, decode, compare, filter, shade.
 /// @param mask   visibility alone
 [[nodiscard]] stages camera_stages(const example::shadow_system& s, umbrage::glsl::version v, bool mask);

@@ -5,13 +5,16 @@
 #include <vector>
 
 #include <umbrage/depth/rg_table.hpp>
+#include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
 #include <biases.hpp>
 #include <names.hpp>
+#include <soft.hpp>
 #include <srgb.hpp>
 
+#include "parts.hpp"
 #include "stored_as.hpp"
 
 namespace viewer {
@@ -44,6 +47,11 @@ float epsilon_of(const example::shadow_system& s) {
     return example::moves_stored_depths(s.bias) ? 2 * one : one;
 }
 
+umbrage::light_softness softness_of(const example::shadow_system& s, const example::light& l, glm::vec2 units) {
+    const float radius = 0.5f * s.light_size * s.scene_scale;
+    return umbrage::make_softness(units, l.spot ? radius : radius / (s.distance * s.scene_scale), 1.0f, s.widest);
+}
+
 void bind(int unit, GLuint texture) {
     glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
     glBindTexture(GL_TEXTURE_2D, texture);
@@ -56,7 +64,7 @@ void clear(glm::vec4 c) {
 
 }  // namespace
 
-renderer::renderer() : small_({64, 64}, false) {
+renderer::renderer() : small_({64, 64}, texels_of::bytes) {
     static constexpr auto table = umbrage::make_rg_table<11, glm::u8vec4>();
     table_ = make_table({static_cast<int>(table.size()), 1}, table.data());
     constexpr float strip[] = {0, 0, 0, 1, 1, 0, 1, 1};
@@ -113,13 +121,14 @@ void renderer::draw(const session& s, GLuint framebuffer, glm::ivec2 size) {
     const int edge = s.system.map_size;
     const example::light light =
         example::make_light(s.system, s.scene, s.system.azimuth, s.system.elevation, edge, umbrage::opengl_clip_space);
-    const bool floats = encoding_called(s.system.encoding).floats();
+    const texels_of kind = encoding_called(s.system.encoding).floats() ? texels_of::depth : texels_of::bytes;
     bind(1, table_);
     bind(0, 0);
-    if (!map_ || map_->size.x != edge || map_->floats != floats) map_.emplace(glm::ivec2(edge), floats);
+    if (!map_ || map_->size.x != edge || map_->kind != kind) map_.emplace(glm::ivec2(edge), kind);
 
     depth_pass(s, light);
     bind(0, map_->texels);
+    if (example::filters_ahead(s.system.filter)) filter_ahead(s, light);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     camera_pass(s, light, size);
     if (s.map && !s.mask) overlay(s, framebuffer, size);
@@ -139,6 +148,32 @@ void renderer::depth_pass(const session& s, const example::light& l) {
     draw_mesh();
 }
 
+/// Leaves the map bound, and beside it the one of moments.
+void renderer::filter_ahead(const session& s, const example::light& l) {
+    constexpr glm::vec4 everywhere{-1, 1, 2, 2};
+    bind(2, 0);
+    for (std::optional<target>* of : {&moments_, &blurred_})
+        if (!*of || (*of)->size != map_->size) of->emplace(map_->size, texels_of::moments);
+    bind(2, 0);
+    glViewport(0, 0, map_->size.x, map_->size.y);
+    const auto draw_into = [&](const target& to, const program& p) {
+        glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer);
+        p.set("map_size", glm::vec2(map_->size));
+        draw_rectangle(p, everywhere);
+    };
+    draw_into(*moments_, updated(write_moments_, moments_stages(s.system, dialect()))
+                             .set("map", 0)
+                             .set("planes", glm::vec3(l.z_near, l.z_far, 1 / l.z_far)));
+    if (const int taps = prefilter_of(s.system)->taps; taps > 1) {
+        const program& blur = updated(blur_, blur_stages(dialect(), taps)).set("map", 2);
+        bind(2, moments_->texels);
+        draw_into(*blurred_, blur.set("along", glm::vec2(0, 1)));
+        bind(2, blurred_->texels);
+        draw_into(*moments_, blur.set("along", glm::vec2(1, 0)));
+    }
+    bind(2, moments_->texels);
+}
+
 void renderer::camera_pass(const session& s, const example::light& l, glm::ivec2 size) {
     const example::camera camera = example::make_camera(s.camera);
     const glm::mat4 world_to_texels = umbrage::texture_matrix(l.space, map_->size);
@@ -156,12 +191,14 @@ void renderer::camera_pass(const session& s, const example::light& l, glm::ivec2
         .set("plane_matrix", bias.planes)
         .set("reach", bias.reach)
         .set("constant", bias.constant)
+        .set("softness", glm::vec3(softness_of(s.system, l, bias.units)))
         .set("epsilon", epsilon_of(s.system))
         .set("ambient", s.system.ambient)
         .set("planes", glm::vec3(l.z_near, l.z_far, 1 / l.z_far))
         .set("world_to_texels", world_to_texels)
         .set("taps", umbrage::tap_matrices(world_to_texels).front(), 4)
         .set("map", 0)
+        .set("moments", 2)
         .set("map_size", glm::vec2(map_->size))
         .set("table", 1);
     draw_mesh();

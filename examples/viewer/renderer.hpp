@@ -27,6 +27,7 @@ private:
     void draw_mesh() const;
     void draw_rectangle(const program& p, glm::vec4 place) const;
     void depth_pass(const session& s, const example::light& l);
+    void filter_ahead(const session& s, const example::light& l);
     void camera_pass(const session& s, const example::light& l, glm::ivec2 size);
     void overlay(const session& s, GLuint framebuffer, glm::ivec2 size);
     [[nodiscard]] umbrage::contrast_stretch stretch(const session& s);
@@ -35,9 +36,9 @@ private:
     handle<texture_kind> table_;  ///< 11 bits of depth in two channels, 2048 x 1
     GLsizei vertices_ = 0;
     int scene_ = 0;  ///< the one in mesh_
-    std::optional<target> map_;
+    std::optional<target> map_, moments_, blurred_;
     target small_;  ///< for reading the map back
-    std::optional<program> depth_, camera_, overlay_, read_back_;
+    std::optional<program> depth_, write_moments_, blur_, camera_, overlay_, read_back_;
     std::optional<outdoor> outdoor_;
 };
 

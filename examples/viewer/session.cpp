@@ -5,9 +5,12 @@
 #include <cmath>
 #include <sstream>
 
+#include <umbrage/filter/prefiltered/prefilters.hpp>
+
 #include <choices.hpp>
 #include <command_line.hpp>
 #include <names.hpp>
+#include <soft.hpp>
 
 #include "stored_as.hpp"
 
@@ -36,7 +39,20 @@ bool runs_on_es2(const example::shadow_system& s) { return encoding_called(s.enc
 
 }  // namespace
 
-bool filters_layers(std::string_view filter) { return filter != "four_tap" && filter != "pcf_2x2_dx_sdk"; }
+const std::vector<std::string>& filter_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all = example::filter_names();
+        all.insert(all.end(), example::hardening_names().begin(), example::hardening_names().end());
+        umbrage::prefilters::all::for_each([&](const auto& filter) { all.emplace_back(filter.name); });
+        return all;
+    }();
+    return names;
+}
+
+bool filters_layers(std::string_view filter) {
+    return filter != "four_tap" && filter != "pcf_2x2_dx_sdk" && !example::hardens(filter) &&
+           !example::filters_ahead(filter);
+}
 
 session::session(const options& o)
     : es2(o.es2), mask(o.mask), tint(o.tint), text(o.text), map(o.map), mesh_file_(o.mesh), up_(o.up) {
@@ -47,6 +63,7 @@ session::session(const options& o)
     if (o.encoding) encode(*o.encoding);
     if (o.filter) filter(*o.filter);
     if (o.radius) radius(*o.radius);
+    if (o.light_size) system.light_size = *o.light_size;
     if (o.bias) bias(*o.bias);
     if (o.map_size) system.map_size = *o.map_size;
     if (o.epsilon) system.epsilon = *o.epsilon;
@@ -85,16 +102,21 @@ void session::encode(std::string_view name) {
     settle_receiver();
 }
 
-/// An original's own receivers go with its own encoding, and with depths that stay where they are stored.
+/// An original's own receivers go with its own encoding, and with depths that stay as they are stored.
 void session::settle_receiver() {
     const example::shadow_system& original = system_called(system.name);
-    const bool own = system.encoding == original.encoding && !example::moves_stored_depths(system.bias);
+    const bool own = system.encoding == original.encoding && !example::moves_stored_depths(system.bias) &&
+                     !example::hardens(system.filter) && !example::filters_ahead(system.filter);
     system.receiver = own ? original.receiver : example::receiver_kind::plain;
 }
 
 void session::filter(std::string_view name) {
-    system.filter = listed(example::filter_names(), name);
-    system.reach = example::covered(example::reach_of(name, system.radius));
+    if (es2 && example::filters_ahead(name))
+        throw example::usage_error("OpenGL ES 2 has no float maps for the filter " + std::string(name));
+    system.filter = listed(filter_names(), name);
+    system.reach =
+        example::covered(example::soft_reach(name, system.widest).value_or(example::reach_of(name, system.radius)));
+    settle_receiver();
 }
 
 void session::radius(float texels) {
@@ -108,7 +130,11 @@ void session::bias(std::string_view name) {
 }
 
 void session::next_filter() {
-    do { filter(after(example::filter_names(), system.filter)); } while (outdoor() && !filters_layers(system.filter));
+    std::string_view next = system.filter;
+    do {
+        next = after(filter_names(), next);
+    } while ((outdoor() && !filters_layers(next)) || (es2 && example::filters_ahead(next)));
+    filter(next);
 }
 
 void session::next_encoding() {
@@ -141,6 +167,8 @@ void session::press(int pressed) {
             break;
         case 'J': radius(system.radius.value_or(usual_radius) - 1); break;
         case 'K': radius(system.radius.value_or(usual_radius) + 1); break;
+        case 'S': system.light_size *= 0.8f; break;
+        case 'D': system.light_size = std::min(system.light_size * 1.25f, largest_light); break;
         case '+': system.epsilon *= 1.25f; break;
         case '-': system.epsilon *= 0.8f; break;
         case 'M': system.map_size = std::min(system.map_size * 2, largest_map / 2); break;
@@ -181,6 +209,7 @@ std::string session::describe() const {
     std::ostringstream out;
     out << system.title << "\nencoding " << system.encoding << ", filter " << system.filter;
     if (system.radius) out << " (radius " << *system.radius << " if any)";
+    if (example::hardens(system.filter)) out << " (light " << system.light_size << " across)";
     out << "\nbias " << system.bias << ", epsilon " << system.epsilon << (outdoor() ? "\n4 maps, " : "\nmap ")
         << system.map_size << " x " << system.map_size << "\nlight: azimuth " << system.azimuth << ", elevation "
         << system.elevation << '\n';

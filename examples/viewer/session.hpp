@@ -9,6 +9,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 
@@ -21,6 +22,7 @@ namespace viewer {
 
 inline constexpr float lowest_light = 5;
 inline constexpr float largest_radius = 8;  ///< of a box or a disc, texels
+inline constexpr float largest_light = 4;   ///< across, world units
 inline constexpr int smallest_map = 16, largest_map = 8192;
 
 /// Keys that stand for no letter.
@@ -34,7 +36,8 @@ inline constexpr std::string_view keys =
     "L  light goes round\n"
     "1 2 3 4  system, 5  outdoors, C  its cascades\n"
     "E  encoding, F  filter, B  bias\n"
-    "J K  radius, + -  epsilon, M N  map size\n"
+    "J K  radius, S D  light's size\n"
+    "+ -  epsilon, M N  map size\n"
     "T  map, V  visibility alone\n"
     "H  this text, R  reset\n"
     "P  screenshot, Esc  quit\n";
@@ -52,6 +55,9 @@ inline constexpr example::shadow_system outdoor_system{
     .epsilon = 0x1p-16f,
     .reach = example::covered(umbrage::filters::pcf_2x2{}.reach()),
 };
+
+/// All but the one that takes a summed-area table.
+[[nodiscard]] const std::vector<std::string>& filter_names();
 
 /// Whether a filter, by its name, takes no more than a map and a place in it.
 [[nodiscard]] bool filters_layers(std::string_view filter);
@@ -72,9 +78,10 @@ public:
     /// @param name  one of example::encoding_names()
     /// @throws example::usage_error  it does not run on OpenGL ES 2
     void encode(std::string_view name);
-    /// @param name  one of example::filter_names(); the bias covers its reach
+    /// @param name  one of filter_names(); the bias covers its reach
+    /// @throws example::usage_error  it does not run on OpenGL ES 2
     void filter(std::string_view name);
-    void radius(float texels);  ///< of a box or a disc
+    void radius(float texels);  ///< of a box, a disc or a blur
     /// @param name  one of example::bias_names()
     void bias(std::string_view name);
 
