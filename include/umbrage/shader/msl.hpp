@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 
+#include <umbrage/light/cube_atlas.hpp>
 #include <umbrage/shader/compose.hpp>
 #include <umbrage/shader/translate/word_by_word.hpp>
 
