@@ -14,7 +14,8 @@
 
 namespace example {
 
-/// Draws each map as the light sees it, farther is lighter, side by side from the top left corner on; of pages the root.
+/// Draws each map as the light sees it, farther is lighter, side by side from the top left corner on; of pages the
+/// root.
 /// @param maps   of umbrage's default clip space
 void overlay_maps(umbrage::image_view<glm::u8vec3> picture, const lit_view& v, const placed_maps& maps);
 

@@ -132,8 +132,8 @@ placed_maps warped_cascades(const lit_view& v, const frustum& range) {
     return maps;
 }
 
-/// As many texels in 256 pages around the scene, of which one in 2 x 2 of the pixels wants some. Surfaces that the light
-/// grazes are hardly lit, and would take all: beyond a quarter of its strength they want no more.
+/// As many texels in 256 pages around the scene, of which one in 2 x 2 of the pixels wants some. Surfaces that the
+/// light grazes are hardly lit, and would take all: beyond a quarter of its strength they want no more.
 placed_maps adaptive(const lit_view& v) {
     constexpr int deepest = 15;
     const glm::dvec3 low(v.scene.low), high(v.scene.high);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // --stability-report: whether cascades stand still while the camera moves and turns. A table, of double and float, of
-// one matrix and of a rotation with an offset, here and 3 km from the origin; and a film strip, film.png. Then whether a
-// sun that moves shows where warps begin and end: see sun_film.hpp.
+// one matrix and of a rotation with an offset, here and 3 km from the origin; and a film strip, film.png. Then whether
+// a sun that moves shows where warps begin and end: see sun_film.hpp.
 #pragma once
 
 #include <scene.hpp>
