@@ -147,6 +147,9 @@ TEST_CASE("page_cache: pages pop under a moving camera only where the budget for
                     if (p == q && slot != other) CHECK(slot == other);
                 });
             });
+            const auto again = cache.update(seen);
+            CHECK(again.drawn.empty());
+            CHECK(again.target == update.target);
             forced += update.forced, drawn += update.drawn.size(), needed += update.kept + update.drawn.size();
         }
         CHECK((forced == 0) == (side == 24));
