@@ -111,6 +111,8 @@ TEST_CASE("refusals: one line and an exit code") {
     fails("--headless --system outdoor --filter four_tap", 2, "four_tap");
     fails("--headless --system outdoor --filter pcss16", 2, "pcss16");
     fails("--headless --tint", 2, "--tint");
+    fails("--headless --system outdoor --placement tight --tint", 2, "--tint");
+    fails("--headless --placement tight", 2, "--placement");
     fails("--headless --map-size 0", 2, "0");
     fails("--headless --bias none", 2, "--bias");
     fails("--headless --radius 9", 2, "--radius");
@@ -182,6 +184,11 @@ TEST_CASE("keys: each changes what the text says it does") {
     CHECK(s.system.filter == "pcf_2x2");  // all the way round, but for those that take more than a layer
     s.press('C');
     CHECK(s.tint);
+    s.press('O');
+    CHECK(s.placement == "tight");
+    CHECK_FALSE(s.cascaded());
+    for (std::size_t i = 1; i < viewer::placement_names().size(); ++i) s.press('O');
+    CHECK(s.cascaded());  // all the way round
     s.press('3');
     CHECK(s.scenes == 4);
     s.turn_camera(30, 200);

@@ -23,6 +23,12 @@
 
 namespace viewer {
 
+/// The same picture for OpenGL, whose z/w runs from -1 to 1.
+[[nodiscard]] inline glm::mat4 opengl(glm::mat4 m) {
+    for (int column = 0; column < 4; ++column) m[column][2] = 2 * m[column][2] - m[column][3];
+    return m;
+}
+
 /// Owns a name that OpenGL gave.
 template <class Kind>
 class handle {

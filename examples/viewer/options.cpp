@@ -44,6 +44,9 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
         ->check(within(0, 16));
     app.add_option("--epsilon", o.epsilon, "constant bias besides, in the map's depth")->check(within(-1, 1));
 
+    example::add_choice(app, "--placement", o.placement, placement_names(),
+                        "outdoor: four maps, or one of as many texels, for what is seen");
+
     app.option_defaults()->group("Picture");
     app.add_option("--width", o.width, "pixels")->check(within(16, 8192));
     app.add_option("--height", o.height, "pixels")->check(within(16, 8192));
@@ -70,7 +73,9 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
             throw example::usage_error(std::string(other) + " is not for --system outdoor");
     if (outdoor && o.filter && !filters_layers(*o.filter))
         throw example::usage_error("--filter " + *o.filter + " is not for --system outdoor");
-    if (o.tint && !outdoor) throw example::usage_error("--tint is for --system outdoor");
+    if (!outdoor && app.count("--placement") > 0) throw example::usage_error("--placement is for --system outdoor");
+    if (o.tint && !(outdoor && o.placement == in_cascades))
+        throw example::usage_error("--tint is for --system outdoor and its cascades");
     if (o.headless && o.frames == 0) o.frames = 1;
     return o;
 }

@@ -20,6 +20,8 @@ struct options {
     std::optional<int> map_size{};
     std::optional<float> radius{}, light_size{}, reach{}, epsilon{};
 
+    std::string placement = "cascades";  ///< of an outdoor sun's maps
+
     int width = 960, height = 640;
     bool es2 = false;   ///< OpenGL ES 2 and GLSL 100
     bool mask = false;  ///< visibility alone

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The outdoor scene on OpenGL 3.3: instances, drawn into a layer of depth for each of a sun's cascades, and the
-// camera's pass, which chooses between them. Each pass draws what its matrix can see.
+// The outdoor scene on OpenGL 3.3: instances, drawn into a layer of depth for each of a sun's cascades or into
+// the one map in their place, and the camera's pass, which looks them up. Each pass draws what its matrix can see.
 //
 //     viewer::outdoor outdoor(session.scene);          // a context is current
 //     outdoor.draw(session, framebuffer, {960, 640});
@@ -10,10 +10,13 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include <umbrage/images/light_choice.hpp>
 #include <umbrage/light/bounds.hpp>
 
+#include <camera.hpp>
 #include <scene.hpp>
 
 #include "gl.hpp"
@@ -26,6 +29,11 @@ public:
     explicit outdoor(const example::scene& scene);
     void draw(const session& s, GLuint framebuffer, glm::ivec2 size);
 
+    // Of the last picture: its maps, left bound as layers; and what came of their placement, for people.
+    [[nodiscard]] int map_size() const { return map_size_; }
+    [[nodiscard]] int layers() const { return layers_; }
+    [[nodiscard]] const std::string& note() const { return note_; }
+
 private:
     /// Where a shape lies in the buffers.
     struct shape {
@@ -33,15 +41,28 @@ private:
         std::size_t first_index, indices;
         GLint first_vertex;
     };
+    /// What a camera sees, and between what distances along its axis.
+    struct view {
+        std::vector<umbrage::seen_point> points;  ///< one in 16 x 16 pixels
+        double least, greatest;
+    };
     void draw_instances(const example::scene& scene, const glm::mat4& world_to_clip, umbrage::clip_space clip) const;
+    void draw_layer(const example::scene& scene, int layer, glm::vec3 eye, const umbrage::light_space<double>& light);
+    void make_layers(int edge, int count);
+    [[nodiscard]] view look(const example::scene& scene, const example::camera& c, glm::ivec2 size);
+    void place_cascades(const session& s, const example::camera& c);
+    void place_one(const session& s, const example::camera& c, glm::ivec2 size);
 
     handle<buffer_kind> vertices_, indices_, places_;
     handle<texture_kind> maps_;
     handle<framebuffer_kind> layer_;
-    int map_size_ = 0;
+    int map_size_ = 0, layers_ = 0;
+    std::string note_;
+    std::size_t kept_ = 0;  ///< see place_map
     std::vector<shape> shapes_;
-    program depth_;
+    program depth_, look_;
     std::optional<program> camera_;
+    std::optional<target> seen_;
 };
 
 }  // namespace viewer

@@ -33,12 +33,6 @@ const program& updated(std::optional<program>& p, stages text) {
     return p->use();
 }
 
-/// The same picture for OpenGL, whose z/w runs from -1 to 1.
-glm::mat4 opengl(glm::mat4 m) {
-    for (int column = 0; column < 4; ++column) m[column][2] = 2 * m[column][2] - m[column][3];
-    return m;
-}
-
 /// The system's epsilon, and what a decoder of others may answer below the depth it was given; twice where depths
 /// become z/w, of which texels nearer to the light than the receiver have more a world unit.
 float epsilon_of(const example::shadow_system& s) {

@@ -55,7 +55,14 @@ bool filters_layers(std::string_view filter) {
 }
 
 session::session(const options& o)
-    : es2(o.es2), mask(o.mask), tint(o.tint), text(o.text), map(o.map), mesh_file_(o.mesh), up_(o.up) {
+    : placement(o.placement),
+      es2(o.es2),
+      mask(o.mask),
+      tint(o.tint),
+      text(o.text),
+      map(o.map),
+      mesh_file_(o.mesh),
+      up_(o.up) {
     camera.aspect = static_cast<float>(o.width) / static_cast<float>(o.height);
     select(system_called(o.system));
     if (o.azimuth) system.azimuth = *o.azimuth;
@@ -157,6 +164,7 @@ void session::press(int pressed) {
         case '5':
             if (!es2) select(outdoor_system);
             break;
+        case 'O': placement = after(placement_names(), placement); break;
         case 'C': tint = !tint; break;
         case 'E':
             if (!outdoor()) next_encoding();
@@ -210,9 +218,10 @@ std::string session::describe() const {
     out << system.title << "\nencoding " << system.encoding << ", filter " << system.filter;
     if (system.radius) out << " (radius " << *system.radius << " if any)";
     if (example::hardens(system.filter)) out << " (light " << system.light_size << " across)";
-    out << "\nbias " << system.bias << ", epsilon " << system.epsilon << (outdoor() ? "\n4 maps, " : "\nmap ")
-        << system.map_size << " x " << system.map_size << "\nlight: azimuth " << system.azimuth << ", elevation "
-        << system.elevation << '\n';
+    const int edge = outdoor() && !cascaded() ? 2 * system.map_size : system.map_size;
+    out << "\nbias " << (outdoor() && !cascaded() ? "acne_free" : system.bias) << ", epsilon " << system.epsilon
+        << (outdoor() && cascaded() ? "\n4 cascades, " : "\nmap ") << edge << " x " << edge << "\nlight: azimuth "
+        << system.azimuth << ", elevation " << system.elevation << '\n';
     return out.str();
 }
 

@@ -17,6 +17,7 @@
 #include <systems.hpp>
 
 #include "options.hpp"
+#include "placement.hpp"
 
 namespace viewer {
 
@@ -34,7 +35,8 @@ inline constexpr std::string_view keys =
     "drag  camera, wheel  distance\n"
     "right drag, arrows  light\n"
     "L  light goes round\n"
-    "1 2 3 4  system, 5  outdoors, C  its cascades\n"
+    "1 2 3 4  system, 5  outdoors\n"
+    "O  its maps' placement, C  cascades\n"
     "E  encoding, F  filter, B  bias\n"
     "J K  radius, S D  light's size\n"
     "+ -  epsilon, M N  map size\n"
@@ -46,7 +48,7 @@ inline constexpr std::string_view keys =
 /// layers.
 inline constexpr example::shadow_system outdoor_system{
     .name = "outdoor",
-    .title = "Outdoors: four cascades",
+    .title = "Outdoors",
     .light = example::light_kind::fitted,
     .elevation = 30,
     .map_size = 1024,
@@ -69,6 +71,7 @@ public:
     example::shadow_system system;  ///< with every change made to it
     example::scene scene;
     example::camera_setup camera;
+    std::string placement;  ///< outdoors, one of placement_names()
     bool es2, mask, tint, text, map, turning = false;
     int scenes = 0;  ///< counts them: a renderer uploads each once
 
@@ -93,6 +96,7 @@ public:
     void resize(glm::ivec2 size);
 
     [[nodiscard]] bool outdoor() const { return system.name == outdoor_system.name; }
+    [[nodiscard]] bool cascaded() const { return placement == in_cascades; }
     [[nodiscard]] std::string describe() const;  ///< a few lines for people
 
 private:

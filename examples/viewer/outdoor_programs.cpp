@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "outdoor_programs.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <glm/common.hpp>
+
+#include <umbrage/bias/acne_free.hpp>
+#include <umbrage/bias/normal_offset.hpp>
+#include <umbrage/bias/slope.hpp>
+#include <umbrage/light/cascades/blend.hpp>
+#include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/shade/lighting.hpp>
+#include <umbrage/shader/bind.hpp>
+
+#include "parts.hpp"
+
+namespace viewer {
+namespace {
+
+std::string shader(const std::vector<glsl::bound>& uses) { return glsl::source(glsl::version::v330, uses); }
+
+std::string instances() {
+    return shader({}) + R"GLSL(
+in vec3 position, normal, colour;
+layout(location = 5) in mat4 place;
+uniform mat4 world_to_clip;
+uniform vec3 eye;
+)GLSL";
+}
+
+constexpr const char* faces = R"GLSL(
+in vec3 from_eye;
+vec3 towards(vec3 a, vec3 side) { return dot(a, side) < 0.0 ? -a : a; }
+vec3 face_here() { return towards(normalize(cross(dFdx(from_eye), dFdy(from_eye))), -from_eye); }
+)GLSL";
+
+/// float visibility_here(vec3 face)
+constexpr const char* in_four_layers = R"GLSL(
+uniform vec3 ends;
+uniform mat4 rotation, scales, offsets;
+uniform vec4 widths;  // that a normal offset has to cover, of each cascade
+float number, weight;
+
+float visibility_in(float number, vec3 face) {
+    vec3 offset = umbrage_normal_offset(face, light_direction, light_direction, widths[int(number)], 0.0);
+    vec3 turned = umbrage_shadow_coordinate(rotation, eye + from_eye + offset).xyz;
+    vec3 p = umbrage_cascade_coordinate(turned, umbrage_cascade_column(scales, number),
+                                        umbrage_cascade_column(offsets, number));
+    return filtered(number, p, p.z - epsilon);
+}
+
+float visibility_here(vec3 face) {
+    number = umbrage_cascade_by_depth(distance_ahead, ends);
+    weight = umbrage_cascade_fade(distance_ahead, umbrage_cascade_column(scales, number).w,
+                                  umbrage_cascade_column(offsets, number).w);
+    float next = number < 2.5 ? visibility_in(min(number + 1.0, 3.0), face) : 1.0;
+    return umbrage_blend_cascades(visibility_in(number, face), next, weight);
+}
+)GLSL";
+
+/// A warp's depths differ from place to place: epsilon is a length there, and the rest is the plane's own slope.
+constexpr const char* in_one_map = R"GLSL(
+uniform mat4 eye_to_texels, plane_matrix;
+uniform float reach;
+
+float visibility_here(vec3 face) {
+    vec3 looked_up = from_eye - epsilon * light_direction;
+    vec3 p = umbrage_project_coordinate(umbrage_shadow_coordinate(eye_to_texels, looked_up));
+    vec2 slope = umbrage_plane_slope(plane_matrix, face, from_eye);
+    return filtered(0.0, p, p.z - umbrage_acne_free_bias(slope, reach, 0.0));
+}
+)GLSL";
+
+constexpr const char* tints = R"GLSL(
+    const vec3 tints[5] = vec3[5](vec3(1.0, 0.45, 0.4), vec3(0.5, 1.0, 0.4), vec3(0.45, 0.6, 1.0),
+                                  vec3(1.0, 0.9, 0.35), vec3(1.0));
+    fragment_colour.rgb *= mix(tints[int(number)], tints[int(number) + 1], weight);
+)GLSL";
+
+}  // namespace
+
+stages outdoor_depth_stages() {
+    return {instances() + R"GLSL(
+void main() { gl_Position = world_to_clip * vec4((place * vec4(position, 1.0)).xyz - eye, 1.0); }
+)GLSL",
+            shader({}) + "void main() {}\n"};
+}
+
+stages outdoor_look_stages() {
+    return {instances() + R"GLSL(
+out vec3 from_eye;
+void main() {
+    from_eye = (place * vec4(position, 1.0)).xyz - eye;
+    gl_Position = world_to_clip * (place * vec4(position, 1.0));
+}
+)GLSL",
+            shader({}) + faces + R"GLSL(
+out vec4 fragment_colour;
+void main() {
+    vec3 face = towards(face_here(), vec3(0.0, 0.0, 1.0));
+    vec2 bits = floor((face.xy * 0.5 + 0.5) * 4095.0 + 0.5);
+    fragment_colour = vec4(from_eye, bits.x * 4096.0 + bits.y);
+}
+)GLSL"};
+}
+
+glm::vec3 normal_of(float bits) {
+    const float high = std::floor(bits / 4096);
+    const glm::vec2 side = glm::vec2(high, bits - 4096 * high) / 2047.5f - 1.0f;
+    return {side, std::sqrt(glm::max(1 - glm::dot(side, side), 0.0f))};
+}
+
+stages outdoor_camera_stages(const example::shadow_system& s, bool cascaded, bool mask, bool tint) {
+    const filter filter = filter_of(s);
+    std::vector<glsl::bound> uses{glsl::shadow_coordinate, glsl::diffuse_ambient};
+    const std::vector<glsl::bound> more =
+        cascaded ? std::vector<glsl::bound>{glsl::cascade_by_depth, glsl::cascade_column, glsl::cascade_coordinate,
+                                            glsl::cascade_fade,     glsl::blend_cascades, glsl::normal_offset}
+                 : std::vector<glsl::bound>{glsl::project_coordinate, glsl::plane_slope, glsl::acne_free_bias};
+    uses.insert(uses.end(), more.begin(), more.end());
+    for (const glsl::snippet& f : filter.uses)
+        uses.push_back(bind(f, "", {.texture = glsl::texture::array, .outside_lit = true}));
+    std::string visibility = filter.visibility;  // of a map alone; here of a layer
+    visibility.replace(visibility.find("(map,"), 5, "(maps, layer,");
+    stages out;
+    out.vertex = instances() + R"GLSL(
+uniform vec3 ahead;
+out vec3 from_eye, world_normal, surface_colour;
+out float distance_ahead;
+void main() {
+    from_eye = (place * vec4(position, 1.0)).xyz - eye;
+    world_normal = mat3(place) * normal;
+    surface_colour = colour;
+    distance_ahead = dot(from_eye, ahead);
+    gl_Position = world_to_clip * (place * vec4(position, 1.0));
+}
+)GLSL";
+    out.fragment = shader(uses) + faces + R"GLSL(
+in vec3 world_normal, surface_colour;
+in float distance_ahead;
+out vec4 fragment_colour;
+uniform vec3 eye, light_direction;
+uniform vec2 map_size;
+uniform float epsilon, ambient;
+uniform sampler2DArray maps;
+
+float srgb(float v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055; }
+float filtered(float layer, vec3 p, float receiver) { return )GLSL" +
+                   visibility + "; }\n" + (cascaded ? in_four_layers : in_one_map) + R"GLSL(
+void main() {
+    vec3 face = face_here();
+    float visibility = visibility_here(face);
+)GLSL";
+    if (mask) {
+        out.fragment += "    fragment_colour = vec4(vec3(visibility), 1.0);\n}\n";
+        return out;
+    }
+    out.fragment += R"GLSL(
+    vec3 seen = umbrage_diffuse_ambient(surface_colour, ambient, dot(towards(normalize(world_normal), face),
+                                        -light_direction), visibility);
+    fragment_colour = vec4(srgb(seen.r), srgb(seen.g), srgb(seen.b), 1.0);
+)GLSL";
+    if (cascaded && tint) out.fragment += tints;
+    out.fragment += "}\n";
+    return out;
+}
+
+}  // namespace viewer
