@@ -46,25 +46,40 @@ glm::dmat4 to_pixels(const lit_view& v) {
                                            v.seen.size());
 }
 
-placed_maps directional(const lit_view& v, const umbrage::hull& receivers, glm::dvec3 up, int snap_texels = 0) {
+placed_maps one_map(const lit_view& v, const glm::dvec4& light, const umbrage::light_space<double>& space) {
     const glm::ivec2 size(v.map_size);
-    const auto space = umbrage::fit_directional_light<double>({.direction = v.light.direction,
-                                                               .up = up,
-                                                               .receivers = receivers,
-                                                               .casters = whole(v.scene),
-                                                               .snap_texels = snap_texels});
-    return {size, {-v.light.direction, 0}, {umbrage::texture_matrix(space, size)}};
+    return with_matrices(size, light, {umbrage::texture_matrix(space, size)}, [](glm::dvec3) { return 0; });
+}
+
+placed_maps directional(const lit_view& v, const umbrage::hull& receivers, glm::dvec3 up, int snap_texels = 0) {
+    return one_map(v, {-v.light.direction, 0},
+                   umbrage::fit_directional_light<double>({.direction = v.light.direction,
+                                                           .up = up,
+                                                           .receivers = receivers,
+                                                           .casters = whole(v.scene),
+                                                           .snap_texels = snap_texels}));
 }
 
 placed_maps spot(const lit_view& v, const umbrage::polyhedron& receivers) {
-    const glm::ivec2 size(v.map_size);
-    const auto space = umbrage::fit_spot_light<double>({.position = v.light.position,
-                                                        .direction = v.light.direction,
-                                                        .up = v.light.up,
-                                                        .outer_angle_radians = v.light.outer_angle_radians,
-                                                        .receivers = receivers,
-                                                        .casters = whole(v.scene)});
-    return {size, {v.light.position, 1}, {umbrage::texture_matrix(space, size)}};
+    return one_map(v, {v.light.position, 1},
+                   umbrage::fit_spot_light<double>({.position = v.light.position,
+                                                    .direction = v.light.direction,
+                                                    .up = v.light.up,
+                                                    .outer_angle_radians = v.light.outer_angle_radians,
+                                                    .receivers = receivers,
+                                                    .casters = whole(v.scene)}));
+}
+
+template <class Cascades>
+placed_maps of_cascades(const lit_view& v, const Cascades& all, const std::array<double, 5>& splits) {
+    const glm::ivec2 size(v.map_size / 2);
+    std::vector<glm::dmat4> matrices;
+    for (const auto& c : all) matrices.push_back(umbrage::texture_matrix(c.light, size));
+    const glm::dvec3 ends(splits[1], splits[2], splits[3]);
+    return with_matrices(size, {-v.light.direction, 0}, matrices,
+                         [ends, eye = v.planes.position, ahead = v.planes.direction](glm::dvec3 p) {
+                             return static_cast<int>(umbrage::cascade_by_depth(glm::dot(p - eye, ahead), ends));
+                         });
 }
 
 placed_maps cascades(const lit_view& v, const frustum& range, double lambda, bool stable) {
@@ -74,16 +89,13 @@ placed_maps cascades(const lit_view& v, const frustum& range, double lambda, boo
                                            .scene = whole(v.scene),
                                            .map_size = v.map_size / 2};
     const auto splits = umbrage::practical_splits<4>(range.z_near, range.z_far, lambda);
-    placed_maps maps{glm::ivec2(fit.map_size), {-fit.direction, 0}, {}, {splits[1], splits[2], splits[3]}};
-    const auto all =
-        stable ? umbrage::make_stable_cascades<4>(fit, splits) : umbrage::make_tight_cascades<4>(fit, splits);
-    for (const auto& c : all) maps.to_texels.push_back(umbrage::texture_matrix(c.light, maps.size));
-    return maps;
+    return of_cascades(
+        v, stable ? umbrage::make_stable_cascades<4>(fit, splits) : umbrage::make_tight_cascades<4>(fit, splits),
+        splits);
 }
 
 placed_maps warped(const lit_view& v, const umbrage::warped_light<double>& warp) {
-    const glm::ivec2 size(v.map_size);
-    return {size, {-v.light.direction, 0}, {umbrage::texture_matrix(warp.light, size)}};
+    return one_map(v, {-v.light.direction, 0}, warp.light);
 }
 umbrage::warp_fit<double> warp_fit(const lit_view& v, const frustum& range) {
     return {.camera = range, .direction = v.light.direction, .receivers = seen(v, range), .casters = whole(v.scene)};
@@ -117,7 +129,7 @@ placed_maps best_of(const lit_view& v, const frustum& range) {
     const glm::ivec2 size(v.map_size);
     const std::size_t best =
         umbrage::choose_light<double>(lights, points, {.to_pixels = to_pixels(v), .map_size = size}).kept;
-    placed_maps maps{size, {-v.light.direction, 0}, {umbrage::texture_matrix(lights[best], size)}};
+    placed_maps maps = one_map(v, {-v.light.direction, 0}, lights[best]);
     maps.chosen = names[best];
     return maps;
 }
@@ -126,10 +138,7 @@ placed_maps warped_cascades(const lit_view& v, const frustum& range) {
     const umbrage::cascade_fit<double> f{
         .camera = range, .direction = v.light.direction, .scene = whole(v.scene), .map_size = v.map_size / 2};
     const auto splits = umbrage::practical_splits<4>(range.z_near, range.z_far, 0.9);
-    placed_maps maps{glm::ivec2(f.map_size), {-f.direction, 0}, {}, {splits[1], splits[2], splits[3]}};
-    for (const auto& c : umbrage::make_warped_cascades<4>(f, splits, mild_light_space))
-        maps.to_texels.push_back(umbrage::texture_matrix(c.light, maps.size));
-    return maps;
+    return of_cascades(v, umbrage::make_warped_cascades<4>(f, splits, mild_light_space), splits);
 }
 
 /// As many texels in 256 pages around the scene, of which one in 2 x 2 of the pixels wants some. Surfaces that the
@@ -143,9 +152,9 @@ placed_maps adaptive(const lit_view& v) {
                                                        .side = 1.01 * glm::distance(low, high),
                                                        .scene = {low, high}});
     const glm::dmat4 to_root = umbrage::page_matrix(root), pixels = to_pixels(v);
-    placed_maps maps{glm::ivec2(v.map_size / 16), {-v.light.direction, 0}, {}};
-    for (int level = 0; level <= deepest; ++level)
-        maps.to_texels.push_back(umbrage::texture_matrix(root, maps.size << level));
+    const glm::ivec2 size(v.map_size / 16);
+    std::vector<glm::dmat4> levels;
+    for (int level = 0; level <= deepest; ++level) levels.push_back(umbrage::texture_matrix(root, size << level));
     std::vector<umbrage::page_receiver> receivers;
     for (glm::ivec2 p{0}; p.y < v.seen.size().y; p.y += 2)
         for (p.x = 0; p.x < v.seen.size().x; p.x += 2) {
@@ -155,15 +164,16 @@ placed_maps adaptive(const lit_view& v) {
             const double facing = -glm::dot(normal, glm::normalize(v.light.direction));
             if (!(facing > 0)) continue;
             const double extent = std::min(1.0, 4 * facing) * umbrage::longest_extent(umbrage::pixels_per_texel(
-                                                                  maps.to_texels[0], pixels, position, normal));
+                                                                  levels[0], pixels, position, normal));
             receivers.push_back({glm::vec2(umbrage::shadow_coordinate(to_root, position)), static_cast<float>(extent)});
         }
     umbrage::page_cache cache({.slots = {16, 16}, .deepest_level = deepest});
-    maps.chosen = std::to_string(cache.update(receivers).drawn.size()) + " of them";
-    maps.level = [cache, to_root](glm::dvec3 p) {
-        return cache.level_at(glm::dvec2(umbrage::shadow_coordinate(to_root, p)));
+    const std::size_t drawn = cache.update(receivers).drawn.size();
+    const auto at = [=](glm::dvec3 p) {
+        const int level = cache.level_at(glm::dvec2(umbrage::shadow_coordinate(to_root, p)));
+        return level < 0 ? glm::dmat4(0) : levels[static_cast<std::size_t>(level)];
     };
-    return maps;
+    return {size, 256, {-v.light.direction, 0}, {levels[0]}, at, std::to_string(drawn) + " of them"};
 }
 
 std::vector<set_up> all_set_ups() {
@@ -220,6 +230,18 @@ lit_view make_lit_view(const scene& s, const camera& c, glm::ivec2 size, const p
     return v;
 }
 
+placed_maps with_matrices(glm::ivec2 size, const glm::dvec4& light, const std::vector<glm::dmat4>& all,
+                          const std::function<int(glm::dvec3)>& which) {
+    const auto at = [=](glm::dvec3 p) {
+        const glm::dmat4& to_texels = all[static_cast<std::size_t>(which(p))];
+        const glm::dvec2 texel(umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, p)));
+        const bool inside =
+            glm::all(glm::greaterThanEqual(texel, glm::dvec2(0))) && glm::all(glm::lessThan(texel, glm::dvec2(size)));
+        return inside ? to_texels : glm::dmat4(0);
+    };
+    return {size, static_cast<int>(all.size()), light, all, at};
+}
+
 const std::vector<set_up>& set_ups() {
     static const std::vector<set_up> all = all_set_ups();
     return all;
@@ -227,24 +249,16 @@ const std::vector<set_up>& set_ups() {
 
 umbrage::quality_report measure(const set_up& s, const lit_view& v, int step, umbrage::image_view<float> extents) {
     const placed_maps maps = s.place(v);
-    const int count = maps.level ? 256 : maps.around ? maps.count : static_cast<int>(maps.to_texels.size());
-    const glm::ivec2 screen = v.seen.size();
     const glm::dmat4 pixels = to_pixels(v);
     return umbrage::measure_quality(
-        {.screen = screen, .map_size = maps.size, .maps = count, .step = step},
+        {.screen = v.seen.size(), .map_size = maps.size, .maps = maps.count, .step = step},
         [&](glm::ivec2 pixel) {
             if (v.seen[pixel] == nothing) return glm::dmat2(0);
             const surface at = surface_at(v.scene, v.camera, v.seen, pixel);
             const glm::dvec3 p(at.position), normal(at.face_normal);
             if (!(glm::dot(normal, glm::dvec3(maps.light) - p * maps.light.w) > 0)) return glm::dmat2(0);
-            const double depth = glm::dot(p - v.planes.position, v.planes.direction);
-            const int which =
-                maps.level ? maps.level(p) : static_cast<int>(umbrage::cascade_by_depth(depth, maps.ends));
-            const glm::dmat4 to_texels = maps.around ? maps.around(p) : maps.to_texels[static_cast<std::size_t>(which)];
-            const glm::dvec2 texel(umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, p)));
-            const bool inside = glm::all(glm::greaterThanEqual(texel, glm::dvec2(0))) &&
-                                glm::all(glm::lessThan(texel, glm::dvec2(maps.size << (maps.level ? which : 0))));
-            return inside ? umbrage::pixels_per_texel(to_texels, pixels, p, normal) : glm::dmat2(0);
+            const glm::dmat4 to_texels = maps.at(p);
+            return to_texels == glm::dmat4(0) ? glm::dmat2(0) : umbrage::pixels_per_texel(to_texels, pixels, p, normal);
         },
         extents);
 }

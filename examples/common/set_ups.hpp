@@ -9,7 +9,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -40,18 +39,20 @@ struct lit_view {
 [[nodiscard]] lit_view make_lit_view(const scene& s, const camera& c, glm::ivec2 size, const placed_light& light,
                                      int map_size);
 
-/// A map, or cascades that meet at distances from the camera.
+/// A light's maps: one, cascades, faces, pages.
 struct placed_maps {
-    glm::ivec2 size;                                           ///< of each, texels
-    glm::dvec4 light;                                          ///< position and 1, or the way towards it and 0
-    std::vector<glm::dmat4> to_texels;                         ///< texture_matrix
-    glm::dvec3 ends{std::numeric_limits<double>::infinity()};  ///< see cascade_by_depth
-    std::function<glm::dmat4(glm::dvec3)> around{};            ///< instead of to_texels: of a point's surroundings
-    int count = 0;                                             ///< of maps with those
-    std::string chosen{};                                      ///< of several, where there was a choice
-    std::function<int(glm::dvec3)> level{};  ///< of an adaptive map, whose pages are that large: which
-                                             ///< of to_texels a point is seen in
+    glm::ivec2 size;              ///< of each, texels
+    int count;                    ///< of maps
+    glm::dvec4 light;             ///< position and 1, or the way towards it and 0
+    std::vector<glm::dmat4> all;  ///< texture_matrix of each; of pages the root's, none of maps that have no matrix
+    std::function<glm::dmat4(glm::dvec3)> at;  ///< the matrix of a point's surroundings; zeros where no map holds it
+    std::string chosen{};                      ///< of several, where there was a choice
 };
+
+/// Maps with a matrix each.
+/// @param which   (point) -> index of the map that a point is looked up in
+[[nodiscard]] placed_maps with_matrices(glm::ivec2 size, const glm::dvec4& light, const std::vector<glm::dmat4>& all,
+                                        const std::function<int(glm::dvec3)>& which);
 
 struct set_up {
     std::string name;
