@@ -30,6 +30,7 @@
 #include <umbrage/light/warp/trapezoidal.hpp>
 
 #include "light_kinds.hpp"
+#include "projected.hpp"
 
 namespace proof {
 
@@ -91,7 +92,7 @@ public:
             }
             if (!within(at.x, reach) || !within(at.y, reach) || is_near_edge(at, reach)) continue;
             const float bias =
-                acne_free_bias(slope(own), filter, encoding, snapping_reach<float> + 0x1p-10f) + rounding();
+                acne_free_bias(slope(own), filter, encoding, snapping_reach<float> + 0x1p-10f) + rounding(p);
             const std::optional<bool> is_lit = told_by_rays(p, own, bias, filter.reach());
             if (!is_lit) continue;
             ++(*is_lit ? found.lit : found.shadowed);
@@ -214,9 +215,10 @@ protected:
     [[nodiscard]] bool is_held(glm::vec3 p) const {
         return kind_.receivers != light_kind::fitted_to::ground || p.y == 0.0f;
     }
-    /// Of depth on a plane that has no slope in the map.
-    [[nodiscard]] float rounding() const {
-        return kind_.receivers == light_kind::fitted_to::ground ? umbrage::plane_optimal_rounding<float> : 0.0f;
+    /// Of a point's depth in floats; on a plane that has no slope in the map the matrix' rounding counts too.
+    [[nodiscard]] float rounding(glm::vec3 p) const {
+        const bool flat = kind_.receivers == light_kind::fitted_to::ground;
+        return depth_rounding(matrix_, p) + (flat ? umbrage::plane_optimal_rounding<float> : 0.0f);
     }
 
     /// How far before a receiver, in depth, a triangle meets the line to the light, below 0 behind it; NaN where it
@@ -260,22 +262,25 @@ protected:
         return is_lit;
     }
 
-    /// Whether the map sees an edge of a triangle within some texels.
+    /// Whether the map sees within some texels an edge of a triangle, or one along which the near plane cuts it.
     [[nodiscard]] bool is_near_edge(glm::vec3 at, float texels) const {
+        const auto is_near = [&](const glm::dvec4& a, const glm::dvec4& b) {
+            return distance_to_edge(glm::dvec2(at), a, b) < 1.5 * double(texels);
+        };
+        const auto beyond_near = [&](const glm::dvec4& h) {
+            return clip_.direction == umbrage::depth_direction::forward ? h.z : h.w - h.z;
+        };
         for (std::size_t k = 0; k < triangles_.size(); ++k) {
             const auto corner = corners(k);
+            std::vector<glm::dvec4> cut;
             for (std::size_t i = 0; i < 3; ++i) {
-                glm::dvec4 a = glm::dmat4(matrix_) * glm::dvec4(corner[i], 1);
-                glm::dvec4 b = glm::dmat4(matrix_) * glm::dvec4(corner[(i + 1) % 3], 1);
-                if (a.w > b.w) std::swap(a, b);
-                constexpr double behind = 1e-3;
-                if (b.w < behind) continue;
-                if (a.w < behind) a += (b - a) * ((behind - a.w) / (b.w - a.w));
-                const glm::dvec2 first = glm::dvec2(a) / a.w, way = glm::dvec2(b) / b.w - first,
-                                 to(glm::dvec2(at) - first);
-                const double share = std::clamp(glm::dot(to, way) / std::max(glm::dot(way, way), 1e-12), 0.0, 1.0);
-                if (glm::length(to - share * way) < 1.5 * double(texels)) return true;
+                const glm::dvec4 a = glm::dmat4(matrix_) * glm::dvec4(corner[i], 1);
+                const glm::dvec4 b = glm::dmat4(matrix_) * glm::dvec4(corner[(i + 1) % 3], 1);
+                if (is_near(a, b)) return true;
+                const double from = beyond_near(a), to = beyond_near(b);
+                if ((from < 0) != (to < 0)) cut.push_back(a + (b - a) * (from / (from - to)));
             }
+            if (cut.size() == 2 && is_near(cut[0], cut[1])) return true;
         }
         return false;
     }
