@@ -8702,12 +8702,16 @@ struct extent {
     return hull;
 }
 
-/// A plane (a, b, 0, c) through each edge of a hull, moved outwards.
+/// A plane (a, b, 0, c) through each edge of a hull, moved outwards; none through edges between points that only rounding
+/// tells apart: their direction says nothing.
 [[nodiscard]] inline std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
     std::vector<glm::dvec4> planes;
+    const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
+    double longest = 0.0;
+    for (std::size_t i = 0; i < hull.size(); ++i) longest = glm::max(longest, glm::distance(hull[i], end_of(i)));
     for (std::size_t i = 0; i < hull.size(); ++i) {
-        const glm::dvec2 a = hull[i], b = hull[i + 1 < hull.size() ? i + 1 : 0];
-        const glm::dvec2 inwards(a.y - b.y, b.x - a.x);
+        const glm::dvec2 a = hull[i], b = end_of(i), inwards(a.y - b.y, b.x - a.x);
+        if (glm::length(inwards) <= longest * 0x1p-32) continue;
         planes.emplace_back(inwards, 0.0, outwards * glm::length(inwards) - glm::dot(inwards, a));
     }
     return planes;
