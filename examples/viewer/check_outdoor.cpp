@@ -34,5 +34,15 @@ TEST_CASE("outdoor: maps placed either way shadow as rays do, under other filter
 
     const picture mask = viewed(small + "--mask");
     CHECK(differing(viewed(small + "--mask --filter box"), mask) < 0.2 * 240 * 160);
-    CHECK(differing(viewed(small + "--tint"), viewed(small)) > 0.4 * 240 * 160);
+    const picture usual = viewed(small);
+    CHECK(differing(viewed(small + "--tint"), usual) > 0.4 * 240 * 160);
+    CHECK(differing(viewed(small + "--no-map"), usual) > 0.9 * 48 * 48);  // the overlay's
+}
+
+TEST_CASE("outdoor: the best map is a warp across the light, and none along it") {
+    const std::string small = quoted(VIEWER) + "--headless --system outdoor --width 240 --height 160 --placement best ";
+    const std::string across = example::run_line(small).said;
+    CHECK_MESSAGE(across.find("best: light-space, strength 0.9") != std::string::npos, across);
+    const std::string along = example::run_line(small + "--azimuth 180 --elevation 5").said;
+    CHECK_MESSAGE(along.find("best: tight, strength 0.000") != std::string::npos, along);
 }

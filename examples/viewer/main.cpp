@@ -82,6 +82,7 @@ void run_headless(const options& o) {
     frame_times times;
     while (times.frames() < o.frames) times.add(timed([&] { renderer.draw(session, target.framebuffer, size); }));
     if (!o.screenshot.empty()) save(o.screenshot, size);
+    std::printf("%s", renderer.note(session).c_str());
     times.print();
 }
 
@@ -102,7 +103,8 @@ void run_window(const options& o) {
             if (session.text) {
                 char ms[40];
                 std::snprintf(ms, sizeof ms, "%.1f ms a frame\n\n", times.recent());
-                hud.draw(session.describe() + ms + std::string(keys), {12, size.y * 3 / 10 + 12}, size);
+                hud.draw(session.describe() + renderer.note(session) + ms + std::string(keys),
+                         {12, size.y * 3 / 10 + 12}, size);
             }
             if (window.wants_screenshot() || (times.frames() == o.frames && !o.screenshot.empty())) save(file, size);
         }

@@ -58,12 +58,23 @@ void main() {
 )GLSL";
 
 /// depth_here(): the map's depth at a corner's place, nearest texel.
-std::string overlay_head(const shadow_system& s, version v, const snippets& more) {
-    const glsl::binding map = encoding_called(s.encoding).map;  // whatever way the system itself reads it
+std::string overlay_head(const shadow_system& s, version v, const snippets& more, bool layers) {
+    const glsl::binding map = layers ? glsl::binding{.texture = glsl::texture::array}
+                                     : encoding_called(s.encoding).map;  // whatever way the system itself reads it
     return fragment_text(v, joined({{glsl::fetch_depth, glsl::saturate}, more}, map), R"GLSL(
-uniform sampler2D map;
 uniform vec2 map_size;
 varying vec2 at;
+)GLSL") + (layers ? R"GLSL(
+uniform sampler2DArray map;
+uniform float across;  // layers side by side, and as many above each other
+float depth_here() {
+    vec2 tile = min(floor(at * across), across - 1.0), within = at * across - tile;
+    return umbrage_fetch_depth(map, tile.y * across + tile.x, map_size,
+                               floor(vec2(within.x, 1.0 - within.y) * map_size));
+}
+)GLSL"
+                  : R"GLSL(
+uniform sampler2D map;
 float depth_here() { return umbrage_fetch_depth(map, map_size, floor(vec2(at.x, 1.0 - at.y) * map_size)); }
 )GLSL");
 }
@@ -210,7 +221,7 @@ stages moments_stages(const shadow_system& s, version v) {
     const prefilter of = *prefilter_of(s);
     snippets uses = depth_snippets();
     uses.insert(uses.end(), of.writers.begin(), of.writers.end());
-    return {vertex_text(v, {}, rectangle_vertex), overlay_head(s, v, uses) + planes +
+    return {vertex_text(v, {}, rectangle_vertex), overlay_head(s, v, uses, false) + planes +
                                                       "void main() {\n    float depth = " + even(s, "depth_here()") +
                                                       ";\n    fragment_colour = " + of.texel + ";\n}\n"};
 }
@@ -226,15 +237,16 @@ void main() {
     fragment_colour = umbrage_)GLSL" + std::string(row.name) + "(map, map_size, texel, along);\n}\n")};
 }
 
-stages overlay_stages(const shadow_system& s, version v) {
-    return {vertex_text(v, {}, rectangle_vertex), overlay_head(s, v, {}) + R"GLSL(
+stages overlay_stages(const shadow_system& s, version v, bool layers) {
+    return {vertex_text(v, {}, rectangle_vertex), overlay_head(s, v, {}, layers) + R"GLSL(
 uniform float low, high;
 void main() { fragment_colour = vec4(vec3(umbrage_saturate((depth_here() - low) / (high - low))), 1.0); }
 )GLSL"};
 }
 
-stages read_back_stages(const shadow_system& s, version v) {
-    return {vertex_text(v, {}, rectangle_vertex), overlay_head(s, v, {glsl::encode_rgb24, glsl::to_unorm}) + R"GLSL(
+stages read_back_stages(const shadow_system& s, version v, bool layers) {
+    return {vertex_text(v, {}, rectangle_vertex),
+            overlay_head(s, v, {glsl::encode_rgb24, glsl::to_unorm}, layers) + R"GLSL(
 void main() { fragment_colour = vec4(umbrage_to_unorm(umbrage_encode_rgb24(depth_here())), 1.0); }
 )GLSL"};
 }

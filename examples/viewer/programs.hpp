@@ -35,10 +35,11 @@ struct stages {
 [[nodiscard]] stages camera_stages(const example::shadow_system& s, umbrage::glsl::version v, bool mask);
 
 /// The map over a rectangle of the picture, `low` to `high` of it stretched to black and white.
-[[nodiscard]] stages overlay_stages(const example::shadow_system& s, umbrage::glsl::version v);
+/// @param layers   of depths as they are: a square of maps
+[[nodiscard]] stages overlay_stages(const example::shadow_system& s, umbrage::glsl::version v, bool layers);
 
 /// The map's depth as three bytes, to be read back on any OpenGL.
-[[nodiscard]] stages read_back_stages(const example::shadow_system& s, umbrage::glsl::version v);
+[[nodiscard]] stages read_back_stages(const example::shadow_system& s, umbrage::glsl::version v, bool layers);
 
 /// Triangles of one colour, in pixels.
 [[nodiscard]] stages text_stages(umbrage::glsl::version v);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -106,7 +107,9 @@ void renderer::draw_rectangle(const program& p, glm::vec4 place) const {
 void renderer::draw(const session& s, GLuint framebuffer, glm::ivec2 size) {
     if (s.outdoor()) {
         if (!outdoor_) outdoor_.emplace(s.scene);
-        return outdoor_->draw(s, framebuffer, size);
+        outdoor_->draw(s, framebuffer, size);
+        if (s.map && !s.mask) overlay(s, framebuffer, size);
+        return;
     }
     if (scene_ != s.scenes) {
         upload(s.scene);
@@ -198,12 +201,17 @@ void renderer::camera_pass(const session& s, const example::light& l, glm::ivec2
     draw_mesh();
 }
 
+/// The map, or the outdoor ones as a square of them, as the program shows it.
+void renderer::draw_map(const session& s, const program& p, glm::vec4 place) const {
+    p.set("map", 0).set("map_size", glm::vec2(s.outdoor() ? glm::ivec2(outdoor_->map_size()) : map_->size));
+    if (s.outdoor()) p.set("across", std::sqrt(static_cast<float>(outdoor_->layers())));
+    draw_rectangle(p, place);
+}
+
 umbrage::contrast_stretch renderer::stretch(const session& s) {
     glBindFramebuffer(GL_FRAMEBUFFER, small_.framebuffer);
     glViewport(0, 0, small_.size.x, small_.size.y);
-    const program& p = updated(read_back_, read_back_stages(s.system, dialect()));
-    p.set("map", 0).set("map_size", glm::vec2(map_->size));
-    draw_rectangle(p, {-1, 1, 2, 2});
+    draw_map(s, updated(read_back_, read_back_stages(s.system, dialect(), s.outdoor())), {-1, 1, 2, 2});
     umbrage::image<glm::u8vec4> bytes(small_.size);
     glReadPixels(0, 0, small_.size.x, small_.size.y, GL_RGBA, GL_UNSIGNED_BYTE, bytes.texels().data());
     umbrage::image<float> depth(small_.size);
@@ -217,9 +225,10 @@ void renderer::overlay(const session& s, GLuint framebuffer, glm::ivec2 size) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, size.x, size.y);
     const auto edge = static_cast<float>(size.y * 3 / 10);
-    const program& p = updated(overlay_, overlay_stages(s.system, dialect()));
-    p.set("map", 0).set("map_size", glm::vec2(map_->size)).set("low", low).set("high", high);
-    draw_rectangle(p, {-1, 1, 2 * edge / static_cast<float>(size.x), 2 * edge / static_cast<float>(size.y)});
+    const program& p = updated(overlay_, overlay_stages(s.system, dialect(), s.outdoor()));
+    p.set("low", low).set("high", high);
+    draw_map(s, p, {-1, 1, 2 * edge / static_cast<float>(size.x), 2 * edge / static_cast<float>(size.y)});
+    check_errors("the map's picture");
 }
 
 }  // namespace viewer

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include <umbrage/images/overlay.hpp>
 
@@ -22,6 +23,11 @@ public:
     renderer();
     void draw(const session& s, GLuint framebuffer, glm::ivec2 size);
 
+    /// A line for people on how the last picture's map was placed; empty where that is always the same.
+    [[nodiscard]] std::string note(const session& s) const {
+        return s.outdoor() && outdoor_ && !outdoor_->note().empty() ? outdoor_->note() + '\n' : "";
+    }
+
 private:
     void upload(const example::scene& scene);
     void draw_mesh() const;
@@ -29,6 +35,7 @@ private:
     void depth_pass(const session& s, const example::light& l);
     void filter_ahead(const session& s, const example::light& l);
     void camera_pass(const session& s, const example::light& l, glm::ivec2 size);
+    void draw_map(const session& s, const program& p, glm::vec4 place) const;
     void overlay(const session& s, GLuint framebuffer, glm::ivec2 size);
     [[nodiscard]] umbrage::contrast_stretch stretch(const session& s);
 
