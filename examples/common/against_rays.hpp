@@ -2,7 +2,8 @@
 //
 // A picture's shadows of a sun held against rays, for the examples' checks.
 //
-//     const example::against_rays counts(scene, camera, size, to_light, 200, [&](glm::ivec2 p) { return lit(p); });
+//     const example::ray_tracer rays(scene.geometry);
+//     const example::against_rays counts(scene, rays, camera, size, to_light, 200, [&](auto p) { return lit(p); });
 //
 #pragma once
 
@@ -22,11 +23,12 @@ struct against_rays {
     int other_near = 0, other_far = 0;  ///< where the picture says something else; by distance from the camera
     int shadowed_sky = 0;
 
+    /// @param rays     of the scene, which takes longer to make than to ask
     /// @param far      distance from which pixels count as far
     /// @param is_lit   pixel -> whether it is, in the picture
     template <class Lit>
-    against_rays(const scene& s, const camera& c, glm::ivec2 size, glm::vec3 to_light, float far, const Lit& is_lit) {
-        const ray_tracer rays(s.geometry);
+    against_rays(const scene& s, const ray_tracer& rays, const camera& c, glm::ivec2 size, glm::vec3 to_light,
+                 float far, const Lit& is_lit) {
         const float everything = 2 * glm::distance(s.low, s.high);
         const auto seen = camera_pass(s.geometry, c, size);
         for (glm::ivec2 p{0}; p.y < size.y; ++p.y)
