@@ -8702,8 +8702,8 @@ struct extent {
     return hull;
 }
 
-/// A plane (a, b, 0, c) through each edge of a hull, moved outwards; none through edges between points that only rounding
-/// tells apart: their direction says nothing.
+/// A plane (a, b, 0, c) through each edge of a hull, moved outwards; none through edges between points that only
+/// rounding tells apart: their direction says nothing.
 [[nodiscard]] inline std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
     std::vector<glm::dvec4> planes;
     const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
