@@ -10,6 +10,7 @@
 
 #include <umbrage/filter/blocker/pcss.hpp>
 #include <umbrage/images/blur.hpp>
+#include <umbrage/images/moment_table.hpp>
 #include <umbrage/images/prefilter.hpp>
 #include <umbrage/images/variance_table.hpp>
 
@@ -18,7 +19,9 @@ namespace {
 
 namespace prefilters = umbrage::prefilters;
 
-constexpr std::string_view table_name = "summed_variance";
+constexpr std::string_view of_variance = umbrage::glsl::summed_variance.name,
+                           of_moments = umbrage::glsl::summed_moments.name;
+bool is_table(std::string_view name) { return name == of_variance || name == of_moments; }
 
 /// Bytes of a texel, and what its target makes of it: floats hold what they are given, but turned moments are made for
 /// four channels of 16 bits.
@@ -39,7 +42,7 @@ umbrage::blur_kernel kernel_of(int radius) {
 }
 
 template <class Prefilter>
-look_up of_moments(const Prefilter& filter, umbrage::image_view<const float> map, int radius, progress& progress) {
+look_up of_blurred(const Prefilter& filter, umbrage::image_view<const float> map, int radius, progress& progress) {
     using image = umbrage::image<typename Prefilter::texel>;
     image moments(map.size);
     const auto blurred = std::make_shared<image>(map.size);
@@ -52,15 +55,15 @@ look_up of_moments(const Prefilter& filter, umbrage::image_view<const float> map
     };
 }
 
-look_up of_table(umbrage::image_view<const float> map, int radius, progress& progress) {
-    const umbrage::variance_table of{.bits = 12, .radius = radius};
-    const auto table =
-        std::make_shared<const umbrage::image<glm::u16vec4>>(umbrage::make_variance_table(map, of, progress.bands()));
+/// @param table, of   a summed-area table, and what it was made for
+template <class Kind>
+look_up of_table(umbrage::image<glm::u16vec4> table, const Kind& of, progress& progress) {
+    const auto kept = std::make_shared<const umbrage::image<glm::u16vec4>>(std::move(table));
     return [=, &progress](const umbrage::receiver_planes& r, umbrage::image_view<float> visibility) {
         umbrage::image<glm::vec3> receivers(visibility.size);
         for (glm::ivec2 p{0}; p.y < visibility.size.y; ++p.y)
             for (p.x = 0; p.x < visibility.size.x; ++p.x) receivers[p] = {r.x[p], r.y[p], r.depth[p]};
-        umbrage::summed_visibility(table->view(), of, std::as_const(receivers).view(), radius, visibility,
+        umbrage::summed_visibility(kept->view(), of, std::as_const(receivers).view(), of.radius, visibility,
                                    progress.bands());
     };
 }
@@ -71,14 +74,14 @@ const std::vector<std::string>& prefilter_names() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all;
         prefilters::all::for_each([&](const auto& filter) { all.emplace_back(filter.name); });
-        all.emplace_back(table_name);
+        all.insert(all.end(), {std::string(of_variance), std::string(of_moments)});
         return all;
     }();
     return names;
 }
 
 int prefilter_bytes(std::string_view name) {
-    int bytes = sizeof(glm::u16vec4);
+    int bytes = static_cast<int>(sizeof(glm::u16vec4)) * (name == of_moments ? 2 : 1);
     prefilters::all::with(name, [&](const auto& filter) { bytes = bytes_of(filter); });
     return bytes;
 }
@@ -89,14 +92,21 @@ bool filters_ahead(std::string_view filter) {
 
 std::optional<float> soft_reach(std::string_view name, float widest) {
     if (hardens(name)) return umbrage::filters::pcss{.softness{.widest = 16 * widest}}.reach();
-    if (filters_ahead(name)) return name == table_name ? 0.5f : 0.0f;
+    if (filters_ahead(name)) return is_table(name) ? 0.5f : 0.0f;
     return std::nullopt;
 }
 
 look_up prefiltered(std::string_view name, umbrage::image_view<const float> map, int radius, progress& progress) {
-    if (name == table_name) return of_table(map, radius, progress);
+    if (name == of_variance) {
+        const umbrage::variance_table of{.bits = 12, .radius = radius};
+        return of_table(umbrage::make_variance_table(map, of, progress.bands()), of, progress);
+    }
+    if (name == of_moments) {
+        const umbrage::moment_table of{.radius = radius};
+        return of_table(umbrage::make_moment_table(map, of, progress.bands()), of, progress);
+    }
     look_up out;
-    prefilters::all::with(name, [&](const auto& filter) { out = of_moments(filter, map, radius, progress); });
+    prefilters::all::with(name, [&](const auto& filter) { out = of_blurred(filter, map, radius, progress); });
     if (!out) throw std::invalid_argument("no prefiltered map is called " + std::string(name));
     return out;
 }

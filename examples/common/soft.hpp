@@ -27,7 +27,7 @@ using look_up = std::function<void(const umbrage::receiver_planes&, umbrage::ima
 /// Those of umbrage::filters::soft.
 [[nodiscard]] const std::vector<std::string>& hardening_names();
 
-/// Those of umbrage::prefilters, and summed_variance.
+/// Those of umbrage::prefilters, and those of summed-area tables.
 [[nodiscard]] const std::vector<std::string>& prefilter_names();
 
 /// Whether a name is one of those.

@@ -122,7 +122,7 @@ try {
     });
   }
 
-  for (const soft of ["pcss16", "dpcf16", "vsm", "evsm4", "msm", "summed_variance"]) {
+  for (const soft of ["pcss16", "dpcf16", "vsm", "evsm4", "msm", "summed_variance", "summed_moments"]) {
     const shown = await page.locator("#" + soft).evaluate(article => ({
       pictures: article.querySelectorAll("img").length,
       rows: [...article.querySelectorAll("dd")].map(row => row.textContent) }));
@@ -133,7 +133,7 @@ try {
     });
   }
 
-  for (const view of ["indoor", "outdoor"]) {
+  for (const view of ["indoor", "outdoor", "plain"]) {
     const shown = await page.locator("#" + view).evaluate(article => ({
       pictures: article.querySelectorAll("img").length,
       rows: [...article.querySelectorAll("dd")].map(row => row.textContent) }));

@@ -11,6 +11,7 @@
 #include <umbrage/filter/blocker/pcss.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
+#include <umbrage/filter/table/summed_moments.hpp>
 #include <umbrage/filter/table/summed_variance.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 
@@ -108,7 +109,8 @@ void add_soft_shadows(page& page, const settings& o, const std::filesystem::path
         add_prefiltered(filter.name, sentence(filter.writer->summary) + ' ' + sentence(filter.snippet->summary),
                         {*filter.writer, *filter.snippet});
     });
-    add_prefiltered(glsl::summed_variance.name, sentence(glsl::summed_variance.summary), {glsl::summed_variance});
+    for (const auto* table : {&glsl::summed_variance, &glsl::summed_moments})
+        add_prefiltered(table->name, sentence(table->summary), {*table});
 }
 
 }  // namespace gallery

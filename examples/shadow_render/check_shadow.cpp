@@ -74,7 +74,7 @@ TEST_CASE("shadow_render: edges get softer with a disc's radius, a map's blur an
         return std::ranges::count_if(mask.texels(), [](glm::u8vec4 p) { return p.r > 8 && p.r < 247; });
     };
     CHECK(soft("--filter disc32 --radius 6") > 2 * soft("--filter disc32 --radius 1.5"));
-    for (const std::string filter : {"vsm", "msm", "summed_variance"})
+    for (const std::string filter : {"vsm", "msm", "summed_variance", "summed_moments"})
         CHECK(soft("--radius 6 --filter " + filter) > 1.5 * double(soft("--radius 1 --filter " + filter)));
     for (const std::string filter : {"pcss32", "dpcf32"})
         for (const std::string light : {"spot", "directional"}) {

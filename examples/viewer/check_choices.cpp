@@ -70,7 +70,8 @@ TEST_CASE("choices: every bias on every system keeps what is lit lit, and shadow
 TEST_CASE("choices: soft shadows are where hard ones are, and soft") {
     const std::string small = "--headless --mask --width 300 --height 200 --system ";
     std::vector<std::string> filters = example::prefilter_names();
-    filters.back() = "dpcf16";  // for the summed-area table
+    std::erase_if(filters, [](const std::string& name) { return name.starts_with("summed_"); });  // not in the viewer
+    filters.emplace_back("dpcf16");
     for (const char* size : {"0", "0.4"}) filters.push_back(std::string("pcss16 --light-size ") + size);
     for (const std::string system : {"radeon_8500 ", "dx_sdk "}) {
         const picture sharp = viewed(small + system + "--bias acne_free --filter pcf_2x2");

@@ -34,7 +34,6 @@ struct page {
     int level = 0, x = 0, y = 0;
 
     friend auto operator<=>(const page&, const page&) = default;  ///< coarse ones first
-    [[nodiscard]] page parent() const { return {level - 1, x / 2, y / 2}; }
 };
 
 /// The page of a level that holds a point.
