@@ -94,7 +94,7 @@ void add_lights(page& page, const settings& o) {
               .map_size = 4096});
     add_view(page, o,
              {.id = "plain",
-              .title = "A kilometre of plain, from two metres above",
+              .title = "A kilometre of plain",
               .scene = example::plain_scene(),
               .camera = {.elevation = 0, .distance = 100, .fov = 60},
               .light_elevation = 45,

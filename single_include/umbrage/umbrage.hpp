@@ -8227,7 +8227,6 @@ struct page {
     int level = 0, x = 0, y = 0;
 
     friend auto operator<=>(const page&, const page&) = default;  ///< coarse ones first
-    [[nodiscard]] page parent() const { return {level - 1, x / 2, y / 2}; }
 };
 
 /// The page of a level that holds a point.
@@ -16576,7 +16575,7 @@ public:
     tessellator(const mesh_view& mesh, const tessellation& to)
         : light_(to.position),
           range_(to.range),
-          sag_(0.75 * double(to.depth_error) * range_),
+          sag_(0.75 * double(to.depth_error) * double(range_)),
           least_cosine_(std::cos(std::min(double(to.angle), 3.0))),
           greatest_cosine_(1 - std::pow(double(to.angle), 4.0) / 128),
           cut_{{}, {}} {
