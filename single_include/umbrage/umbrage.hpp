@@ -16574,8 +16574,8 @@ class tessellator {
 public:
     tessellator(const mesh_view& mesh, const tessellation& to)
         : light_(to.position),
-          range_(to.range),
-          sag_(0.75 * double(to.depth_error) * double(range_)),
+          range_(double(to.range)),
+          sag_(0.75 * double(to.depth_error) * range_),
           least_cosine_(std::cos(std::min(double(to.angle), 3.0))),
           greatest_cosine_(1 - std::pow(double(to.angle), 4.0) / 128),
           cut_{{}, {}} {
