@@ -42,7 +42,8 @@ TEST_CASE("refit: receivers touch all sides of the map, swept casters lie in it,
     int cast = 0, lost = 0, pulled = 0;
     for (int i = 0; i < 200; ++i) {
         const clip_space clip = all_clip_spaces()[std::size_t(i % 16)];
-        const polyhedron seen = intersection(bodies::random_frustum(random), bodies::random_box(random));
+        const bounding_box<double> box = bodies::random_box(random);
+        const polyhedron seen = intersection(bodies::random_frustum(random), box);
         if (seen.empty()) continue;
         const glm::dvec3 direction = glm::normalize(bodies::random_vector(random, -1, 1));
         bounding_box<double> above = bodies::random_box(random);
