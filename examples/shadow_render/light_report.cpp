@@ -36,8 +36,8 @@ void light_report(const options& o, const example::scene& scene) {
                                       o.map_size);
     });
     const std::vector<std::string> title{
-        text("%s: pixels that a texel's longer axis covers, over %d x %d pixels; one map of %d x %d texels, or four of "
-             "%d x %d; of a point light six, two or one of as many in all",
+        text("%s: pixels that a texel's longer axis covers, over %d x %d pixels; one map of %d x %d texels, four of "
+             "%d x %d, or as many in all",
              title_of(o).c_str(), o.width, o.height, o.map_size, o.map_size, o.map_size / 2, o.map_size / 2),
         text("Surfaces that face the light and lie in a map; the camera sees something from %.3g to %.3g",
              view.depths.z_near, view.depths.z_far),
