@@ -28,6 +28,7 @@
 
 #include "film.hpp"
 #include "sheet.hpp"
+#include "view.hpp"
 
 namespace shadow_render {
 namespace {
@@ -43,17 +44,7 @@ struct kind_of_map {
 class sun_walk {
 public:
     sun_walk(const options& o, const example::scene& scene)
-        : o_(o),
-          scene_(scene),
-          camera_(example::make_camera({.target = scene.target,
-                                        .azimuth = o.camera_azimuth,
-                                        .elevation = o.camera_elevation,
-                                        .distance = o.camera_distance,
-                                        .fov = o.fov,
-                                        .aspect = static_cast<float>(o.width) / static_cast<float>(o.height),
-                                        .z_near = scene.z_near,
-                                        .z_far = scene.z_far})),
-          rays_(scene.geometry) {
+        : o_(o), scene_(scene), camera_(make_camera(o, scene)), rays_(scene.geometry) {
         for_each_surface(o, scene, camera_, [&](glm::ivec2 p, const example::surface& at) {
             if (p.x % 4 || p.y % 4) return;
             points_.push_back({glm::dvec3(lifted(o, at)), glm::dvec3(at.face_normal)});

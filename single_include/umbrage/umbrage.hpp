@@ -943,7 +943,8 @@ inline constexpr T snapping_reach = T(1) / T(128);
 /// @param error   how far a decoded depth may lie before the true one: decoding_error::below, where depth is reversed
 ///                above; of a UNORM depth texture 1/2 / (2^bits - 1)
 /// @return        0 .. 1; 1, with which nothing is in shadow, for slopes and reaches that are infinite, and for NaN
-/// @formula       reach (|slope.x| + |slope.y|) + error + 2^-23, the last for rounding in binary32
+/// @formula       reach (|slope.x| + |slope.y|) + error + 2^-23, the last for rounding in binary32 of depth once it is
+///                there; what a matrix in floats lost of it before, some 2^-22 of a z/w near 1, is to be added to error
 /// @detaches      casters nearer to the receiver than detachment() lose their shadow
 /// @exactness     B
 template <real T>

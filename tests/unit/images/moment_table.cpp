@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <random>
 #include <stdexcept>
 
@@ -12,10 +13,10 @@
 using namespace umbrage;
 
 TEST_CASE("make_moment_table: in any pieces; refuses what could wrap, and takes what just cannot") {
-    image<float> map({300, 300}, nan32);  // the far plane: codes 49151, 0, 65535 / 2 ..., of which none is above 65535
+    image<float> map({300, 300});
     std::mt19937 random(8);
     for (float& d : map.texels()) d = static_cast<float>(random() % 65536) / 65535.0f;
-    map[{0, 0}] = nan32;
+    map[{0, 0}] = nan32;  // the far plane
     const moment_table of{.radius = 127};
     const auto table = make_moment_table(map.view(), of);
     CHECK(table.size() == glm::ivec2(602, 301));

@@ -21,6 +21,17 @@ inline glm::dvec3 random_vector(std::mt19937& random, double low, double high) {
     return {x, y, z};
 }
 
+/// A point of the corners' hull, mostly close to one of them.
+inline glm::dvec3 point_between(const std::vector<glm::dvec3>& corners, std::mt19937& random) {
+    glm::dvec3 sum(0);
+    double weights = 0;
+    for (const glm::dvec3& corner : corners) {
+        const double weight = std::pow(real(0, 1)(random), 8);
+        sum += weight * corner, weights += weight;
+    }
+    return sum / weights;
+}
+
 inline umbrage::bounding_box<double> random_box(std::mt19937& random, bool flat = false) {
     umbrage::bounding_box<double> box{random_vector(random, -8, 4)};
     box.high = box.low + random_vector(random, 1, 9);

@@ -38,17 +38,6 @@ bounding_box<double> before(const polyhedron& receivers, glm::dvec3 direction, s
     return {middle - half, middle + half};
 }
 
-glm::dvec3 point_of(const std::vector<glm::dvec3>& corners, std::mt19937& random) {
-    glm::dvec3 sum(0);
-    double weights = 0;
-    for (const glm::dvec3& c : corners) {
-        const double weight = std::pow(bodies::real(0, 1)(random), 8);
-        sum += weight * c;
-        weights += weight;
-    }
-    return sum / weights;
-}
-
 }  // namespace
 
 TEST_CASE("fit_directional_light: holds every receiver and every caster on a receiver's way to the light") {
@@ -68,7 +57,7 @@ TEST_CASE("fit_directional_light: holds every receiver and every caster on a rec
                                                           .clip = clip});
         const std::vector<glm::dvec3> corners = hull(seen).points;
         for (int k = 0; k < 200; ++k) {
-            const glm::dvec3 receiver = point_of(corners, random);
+            const glm::dvec3 receiver = bodies::point_between(corners, random);
             lost += !holds(light, receiver);
             const glm::dvec3 caster = receiver - direction * bodies::real(0, 20)(random);
             if (glm::any(glm::lessThan(caster, above.low)) || glm::any(glm::greaterThan(caster, above.high))) continue;
@@ -143,7 +132,8 @@ TEST_CASE("fit_directional_light: points as receivers give what their hull's cor
         }
         CHECK(glm::length(glm::dvec2(low) + 1.0) < 1e-12);
         CHECK(glm::length(high - 1.0) < 1e-12);
-        for (int i = 0; i < 100; ++i) points.push_back(point_of(points, random));  // what lies within changes nothing
+        for (int i = 0; i < 100; ++i)
+            points.push_back(bodies::point_between(points, random));  // what lies within changes nothing
         CHECK(difference(fitted(points).projection, light.projection) < 1e-12);
 
         const bounding_sphere<double> sphere{bodies::random_vector(random, -3, 3), 2.5};

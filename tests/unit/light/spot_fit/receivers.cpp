@@ -80,13 +80,7 @@ TEST_CASE("fit_spot_light: holds every receiver in the cone and every caster bet
         if (!s.make(light)) continue;
         const auto corners = hull(s.fit.receivers).points;
         for (int k = 0; k < 100; ++k) {
-            glm::dvec3 receiver(0);
-            double weights = 0;
-            for (const glm::dvec3& c : corners) {
-                const double weight = std::pow(bodies::real(0, 1)(random), 8);
-                receiver += weight * c, weights += weight;
-            }
-            receiver /= weights;
+            const glm::dvec3 receiver = bodies::point_between(corners, random);
             const glm::dvec3 at = seen_by(light, receiver);
             const double edge = std::tan(s.fit.outer_angle_radians) * at.z;
             if (at.z < s.fit.z_near || std::abs(at.x) > edge || std::abs(at.y) > edge) continue;

@@ -85,13 +85,7 @@ TEST_CASE("fit_perspective, fit_plane_optimal: rays of a lamp are texels, depth 
         };
         const glm::dvec3 axis = glm::normalize(s.fit.direction);
         for (int k = 0; k < 8; ++k) {
-            glm::dvec3 receiver(0);
-            double weights = 0;
-            for (const glm::dvec3& corner : s.fit.receivers.points) {
-                const double weight = std::pow(bodies::real(0, 1)(random), 8);
-                receiver += weight * corner, weights += weight;
-            }
-            receiver /= weights;
+            const glm::dvec3 receiver = bodies::point_between(s.fit.receivers.points, random);
             const glm::dvec3 at = place(receiver), back = s.from.position - receiver;
             const double w = (exact * glm::dvec4(receiver, 1)).w;
             if (is_plane && !(w > 0 && inside(at))) continue;

@@ -37,17 +37,6 @@ const std::vector<named_warp> all_warps{
     {"trapezoidal, focus of 1", 10, [](const auto& f) { return fit_trapezoidal(f, 1.0); }},
     {"perspective", 10, [](const auto& f) { return fit_perspective(f); }}};
 
-glm::dvec3 between(const std::vector<glm::dvec3>& corners, std::mt19937& random) {
-    glm::dvec3 sum(0);
-    double weights = 0;
-    for (const glm::dvec3& c : corners) {
-        const double weight = std::pow(bodies::real(0, 1)(random), 8);
-        sum += weight * c;
-        weights += weight;
-    }
-    return sum / weights;
-}
-
 }  // namespace
 
 TEST_CASE("warps: of 1200 lights none loses a receiver or caster, bends a ray, or disorders depth; float holds them") {
@@ -83,7 +72,7 @@ TEST_CASE("warps: of 1200 lights none loses a receiver or caster, bends a ray, o
             };
             for (const glm::dvec3& corner : fit.receivers.points) lost += !inside(place(exact, corner));
             for (int k = 0; k < 8; ++k) {
-                const glm::dvec3 receiver = between(fit.receivers.points, random);
+                const glm::dvec3 receiver = bodies::point_between(fit.receivers.points, random);
                 const glm::dvec4 own = place(exact, receiver);
                 lost += !inside(own);
                 double out = 1e9;  // of the scene, towards the light

@@ -75,13 +75,7 @@ TEST_CASE("refit: receivers touch all sides of the map, swept casters lie in it,
         CHECK(least_w == doctest::Approx(1));
         CHECK(warped->strength == doctest::Approx(1 - least_w / greatest_w));
         for (int k = 0; k < 100; ++k) {
-            glm::dvec3 receiver(0);
-            double weights = 0;
-            for (const glm::dvec3& corner : fit.receivers.points) {
-                const double weight = std::pow(bodies::real(0, 1)(random), 8);
-                receiver += weight * corner, weights += weight;
-            }
-            receiver /= weights;
+            const glm::dvec3 receiver = bodies::point_between(fit.receivers.points, random);
             const glm::dvec3 caster = receiver - direction * bodies::real(0, 20)(random);
             if (glm::any(glm::lessThan(caster, above.low)) || glm::any(glm::greaterThan(caster, above.high))) continue;
             ++cast;
