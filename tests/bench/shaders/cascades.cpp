@@ -2,9 +2,9 @@
 //
 // From a world position to visibility: one directional light's map, four cascades, a page of an adaptive map. What
 // cascades take more than one map: to load the ends, a comparison and an addition for each, an index into uniforms,
-// which then come by vector loads with waits of their own; a view depth interpolated, but not the depth buffer's; and
-// where one rotation serves all, a product and a sum for each of three coordinates, which must not become one
-// multiply-add.
+// which then come by vector loads with waits of their own, so that three rows of a matrix are cheaper than its four
+// columns; a view depth interpolated, but not the depth buffer's; and where one rotation serves all, a product and a
+// sum for each of three coordinates, which must not become one multiply-add.
 #include "jobs.hpp"
 
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
@@ -21,6 +21,7 @@ job cascades() {
     const std::string lights = R"GLSL(
 layout(binding = 7) uniform lights {
     mat4 one, rotation, scales, offsets, each[4];
+    layout(row_major) mat4 by_row[4];
     vec4 scale[4], offset[4];
     vec3 ends;
     vec2 region;
@@ -48,8 +49,8 @@ layout(binding = 3) uniform sampler2DArray maps;
     const auto indexed = [&](const std::string& of) {
         return by_depth("scale[int(" + of + ")]", "offset[int(" + of + ")]");
     };
-    const auto each = [&](const std::string& of) {
-        return "umbrage_shadow_coordinate(each[int(" + of + ")], x0.xyz).xyz";
+    const auto each = [&](const std::string& matrices, const std::string& of) {
+        return "umbrage_shadow_coordinate(" + matrices + "[int(" + of + ")], x0.xyz).xyz";
     };
     const std::string unprojected = "umbrage_shadow_coordinate(one, x0.xyz).xyz";
     const std::string page = "umbrage_page_coordinate(table, vec2(1024.0), at.xy, 128.0, 4.0)";
@@ -60,8 +61,12 @@ layout(binding = 3) uniform sampler2DArray maps;
          look_up("one map, without the division, in an atlas", "vec3", unprojected, "_tile(map, region"),
          look_up("a page of an adaptive map", "vec3", unprojected + "; vec4 in_page = " + page, "_tile(map, in_page.zw",
                  ", vec2(136.0), in_page.xy, at.z"),
-         look_up("cascades by depth, a matrix each", "vec3", each(number), "_layer(maps, " + number),
-         look_up("cascades by the depth buffer's, a matrix each", "vec3", each(buffered), "_layer(maps, " + buffered),
+         look_up("cascades by depth, a matrix each", "vec3", each("each", number), "_layer(maps, " + number),
+         look_up("cascades by the depth buffer's, a matrix each", "vec3", each("each", buffered),
+                 "_layer(maps, " + buffered),
+         look_up("cascades by depth, a matrix each, by row", "vec3", each("by_row", number), "_layer(maps, " + number),
+         look_up("cascades by the depth buffer's, a matrix each, by row", "vec3", each("by_row", buffered),
+                 "_layer(maps, " + buffered),
          look_up("cascades by depth", "vec3", indexed(number), "_layer(maps, " + number),
          look_up("cascades by the depth buffer's", "vec3", indexed(buffered), "_layer(maps, " + buffered),
          look_up("cascades by depth, in an atlas", "vec3", indexed(number),

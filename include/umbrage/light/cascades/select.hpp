@@ -10,7 +10,12 @@
 //     float visibility = umbrage::pcf_2x2(umbrage::clamped(maps[int(number)]), glm::vec2(at), at.z - bias);
 //
 // In shaders the number is an array's layer, or chooses a tile of an atlas. Where arrays of uniforms take an index that
-// differs from pixel to pixel, they do for cascade_column.
+// differs from pixel to pixel, they do for cascade_column. What costs a shader least there is a texture matrix for each
+// cascade in place of rotation, scale and offset, rounded from double so that stable cascades stay where they are, and
+// stored by row: three are then loaded, not four columns.
+//
+//     layout(std140, row_major) uniform cascades { mat4 to_texels[4]; vec3 ends; };
+//     vec3 at = umbrage_shadow_coordinate(to_texels[int(number)], world).xyz;
 #pragma once
 
 #include <glm/mat4x4.hpp>
