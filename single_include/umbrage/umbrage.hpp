@@ -8657,6 +8657,25 @@ struct hull {
 namespace umbrage {
 namespace detail {
 
+/// In the name of a function whose argument they are.
+inline void require_receivers(const hull& receivers, const char* function) {
+    const auto finite = [](const glm::dvec3& p) { return all_finite(p); };
+    require(!receivers.points.empty(), function, "receivers", "must not be empty");
+    require(std::all_of(receivers.points.begin(), receivers.points.end(), finite) && is_finite(receivers.radius) &&
+                receivers.radius >= 0.0,
+            function, "receivers", "must be finite");
+}
+
+/// Points whose hull holds all receivers: in place of a ball the corners of its box.
+[[nodiscard]] inline std::vector<glm::dvec3> corners_of(const hull& receivers) {
+    if (!(receivers.radius > 0.0)) return receivers.points;
+    std::vector<glm::dvec3> all;
+    for (const glm::dvec3& p : receivers.points)
+        for (const glm::dvec3& c : corners(bounding_box<double>{p - receivers.radius, p + receivers.radius}))
+            all.push_back(c);
+    return all;
+}
+
 /// World to x, y and the distance along the light.
 template <real T>
 [[nodiscard]] glm::dmat4 light_frame(const glm::mat<4, 4, T>& view, handedness hand) {
@@ -8700,6 +8719,41 @@ struct extent {
         hull.pop_back();  // the other side begins with it
     }
     return hull;
+}
+
+/// What the hull of points has in common with a half-space, as points around it: those inside, and of where the lines
+/// between them and the others cross the plane the outermost.
+[[nodiscard]] inline std::vector<glm::dvec3> clipped_hull(const std::vector<glm::dvec3>& points,
+                                                          const glm::dvec4& plane) {
+    const glm::dvec3 normal(plane), steep = glm::abs(normal);
+    const glm::length_t z = steep.x > steep.y ? (steep.x > steep.z ? 0 : 2) : (steep.y > steep.z ? 1 : 2);
+    const glm::length_t x = (z + 1) % 3, y = (z + 2) % 3;
+    const auto inside = [&](const glm::dvec3& p) { return glm::dot(normal, p) + plane.w; };
+    std::vector<glm::dvec3> kept, beyond, crossed;
+    for (const glm::dvec3& p : points) (inside(p) < 0.0 ? beyond : kept).push_back(p);
+    const auto keep_outermost = [&] {
+        if (crossed.size() < 3) return;
+        const std::vector<glm::dvec2> corners = convex_hull(crossed);
+        crossed.clear();
+        for (const glm::dvec2& c : corners) crossed.emplace_back(c, 0.0);
+    };
+    std::size_t enough = 1024;
+    for (const glm::dvec3& a : kept) {
+        for (const glm::dvec3& b : beyond) {
+            const glm::dvec3 p = a + (b - a) * (inside(a) / (inside(a) - inside(b)));
+            crossed.emplace_back(p[x], p[y], 0.0);
+        }
+        if (crossed.size() < enough) continue;
+        keep_outermost();
+        enough = 2 * crossed.size() + 1024;
+    }
+    keep_outermost();
+    for (const glm::dvec3& c : crossed) {
+        glm::dvec3 p;
+        p[x] = c.x, p[y] = c.y, p[z] = -(normal[x] * c.x + normal[y] * c.y + plane.w) / normal[z];
+        kept.push_back(p);
+    }
+    return kept;
 }
 
 /// A plane (a, b, 0, c) through each edge of a hull, moved outwards; none through edges between points that only
@@ -9036,15 +9090,6 @@ struct directional_fit {
 
 namespace detail {
 
-/// In the name of a function whose argument they are.
-inline void require_receivers(const hull& receivers, const char* function) {
-    const auto finite = [](const glm::dvec3& p) { return all_finite(p); };
-    require(!receivers.points.empty(), function, "receivers", "must not be empty");
-    require(std::all_of(receivers.points.begin(), receivers.points.end(), finite) && is_finite(receivers.radius) &&
-                receivers.radius >= 0.0,
-            function, "receivers", "must be finite");
-}
-
 /// A box in front of a light: its middle as a share of half its sides, so that these keep their bits wherever it is.
 struct light_box {
     glm::dvec2 half, middle;
@@ -9315,7 +9360,12 @@ template <real T, std::size_t Count>
 //     float visibility = umbrage::pcf_2x2(umbrage::clamped(maps[int(number)]), glm::vec2(at), at.z - bias);
 //
 // In shaders the number is an array's layer, or chooses a tile of an atlas. Where arrays of uniforms take an index that
-// differs from pixel to pixel, they do for cascade_column.
+// differs from pixel to pixel, they do for cascade_column. What costs a shader least there is a texture matrix for each
+// cascade in place of rotation, scale and offset, rounded from double so that stable cascades stay where they are, and
+// stored by row: three are then loaded, not four columns.
+//
+//     layout(std140, row_major) uniform cascades { mat4 to_texels[4]; vec3 ends; };
+//     vec3 at = umbrage_shadow_coordinate(to_texels[int(number)], world).xyz;
 
 namespace umbrage {
 
@@ -9608,16 +9658,6 @@ template <real T>
     const glm::dvec3 direction(fit.direction);
     const bool along = !(glm::length(glm::cross(camera[2], unit(direction))) > 1e-3);
     return look_along(glm::dvec3(0), direction, camera[along ? 1 : 2], fit.clip.hand, function, "");
-}
-
-/// Points whose hull holds all receivers: in place of a ball the corners of its box.
-[[nodiscard]] inline std::vector<glm::dvec3> corners_of(const hull& receivers) {
-    if (!(receivers.radius > 0.0)) return receivers.points;
-    std::vector<glm::dvec3> all;
-    for (const glm::dvec3& p : receivers.points)
-        for (const glm::dvec3& c : corners(bounding_box<double>{p - receivers.radius, p + receivers.radius}))
-            all.push_back(c);
-    return all;
 }
 
 /// What a map sees of a body within planes of the map's space.
@@ -10122,7 +10162,7 @@ struct spot_fit {
     glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
     T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
     T z_near = T(0.1);                         ///< the least that the near plane may be, > 0: a lamp's own size
-    polyhedron receivers = bounding_box<T>{};  ///< box, frustum or what they have in common
+    hull receivers = bounding_box<T>{};        ///< box, sphere, frustum, polyhedron or points
     std::optional<bounding_box<T>> casters{};  ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);         ///< added on every side, as a share of the map's and of distances, 0 to 1/2
     bool has_far_plane = true;  ///< false: depth nears the far depth with distance
@@ -10131,8 +10171,12 @@ struct spot_fit {
 
 namespace detail {
 
-/// What a spot light sees of points before it, as tangents x / distance, y / distance, and the distance.
-[[nodiscard]] inline std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen) {
+/// What a spot light sees of a hull beyond a distance, within tangents of its sides: points as tangents x / distance,
+/// y / distance, and the distance.
+[[nodiscard]] inline std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen, double edge, double closest) {
+    for (const glm::dvec4 plane : {glm::dvec4(0, 0, 1, -closest), glm::dvec4(1, 0, edge, 0), glm::dvec4(-1, 0, edge, 0),
+                                   glm::dvec4(0, 1, edge, 0), glm::dvec4(0, -1, edge, 0)})
+        seen = clipped_hull(seen, plane);
     for (glm::dvec3& p : seen) p = {p.x / p.z, p.y / p.z, p.z};
     return seen;
 }
@@ -10156,13 +10200,15 @@ namespace detail {
 
 /// The smallest part of the square pyramid around the cone that holds the receivers in it, and what of the casters' box
 /// they sweep towards the light, with the margin: but nothing outside of the pyramid or nearer than z_near. The light
-/// may stand within receivers and casters.
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), no receivers, none in the
+/// may stand within receivers and casters. For a sphere stands its box; of points counts all that lies between them, at
+/// a cost that grows with the square of their number where some lie outside: for a mesh give its box.
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), receivers empty, none in the
 ///                                pyramid beyond z_near, or none of some extent there, casters that are no box, and
 ///                                what gives matrices that are not finite
 template <real T = float>
 [[nodiscard]] light_space<T> fit_spot_light(const spot_fit<T>& fit) {
     constexpr auto function = "fit_spot_light";
+    detail::require_receivers(fit.receivers, function);
     const T angle = fit.outer_angle_radians;
     detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
                     "outer_angle_radians", "must lie between 0 and pi / 2");
@@ -10174,19 +10220,13 @@ template <real T = float>
     const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
     const double edge = std::tan(double(angle)), closest(fit.z_near);
 
-    const double farthest = detail::extent_of(detail::seen(frame, hull(fit.receivers).points)).high.z;
-    detail::require(farthest > closest && is_finite(2.0 * farthest), function, "receivers",
-                    "must lie before the light, beyond z_near");
-    const polyhedron lit = intersection(frustum<double>{.position = fit.position,
-                                                        .direction = fit.direction,
-                                                        .up = fit.up,
-                                                        .tan_half_x = edge,
-                                                        .tan_half_y = edge,
-                                                        .z_near = closest,
-                                                        .z_far = 2.0 * farthest},
-                                        fit.receivers);
-    detail::require(!lit.empty(), function, "receivers", "must lie in the cone");
-    const auto receivers = detail::tangents(detail::seen(frame, hull(lit).points));
+    const auto before = detail::seen(frame, detail::corners_of(fit.receivers));
+    const detail::extent around = detail::extent_of(before);
+    const glm::dvec3 size = glm::max(glm::abs(around.low), glm::abs(around.high));
+    detail::require(around.high.z > closest && is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function,
+                    "receivers", "must lie before the light, beyond z_near");
+    const auto receivers = detail::tangents(before, edge, closest);
+    detail::require(!receivers.empty(), function, "receivers", "must lie in the cone");
     auto [low, high] = detail::extent_of(receivers);
     const double share(fit.margin), margin = share * glm::max(high.x - low.x, high.y - low.y);
     double z_near = low.z;

@@ -10,7 +10,6 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -32,15 +31,6 @@ struct directional_fit {
 };
 
 namespace detail {
-
-/// In the name of a function whose argument they are.
-inline void require_receivers(const hull& receivers, const char* function) {
-    const auto finite = [](const glm::dvec3& p) { return all_finite(p); };
-    require(!receivers.points.empty(), function, "receivers", "must not be empty");
-    require(std::all_of(receivers.points.begin(), receivers.points.end(), finite) && is_finite(receivers.radius) &&
-                receivers.radius >= 0.0,
-            function, "receivers", "must be finite");
-}
 
 /// A box in front of a light: its middle as a share of half its sides, so that these keep their bits wherever it is.
 struct light_box {

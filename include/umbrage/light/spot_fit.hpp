@@ -26,7 +26,7 @@ struct spot_fit {
     glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
     T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
     T z_near = T(0.1);                         ///< the least that the near plane may be, > 0: a lamp's own size
-    polyhedron receivers = bounding_box<T>{};  ///< box, frustum or what they have in common
+    hull receivers = bounding_box<T>{};        ///< box, sphere, frustum, polyhedron or points
     std::optional<bounding_box<T>> casters{};  ///< none: near plane at the receivers, for near_plane::clamps
     T margin = T(0.01);         ///< added on every side, as a share of the map's and of distances, 0 to 1/2
     bool has_far_plane = true;  ///< false: depth nears the far depth with distance
@@ -35,8 +35,12 @@ struct spot_fit {
 
 namespace detail {
 
-/// What a spot light sees of points before it, as tangents x / distance, y / distance, and the distance.
-[[nodiscard]] inline std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen) {
+/// What a spot light sees of a hull beyond a distance, within tangents of its sides: points as tangents x / distance,
+/// y / distance, and the distance.
+[[nodiscard]] inline std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen, double edge, double closest) {
+    for (const glm::dvec4 plane : {glm::dvec4(0, 0, 1, -closest), glm::dvec4(1, 0, edge, 0), glm::dvec4(-1, 0, edge, 0),
+                                   glm::dvec4(0, 1, edge, 0), glm::dvec4(0, -1, edge, 0)})
+        seen = clipped_hull(seen, plane);
     for (glm::dvec3& p : seen) p = {p.x / p.z, p.y / p.z, p.z};
     return seen;
 }
@@ -60,13 +64,15 @@ namespace detail {
 
 /// The smallest part of the square pyramid around the cone that holds the receivers in it, and what of the casters' box
 /// they sweep towards the light, with the margin: but nothing outside of the pyramid or nearer than z_near. The light
-/// may stand within receivers and casters.
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), no receivers, none in the
+/// may stand within receivers and casters. For a sphere stands its box; of points counts all that lies between them, at
+/// a cost that grows with the square of their number where some lie outside: for a mesh give its box.
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), receivers empty, none in the
 ///                                pyramid beyond z_near, or none of some extent there, casters that are no box, and
 ///                                what gives matrices that are not finite
 template <real T = float>
 [[nodiscard]] light_space<T> fit_spot_light(const spot_fit<T>& fit) {
     constexpr auto function = "fit_spot_light";
+    detail::require_receivers(fit.receivers, function);
     const T angle = fit.outer_angle_radians;
     detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
                     "outer_angle_radians", "must lie between 0 and pi / 2");
@@ -78,19 +84,13 @@ template <real T = float>
     const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
     const double edge = std::tan(double(angle)), closest(fit.z_near);
 
-    const double farthest = detail::extent_of(detail::seen(frame, hull(fit.receivers).points)).high.z;
-    detail::require(farthest > closest && is_finite(2.0 * farthest), function, "receivers",
-                    "must lie before the light, beyond z_near");
-    const polyhedron lit = intersection(frustum<double>{.position = fit.position,
-                                                        .direction = fit.direction,
-                                                        .up = fit.up,
-                                                        .tan_half_x = edge,
-                                                        .tan_half_y = edge,
-                                                        .z_near = closest,
-                                                        .z_far = 2.0 * farthest},
-                                        fit.receivers);
-    detail::require(!lit.empty(), function, "receivers", "must lie in the cone");
-    const auto receivers = detail::tangents(detail::seen(frame, hull(lit).points));
+    const auto before = detail::seen(frame, detail::corners_of(fit.receivers));
+    const detail::extent around = detail::extent_of(before);
+    const glm::dvec3 size = glm::max(glm::abs(around.low), glm::abs(around.high));
+    detail::require(around.high.z > closest && is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function,
+                    "receivers", "must lie before the light, beyond z_near");
+    const auto receivers = detail::tangents(before, edge, closest);
+    detail::require(!receivers.empty(), function, "receivers", "must lie in the cone");
     auto [low, high] = detail::extent_of(receivers);
     const double share(fit.margin), margin = share * glm::max(high.x - low.x, high.y - low.y);
     double z_near = low.z;

@@ -20,6 +20,25 @@
 namespace umbrage {
 namespace detail {
 
+/// In the name of a function whose argument they are.
+inline void require_receivers(const hull& receivers, const char* function) {
+    const auto finite = [](const glm::dvec3& p) { return all_finite(p); };
+    require(!receivers.points.empty(), function, "receivers", "must not be empty");
+    require(std::all_of(receivers.points.begin(), receivers.points.end(), finite) && is_finite(receivers.radius) &&
+                receivers.radius >= 0.0,
+            function, "receivers", "must be finite");
+}
+
+/// Points whose hull holds all receivers: in place of a ball the corners of its box.
+[[nodiscard]] inline std::vector<glm::dvec3> corners_of(const hull& receivers) {
+    if (!(receivers.radius > 0.0)) return receivers.points;
+    std::vector<glm::dvec3> all;
+    for (const glm::dvec3& p : receivers.points)
+        for (const glm::dvec3& c : corners(bounding_box<double>{p - receivers.radius, p + receivers.radius}))
+            all.push_back(c);
+    return all;
+}
+
 /// World to x, y and the distance along the light.
 template <real T>
 [[nodiscard]] glm::dmat4 light_frame(const glm::mat<4, 4, T>& view, handedness hand) {
@@ -63,6 +82,41 @@ struct extent {
         hull.pop_back();  // the other side begins with it
     }
     return hull;
+}
+
+/// What the hull of points has in common with a half-space, as points around it: those inside, and of where the lines
+/// between them and the others cross the plane the outermost.
+[[nodiscard]] inline std::vector<glm::dvec3> clipped_hull(const std::vector<glm::dvec3>& points,
+                                                          const glm::dvec4& plane) {
+    const glm::dvec3 normal(plane), steep = glm::abs(normal);
+    const glm::length_t z = steep.x > steep.y ? (steep.x > steep.z ? 0 : 2) : (steep.y > steep.z ? 1 : 2);
+    const glm::length_t x = (z + 1) % 3, y = (z + 2) % 3;
+    const auto inside = [&](const glm::dvec3& p) { return glm::dot(normal, p) + plane.w; };
+    std::vector<glm::dvec3> kept, beyond, crossed;
+    for (const glm::dvec3& p : points) (inside(p) < 0.0 ? beyond : kept).push_back(p);
+    const auto keep_outermost = [&] {
+        if (crossed.size() < 3) return;
+        const std::vector<glm::dvec2> corners = convex_hull(crossed);
+        crossed.clear();
+        for (const glm::dvec2& c : corners) crossed.emplace_back(c, 0.0);
+    };
+    std::size_t enough = 1024;
+    for (const glm::dvec3& a : kept) {
+        for (const glm::dvec3& b : beyond) {
+            const glm::dvec3 p = a + (b - a) * (inside(a) / (inside(a) - inside(b)));
+            crossed.emplace_back(p[x], p[y], 0.0);
+        }
+        if (crossed.size() < enough) continue;
+        keep_outermost();
+        enough = 2 * crossed.size() + 1024;
+    }
+    keep_outermost();
+    for (const glm::dvec3& c : crossed) {
+        glm::dvec3 p;
+        p[x] = c.x, p[y] = c.y, p[z] = -(normal[x] * c.x + normal[y] * c.y + plane.w) / normal[z];
+        kept.push_back(p);
+    }
+    return kept;
 }
 
 /// A plane (a, b, 0, c) through each edge of a hull, moved outwards; none through edges between points that only

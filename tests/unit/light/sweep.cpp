@@ -19,6 +19,38 @@ TEST_CASE("convex_hull: by hand, and of points that have none") {
     CHECK(detail::convex_hull(points{{1, 1, 0}, {1, 1, 5}}).size() <= 2);
 }
 
+TEST_CASE("clipped_hull: reaches as far as a box's clipped faces in every direction, whatever the points between") {
+    std::mt19937 random(2);
+    for (int i = 0; i < 300; ++i) {
+        const auto box = bodies::random_box(random, i % 5 == 0);
+        const glm::dvec3 normal = i % 4 ? bodies::random_vector(random, -1, 1) : glm::dvec3(0, 0, i % 8 ? 1 : -1);
+        auto points = hull(box).points;
+        const glm::dvec4 plane(normal, -glm::dot(normal, bodies::point_between(points, random)));
+        for (int k = 0; k < (i % 50 == 1 ? 200 : i % 20); ++k) points.push_back(bodies::point_between(points, random));
+        const polyhedron body(box);
+        std::vector<glm::dvec3> expected;
+        for (const auto& face : body.faces())
+            for (const glm::dvec3& p : detail::clipped(face.corners, plane)) expected.push_back(p);
+        const auto found = detail::clipped_hull(points, plane);
+        REQUIRE(found.empty() == expected.empty());
+        const auto reach = [](const std::vector<glm::dvec3>& of, glm::dvec3 way) {
+            double most = -1e9;
+            for (const glm::dvec3& p : of) most = std::max(most, glm::dot(p, way));
+            return most;
+        };
+        double apart = 0;
+        for (int k = 0; k < 50; ++k) {
+            const glm::dvec3 way = bodies::random_vector(random, -1, 1);
+            apart = std::max(apart, std::abs(reach(found, way) - reach(expected, way)));
+        }
+        CHECK(apart < 1e-12);
+    }
+    const std::vector<glm::dvec3> one{{1, 2, 3}}, two{{0, 0, -1}, {2, 4, 1}};
+    CHECK(detail::clipped_hull(one, {0, 0, 1, 0}) == one);
+    CHECK(detail::clipped_hull(one, {0, 0, 1, -4}).empty());
+    CHECK(detail::clipped_hull(two, {0, 0, 1, 0}) == std::vector<glm::dvec3>{{2, 4, 1}, {1, 2, 0}});
+}
+
 TEST_CASE("convex_hull, sides: every point within, every corner one of them") {
     std::mt19937 random(1);
     for (int i = 0; i < 200; ++i) {

@@ -71,16 +71,6 @@ template <real T>
     return look_along(glm::dvec3(0), direction, camera[along ? 1 : 2], fit.clip.hand, function, "");
 }
 
-/// Points whose hull holds all receivers: in place of a ball the corners of its box.
-[[nodiscard]] inline std::vector<glm::dvec3> corners_of(const hull& receivers) {
-    if (!(receivers.radius > 0.0)) return receivers.points;
-    std::vector<glm::dvec3> all;
-    for (const glm::dvec3& p : receivers.points)
-        for (const glm::dvec3& c : corners(bounding_box<double>{p - receivers.radius, p + receivers.radius}))
-            all.push_back(c);
-    return all;
-}
-
 /// What a map sees of a body within planes of the map's space.
 /// @return   nothing where some of it does not lie before w = 0
 [[nodiscard]] inline std::optional<extent> seen_within(const glm::dmat4& to_map, const polyhedron& body,

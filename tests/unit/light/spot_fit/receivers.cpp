@@ -44,6 +44,7 @@ struct scene {
     spot_fit<double> fit;
     frustum<double> camera;
     bounding_box<double> floor, above;
+    polyhedron seen;
 
     scene(std::mt19937& random, int i) {
         camera = bodies::random_frustum(random);
@@ -51,8 +52,14 @@ struct scene {
         fit.position = bodies::random_vector(random, -9, 9);
         fit.outer_angle_radians = bodies::real(0.3, 1.3)(random);
         fit.z_near = 0.2;
-        fit.receivers = intersection(camera, floor);
-        const glm::dvec3 aim = fit.receivers.empty() ? glm::dvec3(0) : hull(fit.receivers).points[0];
+        seen = intersection(camera, floor);
+        std::vector<glm::dvec3> points = hull(seen).points;
+        const glm::dvec3 aim = seen.empty() ? glm::dvec3(0) : points[0];
+        if (!seen.empty() && i % 3 == 0) {
+            for (int k = 0; k < 20; ++k) points.push_back(bodies::point_between(points, random));
+            std::shuffle(points.begin(), points.end(), random);
+        }
+        fit.receivers = points;
         fit.direction = aim - fit.position + bodies::random_vector(random, -3, 3);
         const glm::dvec3 half = bodies::random_vector(random, 0.1, 3);
         const glm::dvec3 middle = glm::mix(fit.position, aim, bodies::real(0.2, 0.9)(random));
@@ -78,7 +85,7 @@ TEST_CASE("fit_spot_light: holds every receiver in the cone and every caster bet
         if (i % 2) s.fit.margin = 0;
         light_space<double> light;
         if (!s.make(light)) continue;
-        const auto corners = hull(s.fit.receivers).points;
+        const auto& corners = s.fit.receivers.points;
         for (int k = 0; k < 100; ++k) {
             const glm::dvec3 receiver = bodies::point_between(corners, random);
             const glm::dvec3 at = seen_by(light, receiver);
@@ -139,11 +146,12 @@ TEST_CASE("fit_spot_light: no larger than linear programmes over receivers, and 
         bodies::programme<3> before;
         bodies::inside(before, s.above);
         before.constraints.push_back(constraint(z, offset.z - s.fit.z_near));
-        const auto points = detail::tangents(detail::seen(
+        auto points = detail::seen(
             frame,
             hull(intersection(frustum<double>{s.fit.position, s.fit.direction, s.fit.up, edge, edge, s.fit.z_near, 99},
-                              s.fit.receivers))
-                .points));
+                              s.seen))
+                .points);
+        for (glm::dvec3& p : points) p = {p.x / p.z, p.y / p.z, p.z};
         for (std::size_t k = 0; k < points.size(); ++k)
             for (std::size_t j = 0; j < points.size(); ++j) {
                 const glm::dvec2 a(points[k]), b(points[j]), in(a.y - b.y, b.x - a.x);
@@ -181,4 +189,28 @@ TEST_CASE("fit_spot_light: no larger than linear programmes over receivers, and 
     CHECK(fitted > 40);
     CHECK(pulled > 10);
     CHECK(within > 3);
+}
+
+TEST_CASE_TEMPLATE("fit_spot_light: what lies between points, none of which is in the cone; a sphere's box", T, float,
+                   double) {
+    const auto fitted = [](const hull& receivers) {
+        const auto light = fit_spot_light<T>({.position = {0, 4, 0},
+                                              .direction = {0, -1, 0},
+                                              .up = {0, 0, 1},
+                                              .outer_angle_radians = std::atan(T(0.5)),
+                                              .receivers = receivers,
+                                              .margin = 0});
+        return texture_matrix_uv<double>({glm::dmat4(light.view), glm::dmat4(light.projection), light.clip});
+    };
+    const glm::dmat4 strip =
+        fitted(std::vector<glm::dvec3>{{-10, 0, -1}, {10, 0, -1}, {10, 1, 1}, {-10, 1, 1}, {0, 9, 0}});
+    const auto at = [](const glm::dmat4& m, glm::dvec3 p) { return glm::abs(through(m, p) - 0.5) * 2.0; };
+    CHECK(at(strip, {2, 0, -1}).x == doctest::Approx(1));  // the cone's side
+    CHECK(through(strip, {0, 0, -1}).z == doctest::Approx(1));
+    CHECK(through(strip, {0, 3.9, 0}).z == doctest::Approx(0).epsilon(1e-5));  // between the floor and what is above
+    const glm::dmat4 ball = fitted(bounding_sphere<T>{glm::vec<3, T>(0, 0, 0), T(0.5)});
+    CHECK(at(ball, {0.5, 0.5, 0.5}).x == doctest::Approx(1));
+    CHECK(at(ball, {0.5, 0.5, 0.5}).y == doctest::Approx(1));
+    CHECK(through(ball, {0, 0.5, 0}).z == doctest::Approx(0).epsilon(1e-5));
+    CHECK(through(ball, {0, -0.5, 0}).z == doctest::Approx(1));
 }
