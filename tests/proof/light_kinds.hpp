@@ -12,7 +12,7 @@ namespace proof {
 
 /// What a light is set up around, and how. Without casters of its own it clamps them onto its near plane.
 struct light_kind {
-    enum class fitted_to { cone, box, points, frustum, sphere, light_space, trapezoid, perspective, ground };
+    enum class fitted_to { cone, box, points, frustum, sphere, cascade, light_space, trapezoid, perspective, ground };
     const char* name;
     bool is_spot;
     fitted_to receivers;
@@ -37,7 +37,8 @@ inline constexpr std::array light_kinds{
     light_kind{"spot: cone", true, light_kind::fitted_to::cone},
     light_kind{"spot: receivers, casters apart", true, light_kind::fitted_to::frustum},
     light_kind{"spot: depth clamp", true, light_kind::fitted_to::frustum, umbrage::near_plane::clamps},
-    light_kind{"spot: no far plane", true, light_kind::fitted_to::frustum, umbrage::near_plane::clips, false}};
+    light_kind{"spot: no far plane", true, light_kind::fitted_to::frustum, umbrage::near_plane::clips, false},
+    light_kind{"directional: warped cascades", false, light_kind::fitted_to::cascade}};
 inline constexpr std::uint64_t clip_space_count = 16, setting_count = light_kinds.size() * clip_space_count;
 
 }  // namespace proof

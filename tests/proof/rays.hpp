@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -20,6 +19,8 @@
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/images/rasterize.hpp>
+#include <umbrage/light/cascades/splits.hpp>
+#include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
@@ -29,6 +30,7 @@
 #include <umbrage/light/warp/plane_optimal.hpp>
 #include <umbrage/light/warp/trapezoidal.hpp>
 
+#include "few_triangles.hpp"
 #include "light_kinds.hpp"
 #include "projected.hpp"
 
@@ -45,17 +47,16 @@ struct verdicts {
     }
 };
 
-/// A scene of a ground and few triangles, a camera and a light, all from one number.
-class ray_scene {
+/// A ground and few triangles, a camera and a light, all from one number.
+class ray_scene : public few_triangles {
 public:
     explicit ray_scene(std::uint64_t n)
-        : kind_(light_kinds[n % light_kinds.size()]), random_(static_cast<std::uint32_t>(n)) {
+        : few_triangles(static_cast<std::uint32_t>(n)), kind_(light_kinds[n % light_kinds.size()]) {
         const std::uint64_t c = n / light_kinds.size();
         clip_.range = c & 1 ? umbrage::depth_range::minus_one_to_one : umbrage::depth_range::zero_to_one;
         clip_.direction = c & 2 ? umbrage::depth_direction::reversed : umbrage::depth_direction::forward;
         clip_.origin = c & 4 ? umbrage::texture_origin::top : umbrage::texture_origin::bottom;
         clip_.hand = c & 8 ? umbrage::handedness::left : umbrage::handedness::right;
-        make_mesh();
         const glm::vec3 eye = around(real(2, 6));
         camera_ = {.position = eye,
                    .direction = vector(-1, 1) - eye,
@@ -105,31 +106,6 @@ protected:
     static constexpr int map_size = 256;
     static constexpr float z_near = 0.05f;
 
-    [[nodiscard]] float real(float low, float high) { return std::uniform_real_distribution(low, high)(random_); }
-    [[nodiscard]] glm::vec3 vector(float low, float high) {
-        const float x = real(low, high), y = real(low, high), z = real(low, high);
-        return {x, y, z};
-    }
-    [[nodiscard]] glm::vec3 around(float distance) {  // above the ground
-        const glm::vec3 way = vector(-1, 1);
-        return glm::normalize(glm::vec3(way.x, std::abs(way.y) + 0.2f, way.z)) * distance;
-    }
-
-    void make_mesh() {
-        positions_ = {{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}};
-        triangles_ = {{0, 1, 2}, {0, 2, 3}};
-        while (triangles_.size() < 8) {
-            const glm::vec3 middle(real(-2, 2), real(0.5f, 3), real(-2, 2));
-            std::array<glm::vec3, 3> corner;
-            for (glm::vec3& c : corner) c = middle + vector(-1.5f, 1.5f), c.y = std::max(c.y, 0.1f);
-            if (glm::length(glm::cross(corner[1] - corner[0], corner[2] - corner[0])) < 1.0f) continue;
-            const auto first = static_cast<unsigned>(positions_.size());
-            positions_.insert(positions_.end(), corner.begin(), corner.end());
-            triangles_.emplace_back(first, first + 1, first + 2);
-        }
-        for (const glm::vec3& p : positions_) box_.low = glm::min(box_.low, p), box_.high = glm::max(box_.high, p);
-    }
-
     void make_light() {
         using namespace umbrage;
         using fitted_to = light_kind::fitted_to;
@@ -142,7 +118,9 @@ protected:
             direction_.y = std::copysign(0.1f, direction_.y);  // no lower than plane_optimal_rounding holds for
         std::optional<bounding_box<float>> casters;
         if (kind_.at_near == near_plane::clips) casters = box_;
-        if (kind_.receivers >= fitted_to::light_space) {
+        if (kind_.receivers == fitted_to::cascade) {
+            make_warped_cascade();
+        } else if (kind_.receivers >= fitted_to::light_space) {
             const polyhedron held = kind_.is_spot ? intersection(seen, cone()) : seen;
             const warp_fit<float> fit{camera_, direction_, held, casters, 0.01f, clip_};
             const auto warped = [&]() -> warped_light<float> {
@@ -176,16 +154,21 @@ protected:
         planes_ = plane_matrix(matrix_);
     }
 
-    [[nodiscard]] std::array<glm::dvec3, 3> corners(std::size_t k) const {
-        const glm::uvec3 t = triangles_[k];
-        return {positions_[t.x], positions_[t.y], positions_[t.z]};
+    /// One of two, for what of the camera's range selection by depth leaves to it.
+    void make_warped_cascade() {
+        using namespace umbrage;
+        const auto splits = practical_splits<2>(camera_.z_near, camera_.z_far, 0.4f);
+        const auto all = make_warped_cascades<2>(
+            cascade_fit<float>{
+                .camera = camera_, .direction = direction_, .scene = box_, .map_size = map_size, .clip = clip_},
+            splits, [this](const warp_fit<double>& part) -> warped_light<double> {
+                if (random_() % 2) return fit_perspective(part);
+                return fit_light_space_perspective(part);
+            });
+        const std::size_t i = random_() % 2;
+        light_ = all[i].light, camera_.z_near = splits[i], camera_.z_far = splits[i + 1];
     }
-    [[nodiscard]] glm::vec3 point_of(std::size_t k) {
-        const auto [a, b, c] = corners(k);
-        double u = real(0, 1), v = real(0, 1);
-        if (u + v > 1) u = 1 - u, v = 1 - v;
-        return glm::vec3(a + u * (b - a) + v * (c - a));
-    }
+
     [[nodiscard]] glm::vec2 slope(std::size_t k) const {
         const auto [a, b, c] = corners(k);
         return umbrage::plane_slope(planes_, glm::vec3(glm::cross(b - a, c - a)), glm::vec3(a));
@@ -286,11 +269,7 @@ protected:
     }
 
     light_kind kind_;
-    std::mt19937 random_;
     umbrage::clip_space clip_;
-    std::vector<glm::vec3> positions_;
-    std::vector<glm::uvec3> triangles_;
-    umbrage::bounding_box<float> box_{glm::vec3(1e9f), glm::vec3(-1e9f)};
     umbrage::frustum<float> camera_;
     glm::vec3 position_{0}, direction_{0};
     umbrage::light_space<float> light_;
