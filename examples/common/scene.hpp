@@ -42,7 +42,7 @@ struct scene {
     glm::vec3 low{0}, high{0};            ///< of everything
     glm::vec3 target{0, 0.7f, 0};         ///< what lights and cameras look at
     float z_near = 0.1f, z_far = 200.0f;  ///< between which cameras see
-    std::vector<copies> parts{};          ///< the same once more, as what it is made of; none: of one part
+    std::vector<copies> parts{};  ///< the same once more in the same order, as what it is made of; none: of one part
 };
 
 /// Sets low and high.

@@ -3,10 +3,15 @@
 // What film strips share: a camera's pictures under look-ups of shadow maps.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <span>
 
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
 
+#include <umbrage/images/instances.hpp>
+#include <umbrage/images/rasterize.hpp>
 #include <umbrage/images/stability.hpp>
 #include <umbrage/shade/lighting.hpp>
 #include <umbrage/unorm.hpp>
@@ -39,6 +44,22 @@ void for_each_surface(const options& o, const example::scene& scene, const examp
     for (glm::ivec2 p{0}; p.y < o.height; ++p.y)
         for (p.x = 0; p.x < o.width; ++p.x)
             if (seen[p] != example::nothing) use(p, surface_at(scene, camera, seen, p));
+}
+
+/// The depth pass of the instances that a map may see: a scene's vertices are its parts', place by place.
+/// @param positions   of the scene's vertices, in the space that the matrix takes
+inline void draw_seen(umbrage::image_view<float> map, const example::scene& scene, std::span<const glm::vec3> positions,
+                      const glm::mat4& to_clip, umbrage::clip_space clip) {
+    const auto draw = [&](const umbrage::mesh_view& mesh) {
+        if (umbrage::may_mark(umbrage::bounds_of(mesh), to_clip, clip))
+            umbrage::rasterize_depth(map, mesh, to_clip, clip);
+    };
+    for (const example::copies& part : scene.parts)
+        for (std::size_t i = 0; i < part.places.size(); ++i) {
+            draw({positions.first(part.shape.positions.size()), part.shape.triangles});
+            positions = positions.subspan(part.shape.positions.size());
+        }
+    if (scene.parts.empty()) draw({positions, scene.geometry.triangles});
 }
 
 constexpr glm::vec3 mark(0.9f, 0.1f, 0.1f);  ///< red

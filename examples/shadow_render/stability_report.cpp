@@ -12,7 +12,6 @@
 #include <glm/geometric.hpp>
 
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/images/stability.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/select.hpp>
@@ -93,11 +92,8 @@ public:
         for (const umbrage::cascade<T>& of : cascades_) {
             to_texels_.push_back(umbrage::texture_matrix(of.light, glm::ivec2(size_)));
             maps_.emplace_back(glm::ivec2(size_), umbrage::cleared_depth(fit.clip));
-            const umbrage::mesh_view world = view_of(scene.geometry), turned{rotated, world.triangles};
-            umbrage::rasterize_depth(
-                maps_.back(), w.one_matrix ? world : turned,
-                glm::mat4(w.one_matrix ? of.light.projection * of.light.view : of.light.projection), fit.clip,
-                umbrage::cull_mode::none);
+            draw_seen(maps_.back(), scene, w.one_matrix ? scene.geometry.positions : rotated,
+                      glm::mat4(w.one_matrix ? of.light.projection * of.light.view : of.light.projection), fit.clip);
         }
     }
 

@@ -14,7 +14,6 @@
 
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/images/light_choice.hpp>
-#include <umbrage/images/rasterize.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -95,8 +94,7 @@ public:
 
     [[nodiscard]] look_up draw(const umbrage::light_space<float>& light) const {
         umbrage::image<float> map(glm::ivec2(o_.map_size), umbrage::cleared_depth(light.clip));
-        umbrage::rasterize_depth(map, view_of(scene_.geometry), light.projection * light.view, light.clip,
-                                 umbrage::cull_mode::none);
+        draw_seen(map, scene_, scene_.geometry.positions, light.projection * light.view, light.clip);
         const glm::mat4 to_texels = umbrage::texture_matrix(light, map.size());
         return [map = std::move(map), to_texels](glm::vec3 point) -> umbrage::placed_point {
             const glm::vec3 at = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, point));
