@@ -621,16 +621,16 @@ UMBRAGE_HIGHP vec4 umbrage_from_unorm(UMBRAGE_HIGHP vec4 c) {
 `,
             "page_coordinate": `
 // umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
-//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
 //   page, gutter  side of a page and what it has around it, texels
 UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float page, UMBRAGE_HIGHP float gutter) {
-    UMBRAGE_HIGHP vec2 nearest = min(max(vec2(1.0, 1.0), coord), vec2(1.99999988, 1.99999988));  // a NaN is the first
-    UMBRAGE_HIGHP vec4 entry = umbrage_texel(table, size, floor(nearest * size - size));
+    UMBRAGE_HIGHP vec2 cell = min(max(vec2(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    UMBRAGE_HIGHP ivec2 texel = ivec2(cell);  // of a NaN the first
+    UMBRAGE_HIGHP vec4 entry = umbrage_texel(table, size, vec2(texel));
     UMBRAGE_HIGHP vec2 slot = umbrage_from_unorm(vec2(entry.x, entry.y));
     UMBRAGE_HIGHP float across = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    UMBRAGE_HIGHP vec2 within = coord * across - floor(nearest * across);
-    UMBRAGE_HIGHP vec2 at = within * page + (across > 0.0 ? gutter : 32768.0);
+    UMBRAGE_HIGHP vec2 at = fract(coord * across) * page + (across > 0.0 ? gutter : 32768.0);
     return vec4(at, slot * (page + gutter * 2.0));
 }
 `,
@@ -3622,15 +3622,15 @@ float4 umbrage_from_unorm(float4 c) {
 `,
             "page_coordinate": `
 // umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
-//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
 //   page, gutter  side of a page and what it has around it, texels
 float4 umbrage_page_coordinate(UMBRAGE_MAP table, float2 size, float2 coord, float page, float gutter) {
-    float2 nearest = min(max(float2(1.0, 1.0), coord), float2(1.99999988, 1.99999988));  // a NaN is the first
-    float4 entry = umbrage_texel(table, size, floor(nearest * size - size));
+    float2 cell = min(max(float2(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    int2 texel = (int2)cell;  // of a NaN the first
+    float4 entry = umbrage_texel(table, size, (float2)texel);
     float2 slot = umbrage_from_unorm(float2(entry.x, entry.y));
     float across = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    float2 within = coord * across - floor(nearest * across);
-    float2 at = within * page + (across > 0.0 ? gutter : 32768.0);
+    float2 at = frac(coord * across) * page + (across > 0.0 ? gutter : 32768.0);
     return float4(at, slot * (page + gutter * 2.0));
 }
 `,
@@ -6435,15 +6435,15 @@ inline float4 umbrage_from_unorm(float4 c) {
 `,
             "page_coordinate": `
 // umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
-//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
 //   page, gutter  side of a page and what it has around it, texels
 inline float4 umbrage_page_coordinate(UMBRAGE_MAP table, float2 size, float2 coord, float page, float gutter) {
-    float2 nearest = metal::min(metal::max(float2(1.0, 1.0), coord), float2(1.99999988, 1.99999988));  // a NaN is the first
-    float4 entry = umbrage_texel(table, size, metal::floor(nearest * size - size));
+    float2 cell = metal::min(metal::max(float2(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    int2 texel = int2(cell);  // of a NaN the first
+    float4 entry = umbrage_texel(table, size, float2(texel));
     float2 slot = umbrage_from_unorm(float2(entry.x, entry.y));
     float across = metal::floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    float2 within = coord * across - metal::floor(nearest * across);
-    float2 at = within * page + (across > 0.0 ? gutter : 32768.0);
+    float2 at = metal::fract(coord * across) * page + (across > 0.0 ? gutter : 32768.0);
     return float4(at, slot * (page + gutter * 2.0));
 }
 `,
@@ -9257,15 +9257,15 @@ fn umbrage_from_unorm_vec4f(c: vec4f) -> vec4f {
 `,
             "page_coordinate": `
 // umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
-//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
 //   page, gutter  side of a page and what it has around it, texels
 fn umbrage_page_coordinate(UMBRAGE_MAP table, size: vec2f, coord: vec2f, page: f32, gutter: f32) -> vec4f {
-    let nearest: vec2f = min(max(vec2f(1.0, 1.0), coord), vec2f(1.99999988, 1.99999988));  // a NaN is the first
-    let entry: vec4f = umbrage_texel(table, size, floor(nearest * size - size));
+    let cell: vec2f = min(max(vec2f(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    let texel: vec2i = vec2i(cell);  // of a NaN the first
+    let entry: vec4f = umbrage_texel(table, size, vec2f(texel));
     let slot: vec2f = umbrage_from_unorm_vec2f(vec2f(entry.x, entry.y));
     let across: f32 = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    let within: vec2f = coord * across - floor(nearest * across);
-    let at: vec2f = within * page + select(32768.0, gutter, across > 0.0);
+    let at: vec2f = fract(coord * across) * page + select(32768.0, gutter, across > 0.0);
     return vec4f(at, slot * (page + gutter * 2.0));
 }
 `,

@@ -8125,10 +8125,10 @@ inline constexpr auto summed_variance_snippets = list<&box_moments, &summed_vari
 
 // ---- umbrage/light/adaptive/page_table.hpp
 // Where in an atlas of pages a receiver's shadow lies: one fetch from a small table, a texel of which stands for each
-// of the finest cells of a square, the root, that the light looks at.
+// of the finest cells of a square, the root, that the light looks at, and for what lies around it.
 //
 //     glm::vec3 p(umbrage::shadow_coordinate(to_root, world));  // x and y from 1 to 2 across the root
-//     glm::vec4 at = umbrage::page_coordinate(umbrage::clamped(table), 1024.0f, glm::vec2(p), 128.0f, 4.0f);
+//     glm::vec4 at = umbrage::page_coordinate(umbrage::clamped(table), 1026.0f, glm::vec2(p), 128.0f, 4.0f);
 //     const auto page = atlas.view().region(glm::ivec2(at.z, at.w), glm::ivec2(136));
 //     float visibility = umbrage::pcf_2x2(umbrage::clamped(page), glm::vec2(at), p.z - bias);
 //
@@ -8136,7 +8136,7 @@ inline constexpr auto summed_variance_snippets = list<&box_moments, &summed_vari
 //
 //     glsl::source(glsl::version::v330, {glsl::page_coordinate,
 //                                        bind(glsl::pcf_2x2, "page", {.texture = texture::atlas})});
-//     // vec4 at = umbrage_page_coordinate(table, vec2(1024.0), p.xy, 128.0, 4.0);
+//     // vec4 at = umbrage_page_coordinate(table, vec2(1026.0), p.xy, 128.0, 4.0);
 //     // umbrage_pcf_2x2_page(atlas, at.zw, vec2(136.0), at.xy, p.z)
 //
 // The root goes from 1 to 2, not from 0: all its coordinates then have 23 bits behind the point, so that a place in a
@@ -8159,25 +8159,24 @@ inline constexpr int deepest_page_level = 15;
 
 /// A receiver in the page that holds it.
 ///
-/// @param table    ivec2 -> page_entry, of size x size texels; called once, with a texel inside
-/// @param size     of the table, a power of two up to 2^15: the root's side in its finest cells
+/// @param table    ivec2 -> page_entry, of size x size texels, the outermost all zero; called once, with a texel inside
+/// @param size     of the table: a power of two up to 2^15, the root's side in its finest cells, and 2
 /// @param coord    receiver, 1 .. 2 across the root
 /// @param page     side of a page, texels: a power of two;   gutter  texels around each page, whole, at most page / 2
 /// @return         (x, y) in texels of the page with its gutter, (page + 2 gutter)^2 of the atlas from the texel (z, w)
-///                 on. Outside the root beside its nearest page, where the page's edge counts as a map's does; NaN
-///                 stays NaN; without a page (32768, 32768, 0, 0): both of which every filter takes as lit
+///                 on. Beside the root and without a page (32768, 32768, 0, 0), which every filter takes as lit; a
+///                 coordinate that is NaN or infinite gives more than that or NaN
 /// @formula        origin = slot (page + 2 gutter); (coord 2^level - floor(coord 2^level)) page + gutter
-/// @exactness      A in the root, for bytes read within 2^-(level + 2) of themselves; beside it two sums round
+/// @exactness      A, for bytes read within 2^-(level + 2) of themselves
 /// @cite           Fernando, Fernandez, Bala, Greenberg: Adaptive Shadow Maps, SIGGRAPH 2001
 template <real T, class Table>
 [[nodiscard]] glm::vec<4, T> page_coordinate(Table&& table, T size, glm::vec<2, T> coord, T page, T gutter) {
-    constexpr T last = T(2) - T(0x1p-23);
-    const auto inside = [](T v) { return is_nan(v) || !(v > T(1)) ? T(1) : (v < last ? v : last); };
-    const glm::vec<2, T> nearest(inside(coord.x), inside(coord.y));
-    const glm::u8vec4 entry = table(glm::ivec2(glm::floor(nearest * size - size)));
+    const auto inside = [size](T v) { return is_nan(v) || !(v > T(0)) ? T(0) : (v < size ? v : size - T(1)); };
+    const glm::vec<2, T> cell = coord * (size - T(2)) - (size - T(3));  // of the table
+    const glm::u8vec4 entry = table(glm::ivec2(static_cast<int>(inside(cell.x)), static_cast<int>(inside(cell.y))));
     const T across = T(entry.z) + T(entry.w) * T(256);
-    const glm::vec<2, T> within = coord * across - glm::floor(nearest * across);
-    const glm::vec<2, T> at = within * page + (across > T(0) ? gutter : T(32768));
+    const glm::vec<2, T> place = coord * across;
+    const glm::vec<2, T> at = (place - glm::floor(place)) * page + (across > T(0) ? gutter : T(32768));
     return {at.x, at.y, T(entry.x) * (page + gutter * T(2)), T(entry.y) * (page + gutter * T(2))};
 }
 
@@ -8190,16 +8189,16 @@ inline constexpr snippet page_coordinate{
     .needs = list<&texel, &from_unorm>,
     .source = R"GLSL(
 // umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
-//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
 //   page, gutter  side of a page and what it has around it, texels
 UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float page, UMBRAGE_HIGHP float gutter) {
-    UMBRAGE_HIGHP vec2 nearest = min(max(vec2(1.0, 1.0), coord), vec2(1.99999988, 1.99999988));  // a NaN is the first
-    UMBRAGE_HIGHP vec4 entry = umbrage_texel(table, size, floor(nearest * size - size));
+    UMBRAGE_HIGHP vec2 cell = min(max(vec2(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    UMBRAGE_HIGHP ivec2 texel = ivec2(cell);  // of a NaN the first
+    UMBRAGE_HIGHP vec4 entry = umbrage_texel(table, size, vec2(texel));
     UMBRAGE_HIGHP vec2 slot = umbrage_from_unorm(vec2(entry.x, entry.y));
     UMBRAGE_HIGHP float across = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    UMBRAGE_HIGHP vec2 within = coord * across - floor(nearest * across);
-    UMBRAGE_HIGHP vec2 at = within * page + (across > 0.0 ? gutter : 32768.0);
+    UMBRAGE_HIGHP vec2 at = fract(coord * across) * page + (across > 0.0 ? gutter : 32768.0);
     return vec4(at, slot * (page + gutter * 2.0));
 }
 )GLSL",
@@ -16191,6 +16190,7 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
 //     umbrage::draw_pages(atlas, size, root, cache.update(receivers).drawn, [&](auto map, const glm::mat4& to_clip) {
 //         umbrage::rasterize_depth(map, tree, umbrage::instances_in_map(box, trees, to_clip, clip), to_clip, clip);
 //     });
+//     umbrage::image<glm::u8vec4> table(umbrage::page_table_size(cache));
 //     umbrage::write_page_table(cache, table);
 //     umbrage::page_visibility({atlas, table, size}, umbrage::depth32f{}, seen, umbrage::filters::pcf_2x2{}, out);
 //
@@ -16200,6 +16200,11 @@ namespace umbrage {
 /// Texels of an atlas with a slot for every page that a cache may hold.
 [[nodiscard]] inline glm::ivec2 page_atlas_size(const page_cache& cache, const page_size& size) {
     return cache.budget().slots * size.pitch();
+}
+
+/// Texels of a table with one for each of a cache's finest cells, and one around them.
+[[nodiscard]] inline glm::ivec2 page_table_size(const page_cache& cache) {
+    return glm::ivec2((1 << cache.budget().deepest_level) + 2);
 }
 
 /// Clears pages and draws them.
@@ -16221,16 +16226,17 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
 }
 
 /// The finest page of each cell.
-/// @param table   gets a page_entry for each of the cache's finest cells, row 0 the root's first; no page: zeros
-/// @throws std::invalid_argument  a table of another size than 2^deepest_level a side
+/// @param table   of page_table_size, gets a page_entry for each of the cache's finest cells, row 1 the root's first;
+///                no page, and around the root: zeros
+/// @throws std::invalid_argument  a table of another size
 inline void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
-    const int side = 1 << cache.budget().deepest_level;
-    detail::require(table.size == glm::ivec2(side), "write_page_table", "table", "must have 2^deepest_level a side");
-    for (int y = 0; y < side; ++y) std::fill_n(table.row(y), side, glm::u8vec4(0));
+    detail::require(table.size == page_table_size(cache), "write_page_table", "table",
+                    "must have 2^deepest_level + 2 a side");
+    for (int y = 0; y < table.size.y; ++y) std::fill_n(table.row(y), table.size.x, glm::u8vec4(0));
     cache.for_each([&](const page& p, glm::ivec2 slot) {
-        const int cells = side >> p.level;
+        const int cells = (table.size.x - 2) >> p.level;
         for (int y = p.y * cells; y < (p.y + 1) * cells; ++y)
-            std::fill_n(table.row(y) + p.x * cells, cells, page_entry(slot, p.level));
+            std::fill_n(table.row(1 + y) + 1 + p.x * cells, cells, page_entry(slot, p.level));
     });
 }
 
@@ -16238,7 +16244,7 @@ inline void write_page_table(const page_cache& cache, image_view<glm::u8vec4> ta
 template <class Texel>
 struct page_map {
     image_view<const Texel> atlas;
-    image_view<const glm::u8vec4> table;  ///< of page_entry, a power of two a side
+    image_view<const glm::u8vec4> table;  ///< of page_entry, a power of two and 2 a side
     page_size size{};
 };
 
@@ -16250,8 +16256,8 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
     constexpr auto function = "page_visibility";
     const int side = map.table.size.x, pitch = map.size.pitch();
     require(size_of(receivers) == out.size, function, "out", "must have the receivers' size");
-    require(side >= 1 && map.table.size.y == side && (side & (side - 1)) == 0, function, "table",
-            "must be a square of a power of two");
+    require(side >= 3 && map.table.size.y == side && ((side - 2) & (side - 3)) == 0, function, "table",
+            "must be a square of a power of two and 2");
     require(map.size.texels >= 1 && map.size.gutter >= 0, function, "size", "must be a page's");
     if constexpr (requires { filter.reach(); })
         require(float(map.size.gutter) >= filter.reach(), function, "gutter", "must be the filter's reach or more");
@@ -16272,14 +16278,14 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
 
 /// @param map         atlas, table and the pages' size, which draw_pages and write_page_table were given
 /// @param encoding    how the atlas' texels hold depth; its edge decides ties
-/// @param receivers   (x, y) from 1 to 2 across the root, z depth, biased; what lies beside the root sees the nearest
-///                    page's edge, what has no page is lit
+/// @param receivers   (x, y) from 1 to 2 across the root, z depth, biased; what has no page, and what lies beside the
+///                    root, is lit
 /// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable as for
 ///                    visibility; it does not read beyond a page and its gutter
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  sizes differ, a table that is no square of a power of two or has slots beyond the
-///                                atlas, a gutter below the filter's reach
+/// @throws std::invalid_argument  sizes differ, a table that is no square of a power of two and 2 or has slots
+///                                beyond the atlas, a gutter below the filter's reach
 /// @exactness         the bits of the filter alone over each receiver's page
 template <class Encoding, class Filter, class ParallelFor = serial>
 void page_visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,

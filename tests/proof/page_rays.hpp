@@ -55,7 +55,7 @@ public:
             matrix_ =
                 glm::mat4(texture_matrix(page_light(root_, page_at(in_root, level), size_), glm::ivec2(size_.pitch())));
             planes_ = plane_matrix(matrix_);
-            const glm::vec4 at = page_coordinate(table, 64.0f, glm::vec2(in_root), float(size_.texels), 4.0f);
+            const glm::vec4 at = page_coordinate(table, 66.0f, glm::vec2(in_root), float(size_.texels), 4.0f);
             const float reach = filter.reach() + 1.0f;
             if (is_near_edge(glm::vec3(at.x, at.y, in_root.z), reach)) continue;
             const float rounding = std::ldexp(float(size_.texels), level - 20);  // of coordinates
@@ -76,7 +76,7 @@ private:
     glm::mat4 to_root_;
     umbrage::page_size size_{.texels = 32, .gutter = 4};
     umbrage::page_cache cache_{{.slots = {14, 14}, .deepest_level = 6}};
-    umbrage::image<glm::u8vec4> table_{{64, 64}};
+    umbrage::image<glm::u8vec4> table_{page_table_size(cache_)};
     umbrage::image<float> atlas_;
 };
 

@@ -7,6 +7,7 @@
 //     umbrage::draw_pages(atlas, size, root, cache.update(receivers).drawn, [&](auto map, const glm::mat4& to_clip) {
 //         umbrage::rasterize_depth(map, tree, umbrage::instances_in_map(box, trees, to_clip, clip), to_clip, clip);
 //     });
+//     umbrage::image<glm::u8vec4> table(umbrage::page_table_size(cache));
 //     umbrage::write_page_table(cache, table);
 //     umbrage::page_visibility({atlas, table, size}, umbrage::depth32f{}, seen, umbrage::filters::pcf_2x2{}, out);
 //
@@ -34,6 +35,11 @@ namespace umbrage {
     return cache.budget().slots * size.pitch();
 }
 
+/// Texels of a table with one for each of a cache's finest cells, and one around them.
+[[nodiscard]] inline glm::ivec2 page_table_size(const page_cache& cache) {
+    return glm::ivec2((1 << cache.budget().deepest_level) + 2);
+}
+
 /// Clears pages and draws them.
 ///
 /// @param root    in double, from which matrices of pages are made and rounded once
@@ -53,16 +59,17 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
 }
 
 /// The finest page of each cell.
-/// @param table   gets a page_entry for each of the cache's finest cells, row 0 the root's first; no page: zeros
-/// @throws std::invalid_argument  a table of another size than 2^deepest_level a side
+/// @param table   of page_table_size, gets a page_entry for each of the cache's finest cells, row 1 the root's first;
+///                no page, and around the root: zeros
+/// @throws std::invalid_argument  a table of another size
 inline void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
-    const int side = 1 << cache.budget().deepest_level;
-    detail::require(table.size == glm::ivec2(side), "write_page_table", "table", "must have 2^deepest_level a side");
-    for (int y = 0; y < side; ++y) std::fill_n(table.row(y), side, glm::u8vec4(0));
+    detail::require(table.size == page_table_size(cache), "write_page_table", "table",
+                    "must have 2^deepest_level + 2 a side");
+    for (int y = 0; y < table.size.y; ++y) std::fill_n(table.row(y), table.size.x, glm::u8vec4(0));
     cache.for_each([&](const page& p, glm::ivec2 slot) {
-        const int cells = side >> p.level;
+        const int cells = (table.size.x - 2) >> p.level;
         for (int y = p.y * cells; y < (p.y + 1) * cells; ++y)
-            std::fill_n(table.row(y) + p.x * cells, cells, page_entry(slot, p.level));
+            std::fill_n(table.row(1 + y) + 1 + p.x * cells, cells, page_entry(slot, p.level));
     });
 }
 
@@ -70,7 +77,7 @@ inline void write_page_table(const page_cache& cache, image_view<glm::u8vec4> ta
 template <class Texel>
 struct page_map {
     image_view<const Texel> atlas;
-    image_view<const glm::u8vec4> table;  ///< of page_entry, a power of two a side
+    image_view<const glm::u8vec4> table;  ///< of page_entry, a power of two and 2 a side
     page_size size{};
 };
 
@@ -82,8 +89,8 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
     constexpr auto function = "page_visibility";
     const int side = map.table.size.x, pitch = map.size.pitch();
     require(size_of(receivers) == out.size, function, "out", "must have the receivers' size");
-    require(side >= 1 && map.table.size.y == side && (side & (side - 1)) == 0, function, "table",
-            "must be a square of a power of two");
+    require(side >= 3 && map.table.size.y == side && ((side - 2) & (side - 3)) == 0, function, "table",
+            "must be a square of a power of two and 2");
     require(map.size.texels >= 1 && map.size.gutter >= 0, function, "size", "must be a page's");
     if constexpr (requires { filter.reach(); })
         require(float(map.size.gutter) >= filter.reach(), function, "gutter", "must be the filter's reach or more");
@@ -104,14 +111,14 @@ void filter_pages(const page_map<typename Encoding::texel>& map, const Encoding&
 
 /// @param map         atlas, table and the pages' size, which draw_pages and write_page_table were given
 /// @param encoding    how the atlas' texels hold depth; its edge decides ties
-/// @param receivers   (x, y) from 1 to 2 across the root, z depth, biased; what lies beside the root sees the nearest
-///                    page's edge, what has no page is lit
+/// @param receivers   (x, y) from 1 to 2 across the root, z depth, biased; what has no page, and what lies beside the
+///                    root, is lit
 /// @param filter      one of filters::, the direction of the map's depth in its is_lit, or any callable as for
 ///                    visibility; it does not read beyond a page and its gutter
 /// @param out         visibility, 1 lit; same size as receivers
 /// @param parallel    cuts the rows into pieces, see parallel.hpp
-/// @throws std::invalid_argument  sizes differ, a table that is no square of a power of two or has slots beyond the
-///                                atlas, a gutter below the filter's reach
+/// @throws std::invalid_argument  sizes differ, a table that is no square of a power of two and 2 or has slots
+///                                beyond the atlas, a gutter below the filter's reach
 /// @exactness         the bits of the filter alone over each receiver's page
 template <class Encoding, class Filter, class ParallelFor = serial>
 void page_visibility(const page_map<typename Encoding::texel>& map, const Encoding& encoding,

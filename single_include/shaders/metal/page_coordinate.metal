@@ -32,16 +32,16 @@ inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 tex
 #ifndef UMBRAGE_HAS_PAGE_COORDINATE
 #define UMBRAGE_HAS_PAGE_COORDINATE
 // umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
-//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
 //   page, gutter  side of a page and what it has around it, texels
 inline float4 umbrage_page_coordinate(metal::texture2d<float> table, float2 size, float2 coord, float page,
                                       float gutter) {
-    float2 nearest = metal::min(metal::max(float2(1.0, 1.0), coord), float2(1.99999988, 1.99999988));  // a NaN is the first
-    float4 entry = umbrage_texel(table, size, metal::floor(nearest * size - size));
+    float2 cell = metal::min(metal::max(float2(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    int2 texel = int2(cell);  // of a NaN the first
+    float4 entry = umbrage_texel(table, size, float2(texel));
     float2 slot = umbrage_from_unorm(float2(entry.x, entry.y));
     float across = metal::floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    float2 within = coord * across - metal::floor(nearest * across);
-    float2 at = within * page + (across > 0.0 ? gutter : 32768.0);
+    float2 at = metal::fract(coord * across) * page + (across > 0.0 ? gutter : 32768.0);
     return float4(at, slot * (page + gutter * 2.0));
 }
 #endif

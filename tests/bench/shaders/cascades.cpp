@@ -53,7 +53,7 @@ layout(binding = 3) uniform sampler2DArray maps;
         return "umbrage_shadow_coordinate(" + matrices + "[int(" + of + ")], x0.xyz).xyz";
     };
     const std::string unprojected = "umbrage_shadow_coordinate(one, x0.xyz).xyz";
-    const std::string page = "umbrage_page_coordinate(table, vec2(1024.0), at.xy, 128.0, 4.0)";
+    const std::string page = "umbrage_page_coordinate(table, vec2(1026.0), at.xy, 128.0, 4.0)";
     return {
         "2x2 PCF, from world to visibility",
         {look_up("one map", "vec3", "umbrage_project_coordinate(umbrage_shadow_coordinate(one, x0.xyz))", "(map"),

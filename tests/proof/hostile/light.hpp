@@ -70,17 +70,22 @@ void each_of_light(const Run& run, const Fetch& fetch) {
     run(
         "page_coordinate", 1,
         [](source& s) {
-            const auto in_root = [&s] {
-                return 1.0f + float(s.one_in(4) ? s.below(65) << 17 : s.below(1 << 23)) * 0x1p-23f;
+            const auto around_root = [&s] {
+                const float beside = s.one_in(8) ? float(s.below(3)) - 1.0f : 0.0f;
+                return 1.0f + beside + float(s.one_in(4) ? s.below(65) << 17 : s.below(1 << 23)) * 0x1p-23f;
             };
-            const float x = in_root(), y = in_root(), column = float(s.below(256)), row = float(s.below(256));
+            const float x = around_root(), y = around_root(), column = float(s.below(256)), row = float(s.below(256));
             const float level = float(s.below(17)), page = float(8 << s.below(6));
             return std::array{glm::vec2(x, y), glm::vec2(column, row), glm::vec2(level, page)};
         },
         [](const auto& in) {
             const auto level = static_cast<int>(in[2].x);
             const auto entry = level < 16 ? page_entry(glm::ivec2(in[1]), level) : glm::u8vec4(0);
-            return page_coordinate([&](glm::ivec2) { return entry; }, 64.0f, in[0], in[2].y, 4.0f);
+            const auto table = [&](glm::ivec2 cell) {
+                const bool in_root = cell.x > 0 && cell.y > 0 && cell.x < 65 && cell.y < 65;
+                return in_root ? entry : glm::u8vec4(0);
+            };
+            return page_coordinate(table, 66.0f, in[0], in[2].y, 4.0f);
         });
 }
 

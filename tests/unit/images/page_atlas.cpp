@@ -24,7 +24,7 @@ struct paged_scene {
     umbrage::page_size size{.texels = 16, .gutter = 4};
     umbrage::light_space<double> root;
     umbrage::page_cache cache{{.slots = {5, 4}, .deepest_level = 4}};
-    umbrage::image<glm::u8vec4> table{{16, 16}};
+    umbrage::image<glm::u8vec4> table{page_table_size(cache)};
     umbrage::image<float> atlas;
 
     explicit paged_scene(umbrage::clip_space c, bool culls = true) : clip(c) {
@@ -75,13 +75,16 @@ TEST_CASE("write_page_table: the finest page of each cell, none before the first
             const int level = scene.cache.level_at(1.0 + (glm::dvec2(cell) + 0.5) / 16.0);
             scene.cache.for_each([&](const umbrage::page& p, glm::ivec2 slot) {
                 if (p == umbrage::page_at(1.0 + (glm::dvec2(cell) + 0.5) / 16.0, level))
-                    CHECK(scene.table[cell] == umbrage::page_entry(slot, level));
+                    CHECK(scene.table[cell + 1] == umbrage::page_entry(slot, level));
             });
             ++levels[level];
         }
     CHECK(levels[1] > 0);
     CHECK(levels[4] > 0);
-    umbrage::image<glm::u8vec4> table({16, 16}, glm::u8vec4(7));
+    for (int i = 0; i < 18; ++i)
+        for (const glm::ivec2 beside : {glm::ivec2(i, 0), {i, 17}, {0, i}, {17, i}})
+            CHECK(scene.table[beside] == glm::u8vec4(0));
+    umbrage::image<glm::u8vec4> table({18, 18}, glm::u8vec4(7));
     umbrage::write_page_table(umbrage::page_cache({.deepest_level = 4}), table);
     CHECK(table[{9, 9}] == glm::u8vec4(0));
 }
@@ -129,7 +132,7 @@ TEST_CASE("page_visibility: the filter over each receiver's page, for every form
         for (std::size_t i = 0; i < x.texels().size(); ++i) {
             const glm::vec3 r = receivers.texels()[i];
             const auto in_table = [&](glm::ivec2 cell) { return scene.table[cell]; };
-            const glm::vec4 at = umbrage::page_coordinate(in_table, 16.0f, glm::vec2(r), 16.0f, 4.0f);
+            const glm::vec4 at = umbrage::page_coordinate(in_table, 18.0f, glm::vec2(r), 16.0f, 4.0f);
             const auto page = std::as_const(scene.atlas).view().region(glm::ivec2(at.z, at.w), glm::ivec2(24));
             const float one = umbrage::pcf_2x2(umbrage::clamped(page), glm::vec2(at), r.z, filter.is_lit);
             const float found = out.texels()[i];
@@ -156,7 +159,7 @@ TEST_CASE("page_visibility: an atlas of codes; cells without a page are lit") {
     int differ = 0;
     for (std::size_t i = 0; i < out.texels().size(); ++i) differ += out.texels()[i] != plain.texels()[i];
     CHECK(differ <= 2);
-    const umbrage::image<glm::u8vec4> none({16, 16});
+    const umbrage::image<glm::u8vec4> none({18, 18});
     umbrage::page_visibility({scene.atlas, none, scene.size}, umbrage::depth32f{}, receivers, umbrage::filters::hard{},
                              out);
     for (const float visibility : out.texels())
@@ -179,7 +182,7 @@ TEST_CASE("draw_pages, write_page_table, page_visibility: bad input") {
     CHECK(seen({scene.atlas, scene.table, {.texels = 18, .gutter = 3}}, out).starts_with(name + "gutter "));
     CHECK(seen({scene.atlas, scene.table, {.texels = 0, .gutter = 4}}, out).starts_with(name + "size "));
     CHECK(seen({scene.atlas, {}, scene.size}, out).starts_with(name + "table "));
-    CHECK(seen({scene.atlas, scene.table.view().rows(0, 8), scene.size}, out).starts_with(name + "table "));
+    CHECK(seen({scene.atlas, scene.table.view().rows(0, 10), scene.size}, out).starts_with(name + "table "));
     CHECK(seen({small, scene.table, scene.size}, out).starts_with(name + "table "));
     umbrage::image<glm::u8vec4> table({8, 8});
     CHECK(complaint([&] {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Where in an atlas of pages a receiver's shadow lies: one fetch from a small table, a texel of which stands for each
-// of the finest cells of a square, the root, that the light looks at.
+// of the finest cells of a square, the root, that the light looks at, and for what lies around it.
 //
 //     glm::vec3 p(umbrage::shadow_coordinate(to_root, world));  // x and y from 1 to 2 across the root
-//     glm::vec4 at = umbrage::page_coordinate(umbrage::clamped(table), 1024.0f, glm::vec2(p), 128.0f, 4.0f);
+//     glm::vec4 at = umbrage::page_coordinate(umbrage::clamped(table), 1026.0f, glm::vec2(p), 128.0f, 4.0f);
 //     const auto page = atlas.view().region(glm::ivec2(at.z, at.w), glm::ivec2(136));
 //     float visibility = umbrage::pcf_2x2(umbrage::clamped(page), glm::vec2(at), p.z - bias);
 //
@@ -12,7 +12,7 @@
 //
 //     glsl::source(glsl::version::v330, {glsl::page_coordinate,
 //                                        bind(glsl::pcf_2x2, "page", {.texture = texture::atlas})});
-//     // vec4 at = umbrage_page_coordinate(table, vec2(1024.0), p.xy, 128.0, 4.0);
+//     // vec4 at = umbrage_page_coordinate(table, vec2(1026.0), p.xy, 128.0, 4.0);
 //     // umbrage_pcf_2x2_page(atlas, at.zw, vec2(136.0), at.xy, p.z)
 //
 // The root goes from 1 to 2, not from 0: all its coordinates then have 23 bits behind the point, so that a place in a
@@ -48,25 +48,24 @@ inline constexpr int deepest_page_level = 15;
 
 /// A receiver in the page that holds it.
 ///
-/// @param table    ivec2 -> page_entry, of size x size texels; called once, with a texel inside
-/// @param size     of the table, a power of two up to 2^15: the root's side in its finest cells
+/// @param table    ivec2 -> page_entry, of size x size texels, the outermost all zero; called once, with a texel inside
+/// @param size     of the table: a power of two up to 2^15, the root's side in its finest cells, and 2
 /// @param coord    receiver, 1 .. 2 across the root
 /// @param page     side of a page, texels: a power of two;   gutter  texels around each page, whole, at most page / 2
 /// @return         (x, y) in texels of the page with its gutter, (page + 2 gutter)^2 of the atlas from the texel (z, w)
-///                 on. Outside the root beside its nearest page, where the page's edge counts as a map's does; NaN
-///                 stays NaN; without a page (32768, 32768, 0, 0): both of which every filter takes as lit
+///                 on. Beside the root and without a page (32768, 32768, 0, 0), which every filter takes as lit; a
+///                 coordinate that is NaN or infinite gives more than that or NaN
 /// @formula        origin = slot (page + 2 gutter); (coord 2^level - floor(coord 2^level)) page + gutter
-/// @exactness      A in the root, for bytes read within 2^-(level + 2) of themselves; beside it two sums round
+/// @exactness      A, for bytes read within 2^-(level + 2) of themselves
 /// @cite           Fernando, Fernandez, Bala, Greenberg: Adaptive Shadow Maps, SIGGRAPH 2001
 template <real T, class Table>
 [[nodiscard]] glm::vec<4, T> page_coordinate(Table&& table, T size, glm::vec<2, T> coord, T page, T gutter) {
-    constexpr T last = T(2) - T(0x1p-23);
-    const auto inside = [](T v) { return is_nan(v) || !(v > T(1)) ? T(1) : (v < last ? v : last); };
-    const glm::vec<2, T> nearest(inside(coord.x), inside(coord.y));
-    const glm::u8vec4 entry = table(glm::ivec2(glm::floor(nearest * size - size)));
+    const auto inside = [size](T v) { return is_nan(v) || !(v > T(0)) ? T(0) : (v < size ? v : size - T(1)); };
+    const glm::vec<2, T> cell = coord * (size - T(2)) - (size - T(3));  // of the table
+    const glm::u8vec4 entry = table(glm::ivec2(static_cast<int>(inside(cell.x)), static_cast<int>(inside(cell.y))));
     const T across = T(entry.z) + T(entry.w) * T(256);
-    const glm::vec<2, T> within = coord * across - glm::floor(nearest * across);
-    const glm::vec<2, T> at = within * page + (across > T(0) ? gutter : T(32768));
+    const glm::vec<2, T> place = coord * across;
+    const glm::vec<2, T> at = (place - glm::floor(place)) * page + (across > T(0) ? gutter : T(32768));
     return {at.x, at.y, T(entry.x) * (page + gutter * T(2)), T(entry.y) * (page + gutter * T(2))};
 }
 
@@ -79,16 +78,16 @@ inline constexpr snippet page_coordinate{
     .needs = list<&texel, &from_unorm>,
     .source = R"GLSL(
 // umbrage_page_coordinate: a receiver in a page of an atlas: texels of the page with its gutter, the page's first texel
-//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across what the table covers
+//   table, size   page table, RGBA8, nearest filter;   coord   receiver, from 1.0 to 2.0 across all but its border
 //   page, gutter  side of a page and what it has around it, texels
 UMBRAGE_HIGHP vec4 umbrage_page_coordinate(UMBRAGE_MAP table, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                            UMBRAGE_HIGHP float page, UMBRAGE_HIGHP float gutter) {
-    UMBRAGE_HIGHP vec2 nearest = min(max(vec2(1.0, 1.0), coord), vec2(1.99999988, 1.99999988));  // a NaN is the first
-    UMBRAGE_HIGHP vec4 entry = umbrage_texel(table, size, floor(nearest * size - size));
+    UMBRAGE_HIGHP vec2 cell = min(max(vec2(0.0, 0.0), coord * (size - 2.0) - (size - 3.0)), size - 1.0);
+    UMBRAGE_HIGHP ivec2 texel = ivec2(cell);  // of a NaN the first
+    UMBRAGE_HIGHP vec4 entry = umbrage_texel(table, size, vec2(texel));
     UMBRAGE_HIGHP vec2 slot = umbrage_from_unorm(vec2(entry.x, entry.y));
     UMBRAGE_HIGHP float across = floor(entry.z * 255.0 + entry.w * 65280.0 + 0.5);  // one of the two is 0.0
-    UMBRAGE_HIGHP vec2 within = coord * across - floor(nearest * across);
-    UMBRAGE_HIGHP vec2 at = within * page + (across > 0.0 ? gutter : 32768.0);
+    UMBRAGE_HIGHP vec2 at = fract(coord * across) * page + (across > 0.0 ? gutter : 32768.0);
     return vec4(at, slot * (page + gutter * 2.0));
 }
 )GLSL",

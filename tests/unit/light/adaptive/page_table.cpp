@@ -35,8 +35,8 @@ TEST_CASE_TEMPLATE("page_coordinate: whole numbers, at every level and page size
             return page_entry(slot, level);
         };
         const glm::vec<2, T> coord(T(one + at[0]) / T(one), T(one + at[1]) / T(one));
-        const glm::vec<4, T> found = page_coordinate(table, T(64), coord, T(side), T(4));
-        const bool right = read == glm::ivec2(at[0] * 64 / one, at[1] * 64 / one) &&
+        const glm::vec<4, T> found = page_coordinate(table, T(66), coord, T(side), T(4));
+        const bool right = read == 1 + glm::ivec2(at[0] * 64 / one, at[1] * 64 / one) &&
                            double(found.x - T(4)) * double(one) == double(in_page[0] * side) &&
                            double(found.y - T(4)) * double(one) == double(in_page[1] * side) &&
                            found.z == T(slot.x * (side + 8)) && found.w == T(slot.y * (side + 8));
@@ -46,24 +46,25 @@ TEST_CASE_TEMPLATE("page_coordinate: whole numbers, at every level and page size
     }
 }
 
-TEST_CASE_TEMPLATE("page_coordinate: beside the root, without a page, of NaN", T, float, double) {
+TEST_CASE_TEMPLATE("page_coordinate: beside the root there is no page, nor of NaN", T, float, double) {
     const T inf = std::numeric_limits<T>::infinity(), nan = std::numeric_limits<T>::quiet_NaN();
-    glm::ivec2 read(-1);
-    const auto table = [&](glm::ivec2 cell) {
-        read = cell;
-        return page_entry({1, 2}, 3);
+    const auto table = [](glm::ivec2 cell) {
+        REQUIRE((cell.x >= 0 && cell.y >= 0 && cell.x < 10 && cell.y < 10));
+        const bool in_root = cell.x > 0 && cell.y > 0 && cell.x < 9 && cell.y < 9;
+        return in_root ? page_entry({1, 2}, 3) : glm::u8vec4(0);
     };
-    const auto find = [&](T x, T y) { return page_coordinate(table, T(8), glm::vec<2, T>(x, y), T(16), T(4)); };
-    CHECK(find(T(0.75), T(2)) == glm::vec<4, T>(-28, 20, 24, 48));
-    CHECK(read == glm::ivec2(0, 7));
-    for (const T far : {-inf, inf, T(-1e30), T(1e30)}) {
-        CHECK_FALSE(inside_texel_space(glm::vec<2, T>(find(far, T(1.5)))));
-        CHECK(read.y == 4);
+    const auto find = [&](T x, T y) { return page_coordinate(table, T(10), glm::vec<2, T>(x, y), T(16), T(4)); };
+    const glm::vec<4, T> no_page(32768, 32768, 0, 0);
+    const T last = T(2) - T(0x1p-23), before = T(1) - T(0x1p-24);
+    CHECK(find(T(1), last) == glm::vec<4, T>(4, T(20) - T(0x1p-16), 24, 48));
+    for (const T beside : {before, T(2), T(0.75), T(0), T(-1e-30), T(-1e30), T(1e30)}) {
+        CHECK(find(beside, T(1.5)) == no_page);
+        CHECK(find(last, beside) == no_page);
     }
-    const auto lost = find(T(1.5), nan);
-    CHECK(is_nan(lost.y));
-    CHECK(read == glm::ivec2(4, 0));
-    const auto none = [](glm::ivec2) { return glm::u8vec4(0); };
-    CHECK(page_coordinate(none, T(8), glm::vec<2, T>(T(1.25)), T(16), T(4)) == glm::vec<4, T>(32768, 32768, 0, 0));
-    CHECK(hard([](glm::ivec2) { return T(0); }, glm::vec<2, T>(32768), T(0.5)) == 1);
+    for (const T none : {-inf, inf, nan}) {
+        CHECK_FALSE(inside_texel_space(glm::vec<2, T>(find(none, T(1.5)))));
+        CHECK_FALSE(inside_texel_space(glm::vec<2, T>(find(T(1.5), none))));
+    }
+    CHECK(find(T(1.5), nan).z == 0);
+    CHECK(hard([](glm::ivec2) { return T(0); }, glm::vec<2, T>(no_page), T(0.5)) == 1);
 }

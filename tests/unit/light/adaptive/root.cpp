@@ -25,7 +25,7 @@ TEST_CASE("page_light: what the root's coordinates say of a page, in every conve
         const auto to_texels = umbrage::texture_matrix(umbrage::page_light(root, page, size), glm::ivec2(size.pitch()));
         const glm::dvec3 found(umbrage::shadow_coordinate(to_texels, p));
         const auto table = [&](glm::ivec2) { return umbrage::page_entry({0, 0}, page.level); };
-        const auto expected = umbrage::page_coordinate(table, 2048.0, glm::dvec2(at), 32.0, double(size.gutter));
+        const auto expected = umbrage::page_coordinate(table, 2050.0, glm::dvec2(at), 32.0, double(size.gutter));
         CHECK(glm::length(glm::dvec2(found) - glm::dvec2(expected)) < 1e-6);
         CHECK(std::abs(found.z - at.z) < 1e-12);
     }

@@ -10,15 +10,16 @@ namespace {
 
 using namespace umbrage;
 
-/// Pages of every level side by side, and cells without one.
+/// Pages of every level side by side, and cells without one, as around them.
 texels entries_of_pages() {
-    texels t({32, 32});
+    texels t({34, 34});
     random r(2001);
-    for (vec4& cell : t.texels()) {
-        const auto column = static_cast<int>(r.below(30)), row = static_cast<int>(r.below(30));
-        const auto level = static_cast<int>(r.below(17));
-        cell = level > deepest_page_level ? vec4(0.0f) : load_unorm8(page_entry({column, row}, level));
-    }
+    for (ivec2 cell(1); cell.y < 33; ++cell.y)
+        for (cell.x = 1; cell.x < 33; ++cell.x) {
+            const auto column = static_cast<int>(r.below(30)), row = static_cast<int>(r.below(30));
+            const auto level = static_cast<int>(r.below(17));
+            t[cell] = level > deepest_page_level ? vec4(0.0f) : load_unorm8(page_entry({column, row}, level));
+        }
     return t;
 }
 
@@ -44,9 +45,9 @@ void add_light_adaptive_page_table(std::vector<entry>& all) {
                            const auto fetch = [&](ivec2 cell) {
                                return glm::u8vec4(from_unorm(fetch_clamped(s.table, cell)));
                            };
-                           return page_coordinate(fetch, 32.0f, vec2(s.x[0]), 128.0f, 4.0f);
+                           return page_coordinate(fetch, 34.0f, vec2(s.x[0]), 128.0f, 4.0f);
                        },
-                   .call = "umbrage_page_coordinate(table, vec2(32.0, 32.0), vec2(x0.x, x0.y), 128.0, 4.0)",
+                   .call = "umbrage_page_coordinate(table, vec2(34.0, 34.0), vec2(x0.x, x0.y), 128.0, 4.0)",
                    .table = entries_of_pages()});
 }
 
