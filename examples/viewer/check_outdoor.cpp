@@ -17,7 +17,7 @@ TEST_CASE("outdoor: maps placed either way shadow as rays do, under other filter
     const example::camera camera = example::make_camera(s.camera);
     const example::ray_tracer tracer(s.scene.geometry);
     int near_in_cascades = 1 << 20;
-    for (const std::string placement : {"cascades", "light-space", "perspective"}) {
+    for (const std::string placement : {"cascades", "light-space", "perspective", "pages"}) {
         const picture mask = viewed(small + "--mask --placement " + placement);
         const example::against_rays rays(s.scene, tracer, camera, mask.size(),
                                          example::direction_at(s.system.azimuth, s.system.elevation), 200,
@@ -29,7 +29,7 @@ TEST_CASE("outdoor: maps placed either way shadow as rays do, under other filter
         CHECK(rays.dark > 1500);
         CHECK(rays.other_near * 50 < rays.lit + rays.dark);
         CHECK(rays.other_far * 25 < rays.lit + rays.dark);
-        CHECK(rays.other_near < near_in_cascades);  // warps give more texels to what is close
+        CHECK(rays.other_near < near_in_cascades);  // warps and pages give more texels to what is close
         if (placement == "cascades") near_in_cascades = rays.other_near;
     }
 

@@ -115,21 +115,26 @@ void outdoor::make_layers(int edge, int count) {
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-/// @param eye   close to which a warp's depths need all digits
-void outdoor::draw_layer(const example::scene& scene, int layer, glm::vec3 eye,
+/// @param where   a square of the layer
+/// @param eye     close to which a warp's depths need all digits
+void outdoor::draw_layer(const example::scene& scene, int layer, const square& where, glm::vec3 eye,
                          const umbrage::light_space<double>& light) {
     const glm::dmat4 to_clip = light.projection * light.view;
     glBindFramebuffer(GL_FRAMEBUFFER, layer_);
     glDrawBuffer(GL_NONE);
     glReadBuffer(GL_NONE);
-    glViewport(0, 0, map_size_, map_size_);
+    glViewport(where.corner.x, where.corner.y, where.edge, where.edge);
+    glScissor(where.corner.x, where.corner.y, where.edge, where.edge);
+    glEnable(GL_SCISSOR_TEST);
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, maps_, 0, layer);
     glClear(GL_DEPTH_BUFFER_BIT);
+    glDisable(GL_SCISSOR_TEST);
     depth_.use().set("eye", eye).set("world_to_clip", glm::mat4(glm::translate(to_clip, glm::dvec3(eye))));
     draw_instances(scene, glm::mat4(to_clip), light.clip);
 }
 
-outdoor::view outdoor::look(const example::scene& scene, const example::camera& c, glm::ivec2 size) {
+/// @param step   of the pixels that become points, in x and y
+outdoor::view outdoor::look(const example::scene& scene, const example::camera& c, glm::ivec2 size, int step) {
     if (!seen_ || seen_->size != size) seen_.emplace(size, texels_of::moments);
     glBindFramebuffer(GL_FRAMEBUFFER, seen_->framebuffer);
     glViewport(0, 0, size.x, size.y);
@@ -149,7 +154,8 @@ outdoor::view outdoor::look(const example::scene& scene, const example::camera& 
             if (at.w < 0) continue;
             const double distance = glm::dot(glm::dvec3(at), c.frustum.direction);
             v.least = std::min(v.least, distance), v.greatest = std::max(v.greatest, distance);
-            if (p.x % 16 == 0 && p.y % 16 == 0) v.points.push_back({eye + glm::dvec3(at), glm::dvec3(normal_of(at.w))});
+            if (p.x % step == 0 && p.y % step == 0)
+                v.points.push_back({eye + glm::dvec3(at), glm::dvec3(normal_of(at.w))});
         }
     // a thousandth more, as seen_range has it; the whole range where only sky is seen
     if (!(v.least < v.greatest)) return {{}, c.frustum.z_near, c.frustum.z_far};
@@ -171,7 +177,8 @@ void outdoor::place_cascades(const session& s, const example::camera& camera) {
     make_layers(s.system.map_size, 4);
     for (int i = 0; i < 4; ++i) {
         const auto& c = cascades[static_cast<std::size_t>(i)];
-        draw_layer(s.scene, i, glm::vec3(0), {glm::dmat4(c.light.view), glm::dmat4(c.light.projection), c.light.clip});
+        draw_layer(s.scene, i, {{}, map_size_}, glm::vec3(0),
+                   {glm::dmat4(c.light.view), glm::dmat4(c.light.projection), c.light.clip});
         widths[i] = umbrage::offset_width(s.system.reach, 1 / c.scale.x);
     }
     camera_->use()
@@ -180,6 +187,7 @@ void outdoor::place_cascades(const session& s, const example::camera& camera) {
         .set("scales", uniforms.scales)
         .set("offsets", uniforms.offsets)
         .set("widths", widths)
+        .set("map_size", glm::vec2(static_cast<float>(map_size_)))
         .set("epsilon", s.system.epsilon);
     note_.clear();
 }
@@ -187,7 +195,7 @@ void outdoor::place_cascades(const session& s, const example::camera& camera) {
 void outdoor::place_one(const session& s, const example::camera& c, glm::ivec2 size) {
     const umbrage::bounding_box<double> scene{s.scene.low, s.scene.high};
     make_layers(2 * s.system.map_size, 1);
-    const view seen = look(s.scene, c, size);
+    const view seen = look(s.scene, c, size, 16);
     umbrage::frustum<double> range = c.frustum;
     range.z_near = seen.least, range.z_far = seen.greatest;
     const glm::ivec2 texels(map_size_);
@@ -203,22 +211,58 @@ void outdoor::place_one(const session& s, const example::camera& c, glm::ivec2 s
                                        {glm::dmat4(1), glm::dmat4(c.world_to_clip), example::picture_clip}, size),
                                    .map_size = texels},
                                   kept_);
-    draw_layer(s.scene, 0, c.position, map.light);
+    draw_layer(s.scene, 0, {{}, map_size_}, c.position, map.light);
     const glm::dmat4 to_texels = glm::translate(umbrage::texture_matrix(map.light, texels), glm::dvec3(c.position));
     camera_->use()
         .set("eye_to_texels", glm::mat4(to_texels))
         .set("plane_matrix", glm::mat4(umbrage::plane_matrix(to_texels)))
+        .set("map_size", glm::vec2(texels))
         .set("reach", s.system.reach)
         .set("epsilon", along_light(s, s.system.epsilon));
     note_ = map.note;
 }
 
+void outdoor::place_pages(const session& s, const example::camera& c, glm::ivec2 size) {
+    const int edge = 2 * s.system.map_size;
+    const glm::vec2 wanted(edge, s.system.reach);
+    if (!pages_ || pages_for_ != wanted) {
+        pages_.emplace(edge, s.system.reach);
+        pages_for_ = wanted;
+    }
+    make_layers(pages_->texels(), 1);
+    pages_->shine(glm::dvec3(sun(s)), glm::dvec3(fit_of(s, c).up), {s.scene.low, s.scene.high});
+    const view seen = look(s.scene, c, size, 4);
+    const auto update = pages_->update(
+        seen.points, glm::dvec3(c.position),
+        umbrage::texture_matrix<double>({glm::dmat4(1), glm::dmat4(c.world_to_clip), example::picture_clip}, size));
+    const umbrage::page_size of = pages_->size();
+    for (const auto& [page, slot] : update.drawn)
+        draw_layer(s.scene, 0, {slot * of.pitch(), of.pitch()}, glm::vec3(0), pages_->light(page));
+    glActiveTexture(GL_TEXTURE1);
+    const umbrage::image<glm::u8vec4> table = pages_->table();
+    if (!update.drawn.empty()) table_ = make_table(table.size(), table.texels().data());
+    glBindTexture(GL_TEXTURE_2D, table_);
+    glActiveTexture(GL_TEXTURE0);
+    const glm::dmat4 to_root = glm::translate(pages_->to_root(), glm::dvec3(c.position));
+    const double finest = (table.size().x - 2.0) * of.texels;
+    const glm::dmat4 to_finest = glm::scale(glm::dmat4(1), {finest, finest, 1.0}) * to_root;
+    camera_->use()
+        .set("eye_to_root", glm::mat4(to_root))
+        .set("plane_matrix", glm::mat4(umbrage::plane_matrix(to_finest)))
+        .set("table", 1)
+        .set("table_size", glm::vec2(table.size()))
+        .set("page", glm::vec2(of.texels, of.gutter))
+        .set("map_size", glm::vec2(static_cast<float>(of.pitch())))
+        .set("reach", s.system.reach)
+        .set("epsilon", along_light(s, s.system.epsilon));
+    note_ = pages_->describe(update);
+}
+
 void outdoor::draw(const session& s, GLuint framebuffer, glm::ivec2 size) {
     const example::camera camera = example::make_camera(s.camera);
-    if (stages text = outdoor_camera_stages(s.system, s.cascaded(), s.mask, s.tint);
-        !camera_ || camera_->text() != text)
-        camera_.emplace(std::move(text));
-    s.cascaded() ? place_cascades(s, camera) : place_one(s, camera, size);
+    if (stages text = outdoor_camera_stages(s); !camera_ || camera_->text() != text) camera_.emplace(std::move(text));
+    if (!s.paged()) pages_.reset();
+    s.paged() ? place_pages(s, camera, size) : s.cascaded() ? place_cascades(s, camera) : place_one(s, camera, size);
 
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, size.x, size.y);
@@ -231,7 +275,6 @@ void outdoor::draw(const session& s, GLuint framebuffer, glm::ivec2 size) {
         .set("eye", camera.position)
         .set("ahead", glm::vec3(camera.frustum.direction))
         .set("light_direction", sun(s))
-        .set("map_size", glm::vec2(static_cast<float>(map_size_)))
         .set("ambient", s.system.ambient)
         .set("maps", 0);
     draw_instances(s.scene, world_to_clip, umbrage::opengl_clip_space);

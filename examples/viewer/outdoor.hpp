@@ -20,6 +20,7 @@
 #include <scene.hpp>
 
 #include "gl.hpp"
+#include "pages.hpp"
 #include "session.hpp"
 
 namespace viewer {
@@ -43,22 +44,31 @@ private:
     };
     /// What a camera sees, and between what distances along its axis.
     struct view {
-        std::vector<umbrage::seen_point> points;  ///< one in 16 x 16 pixels
+        std::vector<umbrage::seen_point> points;  ///< of some of the pixels
         double least, greatest;
     };
     void draw_instances(const example::scene& scene, const glm::mat4& world_to_clip, umbrage::clip_space clip) const;
-    void draw_layer(const example::scene& scene, int layer, glm::vec3 eye, const umbrage::light_space<double>& light);
+    /// Of a map's texels.
+    struct square {
+        glm::ivec2 corner;
+        int edge;
+    };
+    void draw_layer(const example::scene& scene, int layer, const square& where, glm::vec3 eye,
+                    const umbrage::light_space<double>& light);
     void make_layers(int edge, int count);
-    [[nodiscard]] view look(const example::scene& scene, const example::camera& c, glm::ivec2 size);
+    [[nodiscard]] view look(const example::scene& scene, const example::camera& c, glm::ivec2 size, int step);
     void place_cascades(const session& s, const example::camera& c);
     void place_one(const session& s, const example::camera& c, glm::ivec2 size);
+    void place_pages(const session& s, const example::camera& c, glm::ivec2 size);
 
     handle<buffer_kind> vertices_, indices_, places_;
-    handle<texture_kind> maps_;
+    handle<texture_kind> maps_, table_;
     handle<framebuffer_kind> layer_;
     int map_size_ = 0, layers_ = 0;
     std::string note_;
     std::size_t kept_ = 0;  ///< see place_map
+    std::optional<sun_pages> pages_;
+    glm::vec2 pages_for_{0};  ///< texels, reach
     std::vector<shape> shapes_;
     program depth_, look_;
     std::optional<program> camera_;

@@ -10,6 +10,7 @@
 #include <umbrage/bias/acne_free.hpp>
 #include <umbrage/bias/normal_offset.hpp>
 #include <umbrage/bias/slope.hpp>
+#include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -21,7 +22,9 @@
 namespace viewer {
 namespace {
 
-std::string shader(const std::vector<glsl::bound>& uses) { return glsl::source(glsl::version::v330, uses); }
+std::string shader(const std::vector<glsl::bound>& uses, std::string_view ahead = {}) {
+    return glsl::source(glsl::version::v330, uses, ahead);
+}
 
 std::string instances() {
     return shader({}) + R"GLSL(
@@ -75,6 +78,28 @@ float visibility_here(vec3 face) {
 }
 )GLSL";
 
+/// A texel's slope is that of the finest pages' texels, as many times as theirs a page's are wide.
+constexpr const char* in_a_page = R"GLSL(
+uniform sampler2D table;
+uniform mat4 eye_to_root, plane_matrix;
+uniform vec2 table_size, page;  // texels of a page, and around it
+uniform float reach;
+float number, weight = 0.0;
+
+float visibility_here(vec3 face) {
+    vec3 looked_up = from_eye - epsilon * light_direction;
+    vec3 p = umbrage_shadow_coordinate(eye_to_root, looked_up).xyz;
+    vec4 at = umbrage_page_coordinate_table(table, table_size, p.xy, page.x, page.y);
+    vec2 cell = clamp(p.xy * (table_size - 2.0) - (table_size - 3.0), vec2(0.0), table_size - 1.0);
+    vec2 bytes = umbrage_from_unorm(texelFetch(table, ivec2(cell), 0).zw);
+    float across = max(bytes.x + bytes.y * 256.0, 1.0);
+    number = mod(floor(log2(across) + 0.5), 4.0);
+    vec2 slope = umbrage_plane_slope(plane_matrix, face, from_eye) * ((table_size.x - 2.0) / across);
+    page_origin = at.zw;
+    return filtered(0.0, vec3(at.xy, p.z), p.z - umbrage_acne_free_bias(slope, reach, 0.0));
+}
+)GLSL";
+
 constexpr const char* tints = R"GLSL(
     const vec3 tints[5] = vec3[5](vec3(1.0, 0.45, 0.4), vec3(0.5, 1.0, 0.4), vec3(0.45, 0.6, 1.0),
                                   vec3(1.0, 0.9, 0.35), vec3(1.0));
@@ -114,16 +139,26 @@ glm::vec3 normal_of(float bits) {
     return {side, std::sqrt(glm::max(1 - glm::dot(side, side), 0.0f))};
 }
 
-stages outdoor_camera_stages(const example::shadow_system& s, bool cascaded, bool mask, bool tint) {
-    const filter filter = filter_of(s);
+stages outdoor_camera_stages(const session& s) {
+    const filter filter = filter_of(s.system);
     std::vector<glsl::bound> uses{glsl::shadow_coordinate, glsl::diffuse_ambient};
-    const std::vector<glsl::bound> more =
-        cascaded ? std::vector<glsl::bound>{glsl::cascade_by_depth, glsl::cascade_column, glsl::cascade_coordinate,
-                                            glsl::cascade_fade,     glsl::blend_cascades, glsl::normal_offset}
-                 : std::vector<glsl::bound>{glsl::project_coordinate, glsl::plane_slope, glsl::acne_free_bias};
+    std::vector<glsl::bound> more{glsl::project_coordinate, glsl::plane_slope, glsl::acne_free_bias};
+    glsl::binding map{.texture = glsl::texture::array, .outside_lit = true};
+    std::string_view ahead, visibility_here = in_one_map;
+    if (s.cascaded()) {
+        visibility_here = in_four_layers;
+        more = {glsl::cascade_by_depth, glsl::cascade_column, glsl::cascade_coordinate,
+                glsl::cascade_fade,     glsl::blend_cascades, glsl::normal_offset};
+    }
+    if (s.paged()) {
+        visibility_here = in_a_page;
+        more.push_back(bind(glsl::page_coordinate, "table"));
+        more.push_back(glsl::from_unorm);
+        map = {.texture = glsl::texture::array, .origin = "page_origin"};
+        ahead = "vec2 page_origin;\n";
+    }
     uses.insert(uses.end(), more.begin(), more.end());
-    for (const glsl::snippet& f : filter.uses)
-        uses.push_back(bind(f, "", {.texture = glsl::texture::array, .outside_lit = true}));
+    for (const glsl::snippet& f : filter.uses) uses.push_back(bind(f, "", map));
     std::string visibility = filter.visibility;  // of a map alone; here of a layer
     visibility.replace(visibility.find("(map,"), 5, "(maps, layer,");
     stages out;
@@ -139,7 +174,7 @@ void main() {
     gl_Position = world_to_clip * (place * vec4(position, 1.0));
 }
 )GLSL";
-    out.fragment = shader(uses) + faces + R"GLSL(
+    out.fragment = shader(uses, ahead) + faces + R"GLSL(
 in vec3 world_normal, surface_colour;
 in float distance_ahead;
 out vec4 fragment_colour;
@@ -150,12 +185,12 @@ uniform sampler2DArray maps;
 
 float srgb(float v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055; }
 float filtered(float layer, vec3 p, float receiver) { return )GLSL" +
-                   visibility + "; }\n" + (cascaded ? in_four_layers : in_one_map) + R"GLSL(
+                   visibility + "; }\n" + std::string(visibility_here) + R"GLSL(
 void main() {
     vec3 face = face_here();
     float visibility = visibility_here(face);
 )GLSL";
-    if (mask) {
+    if (s.mask) {
         out.fragment += "    fragment_colour = vec4(vec3(visibility), 1.0);\n}\n";
         return out;
     }
@@ -164,7 +199,7 @@ void main() {
                                         -light_direction), visibility);
     fragment_colour = vec4(srgb(seen.r), srgb(seen.g), srgb(seen.b), 1.0);
 )GLSL";
-    if (cascaded && tint) out.fragment += tints;
+    if (s.tint && !(visibility_here == in_one_map)) out.fragment += tints;
     out.fragment += "}\n";
     return out;
 }

@@ -6,9 +6,8 @@
 //
 #pragma once
 
-#include <systems.hpp>
-
 #include "programs.hpp"
+#include "session.hpp"
 
 namespace viewer {
 
@@ -22,8 +21,7 @@ inline constexpr float cascade_fade_share = 0.1f;  ///< of a cascade, over which
 [[nodiscard]] stages outdoor_look_stages();
 [[nodiscard]] glm::vec3 normal_of(float bits);
 
-/// @param cascaded     four layers by distance; else one map, warped or not
-/// @param mask, tint   visibility alone; cascades in colours
-[[nodiscard]] stages outdoor_camera_stages(const example::shadow_system& s, bool cascaded, bool mask, bool tint);
+/// By its placement four layers by distance, pages of one, or one map, warped or not.
+[[nodiscard]] stages outdoor_camera_stages(const session& s);
 
 }  // namespace viewer

@@ -56,6 +56,7 @@ const std::vector<std::string>& placement_names() {
         std::vector<std::string> all{std::string(in_cascades)};
         for (const placement& p : placements) all.emplace_back(p.name);
         all.emplace_back(the_best);
+        all.emplace_back(in_pages);
         return all;
     }();
     return names;

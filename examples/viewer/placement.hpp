@@ -18,9 +18,10 @@
 
 namespace viewer {
 
-inline constexpr std::string_view in_cascades = "cascades";  ///< four maps in place of the one
+inline constexpr std::string_view in_cascades = "cascades";  ///< four maps in place of the one,
+inline constexpr std::string_view in_pages = "pages";        ///< an adaptive one
 
-/// Cascades, and what place_map takes.
+/// These, and what place_map takes.
 [[nodiscard]] const std::vector<std::string>& placement_names();
 
 struct sun_map {
@@ -28,7 +29,7 @@ struct sun_map {
     std::string note;  ///< for people: what came of it
 };
 
-/// @param placement   one of placement_names() but the cascades
+/// @param placement   one of placement_names() but cascades and pages
 /// @param seen        what "best" measures maps by
 /// @param kept        which map was the best in the last picture, and then in this one
 [[nodiscard]] sun_map place_map(std::string_view placement, const umbrage::warp_fit<double>& fit,

@@ -220,8 +220,10 @@ std::string session::describe() const {
     if (example::hardens(system.filter)) out << " (light " << system.light_size << " across)";
     const int edge = outdoor() && !cascaded() ? 2 * system.map_size : system.map_size;
     out << "\nbias " << (outdoor() && !cascaded() ? "acne_free" : system.bias) << ", epsilon " << system.epsilon
-        << (outdoor() && cascaded() ? "\n4 cascades, " : "\nmap ") << edge << " x " << edge << "\nlight: azimuth "
-        << system.azimuth << ", elevation " << system.elevation << '\n';
+        << (outdoor() && cascaded() ? "\n4 cascades, "
+            : outdoor() && paged()  ? "\npages in "
+                                    : "\nmap ")
+        << edge << " x " << edge << "\nlight: azimuth " << system.azimuth << ", elevation " << system.elevation << '\n';
     return out.str();
 }
 

@@ -36,7 +36,7 @@ inline constexpr std::string_view keys =
     "right drag, arrows  light\n"
     "L  light goes round\n"
     "1 2 3 4  system, 5  outdoors\n"
-    "O  its maps' placement, C  cascades\n"
+    "O  its maps' placement, C  its parts\n"
     "E  encoding, F  filter, B  bias\n"
     "J K  radius, S D  light's size\n"
     "+ -  epsilon, M N  map size\n"
@@ -97,6 +97,7 @@ public:
 
     [[nodiscard]] bool outdoor() const { return system.name == outdoor_system.name; }
     [[nodiscard]] bool cascaded() const { return placement == in_cascades; }
+    [[nodiscard]] bool paged() const { return placement == in_pages; }
     [[nodiscard]] std::string describe() const;  ///< a few lines for people
 
 private:

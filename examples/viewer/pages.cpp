@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "pages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include <umbrage/images/page_atlas.hpp>
+#include <umbrage/images/quality.hpp>
+#include <umbrage/light/texture_matrix.hpp>
+
+namespace viewer {
+namespace {
+
+constexpr int deepest_level = 10;  // a table of a megatexel; a centimetre of a kilometre
+
+/// 128 x 128 texels, less where an atlas has no place for a few of these.
+umbrage::page_size size_for(int texels, float reach) {
+    umbrage::page_size size{.gutter = std::max(4, static_cast<int>(std::ceil(reach)))};
+    while (texels / size.pitch() < 6 && size.texels >= 4 * size.gutter) size.texels /= 2;
+    return size;
+}
+
+}  // namespace
+
+sun_pages::sun_pages(int texels, float reach)
+    : size_(size_for(texels, reach)),
+      cache_({.slots = glm::ivec2(std::clamp(texels / size_.pitch(), 1, 256)), .deepest_level = deepest_level}) {}
+
+void sun_pages::shine(glm::dvec3 direction, glm::dvec3 up, const umbrage::bounding_box<double>& scene) {
+    if (direction_ == direction) return;
+    direction_ = direction;
+    cache_.forget();
+    root_ = umbrage::make_page_root<double>({.direction = direction,
+                                             .up = up,
+                                             .centre = (scene.low + scene.high) / 2.0,
+                                             .side = 1.01 * glm::distance(scene.low, scene.high),
+                                             .scene = scene,
+                                             .clip = umbrage::opengl_clip_space});
+}
+
+/// Surfaces that the light grazes are hardly lit, and would take all: beyond a quarter of its strength they want no
+/// more.
+umbrage::page_update sun_pages::update(std::span<const umbrage::seen_point> seen, glm::dvec3 eye,
+                                       const glm::dmat4& to_pixels) {
+    const glm::dmat4 in_root = to_root(), coarsest = umbrage::texture_matrix(root_, glm::ivec2(size_.texels));
+    const glm::dvec3 towards_light = -glm::normalize(*direction_);
+    std::vector<umbrage::page_receiver> receivers;
+    for (const umbrage::seen_point& s : seen) {
+        const glm::dvec3 normal = glm::dot(s.normal, eye - s.position) < 0 ? -s.normal : s.normal;
+        const double facing = glm::dot(normal, towards_light);
+        if (!(facing > 0)) continue;
+        const double extent = std::min(1.0, 4 * facing) * umbrage::longest_extent(umbrage::pixels_per_texel(
+                                                              coarsest, to_pixels, s.position, normal));
+        receivers.push_back({glm::vec2(umbrage::shadow_coordinate(in_root, s.position)), static_cast<float>(extent)});
+    }
+    return cache_.update(receivers);
+}
+
+umbrage::light_space<double> sun_pages::light(const umbrage::page& p) const {
+    return umbrage::page_light(root_, p, size_);
+}
+
+umbrage::image<glm::u8vec4> sun_pages::table() const {
+    umbrage::image<glm::u8vec4> table(umbrage::page_table_size(cache_));
+    umbrage::write_page_table(cache_, table);
+    return table;
+}
+
+std::string sun_pages::describe(const umbrage::page_update& u) const {
+    const glm::ivec2 slots = cache_.budget().slots;
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(),
+                  "%zu of %d pages, %zu of them drawn, %zu given up, %zu of these pop; a texel is %.2f pixels",
+                  cache_.size(), slots.x * slots.y, u.drawn.size(), u.given_up, u.forced, u.target);
+    return text.data();
+}
+
+}  // namespace viewer
