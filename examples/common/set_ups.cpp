@@ -14,7 +14,6 @@
 #include <umbrage/images/depth_span.hpp>
 #include <umbrage/images/light_choice.hpp>
 #include <umbrage/light/adaptive/pages.hpp>
-#include <umbrage/light/adaptive/root.hpp>
 #include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
@@ -31,6 +30,7 @@
 #include <umbrage/view/false_colour.hpp>
 
 #include "point_maps.hpp"
+#include "sun_pages.hpp"
 #include "surface.hpp"
 
 namespace example {
@@ -141,34 +141,23 @@ placed_maps warped_cascades(const lit_view& v, const frustum& range) {
     return of_cascades(v, umbrage::make_warped_cascades<4>(f, splits, mild_light_space), splits);
 }
 
-/// As many texels in 256 pages around the scene, of which one in 2 x 2 of the pixels wants some. Surfaces that the
-/// light grazes are hardly lit, and would take all: beyond a quarter of its strength they want no more.
+/// As many texels in 256 pages around the scene, of which one in 2 x 2 of the pixels wants some.
 placed_maps adaptive(const lit_view& v) {
     constexpr int deepest = 15;
-    const glm::dvec3 low(v.scene.low), high(v.scene.high);
-    const auto root = umbrage::make_page_root<double>({.direction = v.light.direction,
-                                                       .up = v.light.up,
-                                                       .centre = (low + high) / 2.0,
-                                                       .side = 1.01 * glm::distance(low, high),
-                                                       .scene = {low, high}});
-    const glm::dmat4 to_root = umbrage::page_matrix(root), pixels = to_pixels(v);
+    const auto root = page_root_around(v.scene.low, v.scene.high, v.light.direction, v.light.up);
+    const glm::dmat4 to_root = umbrage::page_matrix(root);
     const glm::ivec2 size(v.map_size / 16);
     std::vector<glm::dmat4> levels;
     for (int level = 0; level <= deepest; ++level) levels.push_back(umbrage::texture_matrix(root, size << level));
-    std::vector<umbrage::page_receiver> receivers;
+    page_wishes wishes(root, v.light.direction, size.x, to_pixels(v));
     for (glm::ivec2 p{0}; p.y < v.seen.size().y; p.y += 2)
         for (p.x = 0; p.x < v.seen.size().x; p.x += 2) {
             if (v.seen[p] == nothing) continue;
             const surface at = surface_at(v.scene, v.camera, v.seen, p);
-            const glm::dvec3 position(at.position), normal(at.face_normal);
-            const double facing = -glm::dot(normal, glm::normalize(v.light.direction));
-            if (!(facing > 0)) continue;
-            const double extent = std::min(1.0, 4 * facing) * umbrage::longest_extent(umbrage::pixels_per_texel(
-                                                                  levels[0], pixels, position, normal));
-            receivers.push_back({glm::vec2(umbrage::shadow_coordinate(to_root, position)), static_cast<float>(extent)});
+            wishes.add(glm::dvec3(at.position), glm::dvec3(at.face_normal));
         }
     umbrage::page_cache cache({.slots = {16, 16}, .deepest_level = deepest});
-    const std::size_t drawn = cache.update(receivers).drawn.size();
+    const std::size_t drawn = cache.update(wishes.all()).drawn.size();
     const auto at = [=](glm::dvec3 p) {
         const int level = cache.level_at(glm::dvec2(umbrage::shadow_coordinate(to_root, p)));
         return level < 0 ? glm::dmat4(0) : levels[static_cast<std::size_t>(level)];

@@ -102,6 +102,21 @@ TEST_CASE("shadow_render: stable cascades stand still, tight ones do not, in the
         CHECK(off_rays > 0);
         CHECK(most < 5);
     }
+    CHECK(picture("stability", "pages.png").size() == glm::ivec2(4 * width, top - 24 + 2 * height));
+    for (const std::string name : {"256 pages", "36 pages"}) {
+        CAPTURE(name);
+        const std::size_t row = r.said.find("\n" + name + "  ");
+        REQUIRE(row != std::string::npos);
+        double drawn = 0, given_up = 0, forced = 0, target = 0, popped = 0, unforced = -1;
+        std::istringstream(r.said.substr(row + 1 + name.size())) >> drawn >> given_up >> forced >> target >> popped >>
+            unforced;
+        const bool suffices = name == "256 pages";
+        CHECK(drawn > 36);
+        CHECK((forced == 0) == suffices);
+        CHECK((target == 1) == suffices);
+        CHECK((popped == 0) == suffices);
+        CHECK(unforced == 0);
+    }
     fails("--stability-report --compare", 2, "--compare");
     fails("--stability-report --light-report", 2, "--light-report");
     fails("--stability-report --map-size 15", 2, "--map-size");

@@ -3,6 +3,7 @@
 // What film strips share: a camera's pictures under look-ups of shadow maps.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -28,7 +29,22 @@
 namespace shadow_render {
 
 /// Where a point of the world is in a frame's maps, and its light.
-using look_up = std::function<umbrage::placed_point(glm::vec3)>;
+using point_look_up = std::function<umbrage::placed_point(glm::vec3)>;
+
+inline constexpr int frames = 24;
+
+/// What the camera does: it walks past the scene, and turns and nods as it does.
+[[nodiscard]] inline example::camera camera_at(const options& o, const example::scene& scene, int frame) {
+    const float at = static_cast<float>(frame) / (frames - 1), walk = 0.12f * o.camera_distance * at;
+    return example::make_camera({.target = scene.target + walk * glm::vec3(1, 0.1f, -0.6f),
+                                 .azimuth = o.camera_azimuth + 25 * at,
+                                 .elevation = o.camera_elevation + 6 * std::sin(9 * at),
+                                 .distance = o.camera_distance,
+                                 .fov = o.fov,
+                                 .aspect = static_cast<float>(o.width) / static_cast<float>(o.height),
+                                 .z_near = scene.z_near,
+                                 .z_far = scene.z_far});
+}
 
 /// How far points are lifted off their surfaces, world units: less than that is acne's.
 [[nodiscard]] inline float lift(const options& o) { return 0.007f * o.camera_distance; }
@@ -66,7 +82,7 @@ constexpr glm::vec3 mark(0.9f, 0.1f, 0.1f);  ///< red
 
 /// What the camera sees, with marks where a point has another light than in `then`.
 [[nodiscard]] inline picture photograph(const options& o, const example::scene& scene, const example::camera& camera,
-                                        glm::vec3 to_light, const look_up& lit, const look_up& then = {}) {
+                                        glm::vec3 to_light, const point_look_up& lit, const point_look_up& then = {}) {
     picture out({o.width, o.height}, example::to_srgb(background));
     for_each_surface(o, scene, camera, [&](glm::ivec2 p, const example::surface& at) {
         const umbrage::placed_point in = lit(lifted(o, at));

@@ -114,7 +114,7 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
                      "contact sheet, and a table")
             ->excludes(compare);
     app.add_flag("--stability-report", o.stability_report,
-                 "how still cascades stand while the camera moves: film.png alone, a film strip, and a table")
+                 "how still cascades stand and pages stay while the camera moves: film strips and tables")
         ->excludes(compare)
         ->excludes(light_report);
 

@@ -2,7 +2,6 @@
 #include "stability_report.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <string>
@@ -23,26 +22,12 @@
 #include <progress.hpp>
 
 #include "film.hpp"
+#include "page_film.hpp"
 #include "sheet.hpp"
 #include "sun_film.hpp"
 
 namespace shadow_render {
 namespace {
-
-constexpr int frames = 24;
-
-/// What the camera does: it walks past the scene, and turns and nods as it does.
-example::camera camera_at(const options& o, const example::scene& scene, int frame) {
-    const float at = static_cast<float>(frame) / (frames - 1), walk = 0.12f * o.camera_distance * at;
-    return example::make_camera({.target = scene.target + walk * glm::vec3(1, 0.1f, -0.6f),
-                                 .azimuth = o.camera_azimuth + 25 * at,
-                                 .elevation = o.camera_elevation + 6 * std::sin(9 * at),
-                                 .distance = o.camera_distance,
-                                 .fov = o.fov,
-                                 .aspect = static_cast<float>(o.width) / static_cast<float>(o.height),
-                                 .z_near = scene.z_near,
-                                 .z_far = scene.z_far});
-}
 
 /// Where what the scene's middle shades lies, from above.
 example::camera camera_above(const options& o, const example::scene& scene) {
@@ -122,7 +107,7 @@ private:
     std::vector<umbrage::image<float>> maps_;
 };
 
-look_up draw(const options& o, const example::scene& scene, int number, const way& w) {
+point_look_up draw(const options& o, const example::scene& scene, int number, const way& w) {
     const example::camera camera = camera_at(o, scene, number);
     if (w.in_double) return frame<double>(o, scene, camera, w);
     return frame<float>(o, scene, camera, w);
@@ -145,7 +130,8 @@ example::scene moved(example::scene scene, glm::vec3 by) {
 }
 
 /// Visibility from above. Red: where it is another than in the first frame, whose look-up `first` is.
-picture from_above(const options& o, const example::scene& scene, const look_up& lit, const look_up& first) {
+picture from_above(const options& o, const example::scene& scene, const point_look_up& lit,
+                   const point_look_up& first) {
     picture out({o.width, o.height});
     for_each_surface(o, scene, camera_above(o, scene), [&](glm::ivec2 p, const example::surface& at) {
         const umbrage::placed_point now = lit(lifted(o, at)), then = first(lifted(o, at));
@@ -162,7 +148,7 @@ void stability_report(const options& o, const example::scene& scene) {
     constexpr way stable{"4 practical spheres, double", true, true}, tight{"4 practical tight, float", false};
     constexpr std::array ways{stable, way{"4 practical spheres, float", true},
                               way{"4 practical spheres, float, one matrix", true, false, true}, tight};
-    example::progress progress(2 * ways.size() + 3, o.quiet);
+    example::progress progress(2 * ways.size() + 4, o.quiet);
     const auto points = progress.stage("points", [&] { return points_of(o, scene); });
     const std::string title = text("%s: four cascades of %d x %d texels, %d frames of a camera that moves and turns",
                                    title_of(o).c_str(), o.map_size / 2, o.map_size / 2, frames);
@@ -189,11 +175,11 @@ void stability_report(const options& o, const example::scene& scene) {
                    {title, "Below each row what the scene shades in the same frames, from above, white where lit",
                     "Red: in another light than in the first frame, by the same cascade"});
         for (const way& w : {stable, tight}) {
-            const look_up first = draw(o, scene, 0, w);
+            const point_look_up first = draw(o, scene, 0, w);
             std::vector<picture> below;
             for (int i = 0; i < sheet::columns; ++i) {
                 const int number = i * (frames - 1) / (sheet::columns - 1);
-                const look_up lit = draw(o, scene, number, w);
+                const point_look_up lit = draw(o, scene, number, w);
                 film.add(photograph(o, scene, camera_at(o, scene, number), to_light, lit),
                          {w.name, text("frame %d", number)});
                 below.push_back(from_above(o, scene, lit, first));
@@ -203,6 +189,7 @@ void stability_report(const options& o, const example::scene& scene) {
         example::write_png(o.output / "film.png", film.pixels().view());
     });
     progress.stage("sun", [&] { sun_film(o, scene); });
+    progress.stage("pages", [&] { page_film(o, scene); });
 }
 
 }  // namespace shadow_render

@@ -92,7 +92,7 @@ public:
         return {lights[kept], kept};
     }
 
-    [[nodiscard]] look_up draw(const umbrage::light_space<float>& light) const {
+    [[nodiscard]] point_look_up draw(const umbrage::light_space<float>& light) const {
         umbrage::image<float> map(glm::ivec2(o_.map_size), umbrage::cleared_depth(light.clip));
         draw_seen(map, scene_, scene_.geometry.positions, light.projection * light.view, light.clip);
         const glm::mat4 to_texels = umbrage::texture_matrix(light, map.size());
@@ -105,7 +105,7 @@ public:
 
     /// Share of the points that face the sun, whose light differs by a quarter or more from then(number, point).
     template <class Then>
-    [[nodiscard]] double changed(double frame, const look_up& now, Then&& then) const {
+    [[nodiscard]] double changed(double frame, const point_look_up& now, Then&& then) const {
         const glm::dvec3 way(to_sun(frame));
         std::size_t count = 0, all = 0;
         for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -124,7 +124,7 @@ public:
             lit.push_back(rays_.blocked(glm::vec3(p.position), to_sun(frame), far) ? 0 : 1);
         return lit;
     }
-    [[nodiscard]] picture photo(double frame, const look_up& lit, const look_up& then = {}) const {
+    [[nodiscard]] picture photo(double frame, const point_look_up& lit, const point_look_up& then = {}) const {
         return photograph(o_, scene_, camera_, to_sun(frame), lit, then);
     }
 
@@ -173,7 +173,7 @@ void sun_film(const options& o, const example::scene& scene) {
         kind_of_map before = w.at(walk, 0, 0);
         double at = -1, jump = 0, off = 0, most_off = 0;
         int count = 0;
-        look_up old, young;
+        point_look_up old, young;
         for (int i = 0; i < sun_frames; ++i) {
             const kind_of_map now = w.at(walk, i, before.which);
             const double wrong =
@@ -185,8 +185,8 @@ void sun_film(const options& o, const example::scene& scene) {
                     const double middle = (first + last) / 2;
                     (w.at(walk, middle, before.which).which == before.which ? first : last) = middle;
                 }
-                const look_up then = walk.draw(w.at(walk, first, before.which).light),
-                              next = walk.draw(w.at(walk, last, before.which).light);
+                const point_look_up then = walk.draw(w.at(walk, first, before.which).light),
+                                    next = walk.draw(w.at(walk, last, before.which).light);
                 const double here =
                     walk.changed(last, next, [&](std::size_t, glm::vec3 p) { return then(p).visibility; });
                 ++count;

@@ -5,11 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <vector>
 
 #include <umbrage/images/page_atlas.hpp>
-#include <umbrage/images/quality.hpp>
-#include <umbrage/light/texture_matrix.hpp>
+
+#include <sun_pages.hpp>
 
 namespace viewer {
 namespace {
@@ -33,30 +32,15 @@ void sun_pages::shine(glm::dvec3 direction, glm::dvec3 up, const umbrage::boundi
     if (direction_ == direction) return;
     direction_ = direction;
     cache_.forget();
-    root_ = umbrage::make_page_root<double>({.direction = direction,
-                                             .up = up,
-                                             .centre = (scene.low + scene.high) / 2.0,
-                                             .side = 1.01 * glm::distance(scene.low, scene.high),
-                                             .scene = scene,
-                                             .clip = umbrage::opengl_clip_space});
+    root_ = example::page_root_around(scene.low, scene.high, direction, up, umbrage::opengl_clip_space);
 }
 
-/// Surfaces that the light grazes are hardly lit, and would take all: beyond a quarter of its strength they want no
-/// more.
 umbrage::page_update sun_pages::update(std::span<const umbrage::seen_point> seen, glm::dvec3 eye,
                                        const glm::dmat4& to_pixels) {
-    const glm::dmat4 in_root = to_root(), coarsest = umbrage::texture_matrix(root_, glm::ivec2(size_.texels));
-    const glm::dvec3 towards_light = -glm::normalize(*direction_);
-    std::vector<umbrage::page_receiver> receivers;
-    for (const umbrage::seen_point& s : seen) {
-        const glm::dvec3 normal = glm::dot(s.normal, eye - s.position) < 0 ? -s.normal : s.normal;
-        const double facing = glm::dot(normal, towards_light);
-        if (!(facing > 0)) continue;
-        const double extent = std::min(1.0, 4 * facing) * umbrage::longest_extent(umbrage::pixels_per_texel(
-                                                              coarsest, to_pixels, s.position, normal));
-        receivers.push_back({glm::vec2(umbrage::shadow_coordinate(in_root, s.position)), static_cast<float>(extent)});
-    }
-    return cache_.update(receivers);
+    example::page_wishes wishes(root_, *direction_, size_.texels, to_pixels);
+    for (const umbrage::seen_point& s : seen)
+        wishes.add(s.position, glm::dot(s.normal, eye - s.position) < 0 ? -s.normal : s.normal);
+    return cache_.update(wishes.all());
 }
 
 umbrage::light_space<double> sun_pages::light(const umbrage::page& p) const {
