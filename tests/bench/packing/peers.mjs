@@ -22,10 +22,13 @@ const texts = {
     three: ShaderChunk.packing,
     three_shadow: ShaderChunk.shadowmap_pars_fragment,
     babylon: await babylon('packingFunctions'),
+    babylon_helpers: await babylon('helperFunctions'),
     babylon_shadow: await babylon('shadowsFragmentFunctions'),
     playcanvas: await playcanvas('common/frag/float-as-uint'),
     playcanvas_shadow: (await Promise.all(['PCF1', 'PCF3', 'PCF5'].map(
         name => playcanvas(`lit/frag/lighting/shadow${name}`)))).join('\n'),
+    playcanvas_evsm: await playcanvas('lit/frag/lighting/shadowEVSM'),
+    playcanvas_pcss: await playcanvas('lit/frag/lighting/shadowSoft'),
 };
 
 mkdirSync(folder, {recursive: true});

@@ -33,6 +33,10 @@ struct job {
 /// The job of jobs() that looks up cascades.
 [[nodiscard]] job cascades();
 
+/// Those of soft shadows.
+/// @param folder   as of jobs()
+[[nodiscard]] std::vector<job> soft(const std::string& folder);
+
 /// Every snippet of the registry, called as the parity tests call it.
 [[nodiscard]] job registry();
 

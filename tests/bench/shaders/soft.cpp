@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+//
+// Soft shadows: a mean of moments by the sampler and what it says, and contact hardening over as many taps.
+#include "jobs.hpp"
+
+#include <umbrage/filter/blocker/pcss.hpp>
+#include <umbrage/filter/prefiltered/look_up.hpp>
+
+namespace bench {
+
+namespace glsl = umbrage::glsl;
+
+std::vector<job> soft(const std::string& folder) {
+    const auto text = [&](const std::string& name) { return read(folder + '/' + name + ".glsl"); };
+    const auto version = [&](const std::string& name) { return name + ' ' + read(folder + '/' + name + ".version"); };
+    const std::string three = version("three"), babylon = version("babylon"), playcanvas = version("playcanvas");
+    const std::string us = "umbrage";
+
+    // Ours are written out tap by tap: the peers' loops are unrolled too.
+    const std::string unrolled = "#extension GL_EXT_control_flow_attributes : require\n#define for [[unroll]] for\n";
+    const std::string three_shadow =
+        "#define texture2D texture\n#define USE_SHADOWMAP\n#define SHADOWMAP_TYPE_VSM\n" + text("three_shadow");
+    const std::string playcanvas_words =
+        unrolled +
+        "#define TEXTURE_ACCEPT(name) sampler2D name\n#define TEXTURE_PASS(name) name\n"
+        "#define texture2DLod textureLod\n#define saturate(v) clamp(v, 0.0, 1.0)\n";
+    const std::string playcanvas_evsm =
+        playcanvas_words + "#define CAPS_TEXTURE_FLOAT_FILTERABLE\n" + text("playcanvas_evsm");
+    const std::string babylon_shadow =
+        unrolled +
+        "#define texture2D texture\n#define textureCube texture\n#define SHADOWS\n#define WEBGL2\n"
+        "#define texture2DLodEXT textureLod\n" +
+        text("babylon_helpers") + text("babylon_shadow");
+
+    const auto looked_up = [](const std::string& decoded, const std::string& cut) {
+        return "vec4(umbrage_is_compared(x0.xy, x0.z) ? umbrage_bleed_cut(" + decoded + ", " + cut + ") : 1.0)";
+    };
+    const std::string texel = "textureLod(map, x0.xy, 0.0)";
+    const auto pcss = [](const std::string& map) {
+        return "vec4(umbrage_pcss16" + map +
+               "(map, map_size, x1.xy, x1.z, vec3(0.0625, 16.0, 96.0), umbrage_disc_turn(gl_FragCoord.xy)))";
+    };
+    return {
+        {"VSM, one tap by the sampler",
+         {{us,
+           "decode_vsm",
+           "",
+           {glsl::is_compared, glsl::bleed_cut, glsl::decode_vsm},
+           looked_up("umbrage_decode_vsm(texture(map, x0.xy).xy, x0.z, 1e-7)", "0.3")},
+          {three,
+           "getShadow, VSM",
+           three_shadow,
+           {},
+           "vec4(getShadow(map, map_size, 1.0, 0.0, 1.0, vec4(x0.xyz, 1.0)))"}}},
+        {"EVSM, one tap by the sampler",
+         {{us,
+           "decode_evsm2",
+           "",
+           {glsl::is_compared, glsl::bleed_cut, glsl::decode_evsm2},
+           looked_up("umbrage_decode_evsm2(" + texel + ".xy, x0.z, 21.64, 0.003)", "0.1")},
+          {us,
+           "chebyshev of the GPU's own exp2",  // whose bits no language promises
+           "",
+           {glsl::bleed_cut, glsl::chebyshev},
+           "vec4(0.0); float w = exp2(21.64 * (x0.z * 2.0 - 1.0)), least = 0.003 * w;"
+           "result = vec4(umbrage_bleed_cut(umbrage_chebyshev(" +
+               texel + ".xy, w, least * least), 0.1))"},
+          {playcanvas,
+           "getShadowVSM32",
+           playcanvas_evsm,
+           {},
+           "vec4(getShadowVSM32(map, x0.xyz, vec4(2048.0, 0.0002, 0.0, 0.0), 15.0))"}}},
+        {"PCSS, 16 + 16 taps",
+         {{us, "pcss16", "", {glsl::pcss<16>, glsl::disc_turn}, pcss("")},
+          {babylon,
+           "computeShadowWithPCSS16",
+           babylon_shadow,
+           {},
+           "vec4(computeShadowWithPCSS16(vec4(x0.xyz, 1.0), x0.z, map, depth_map, 1.0 / 2048.0, 20.0, 0.0, 0.0))"},
+          {playcanvas,
+           "getShadowPCSS",
+           playcanvas_words + text("playcanvas_pcss"),
+           {},
+           "vec4(getShadowPCSS(map, x0.xyz, vec4(0.0), vec4(10.0, 12.0, 1.0, 0.0), vec4(16.0, 16.0, 0.1, 2.0), "
+           "vec3(0.0)))"}}},
+    };
+}
+
+}  // namespace bench
