@@ -1521,8 +1521,13 @@ UMBRAGE_HIGHP vec2 umbrage_disc_turn(UMBRAGE_HIGHP vec2 pixel) {
 //   radius    in 1/16 texel, a whole number from 0 to 4095
 UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 turn,
                                     UMBRAGE_HIGHP float radius) {
-    UMBRAGE_HIGHP vec2 turned = vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
-    return floor((position + floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
+    UMBRAGE_HIGHP vec2 texel = floor(at);
+    UMBRAGE_HIGHP vec2 within = at - texel;
+    UMBRAGE_HIGHP vec2 scaled = turn * (radius * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
+    UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    return texel + floor(vec2(x, y));
 }
 `,
             "disc_radius": `
@@ -2060,8 +2065,10 @@ UMBRAGE_HIGHP float umbrage_bounds_lit(UMBRAGE_MAP bounds, UMBRAGE_HIGHP vec2 si
             "distance_code": `
 // umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
 UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float code = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
-    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+    UMBRAGE_HIGHP float v = depth * 65536.0;
+    UMBRAGE_HIGHP float forward = v < 65535.0 ? floor(max(v, 0.0)) : 65535.0;
+    UMBRAGE_HIGHP float reversed = v > 0.0 ? floor(min(v, 65535.0)) : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? forward : 65535.0 - reversed;
 }
 `,
             "penumbra": `
@@ -2184,8 +2191,8 @@ UMBRAGE_HIGHP float umbrage_pcss8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBR
     UMBRAGE_HIGHP vec2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
-    UMBRAGE_HIGHP float lit = umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return compared && found.x > 0.5 ? lit : 1.0;
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 `,
             "pcss16": `
@@ -2202,8 +2209,8 @@ UMBRAGE_HIGHP float umbrage_pcss16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP vec2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
-    UMBRAGE_HIGHP float lit = umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return compared && found.x > 0.5 ? lit : 1.0;
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 `,
             "pcss32": `
@@ -2220,8 +2227,8 @@ UMBRAGE_HIGHP float umbrage_pcss32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP vec2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
-    UMBRAGE_HIGHP float lit = umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return compared && found.x > 0.5 ? lit : 1.0;
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 `,
             "hardened8": `
@@ -2507,7 +2514,7 @@ UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
-    UMBRAGE_HIGHP float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    UMBRAGE_HIGHP float x = y > -64.0 ? min(y, 63.0) : -64.0;
     UMBRAGE_HIGHP float n = floor(x);
     UMBRAGE_HIGHP float f = x - n;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float p = 0.00187931862 * f + 0.00899099465;
@@ -2522,7 +2529,7 @@ UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
 // umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
-    UMBRAGE_HIGHP float x = floor((y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0)) * 2048.0);
+    UMBRAGE_HIGHP float x = floor((y > -64.0 ? min(y, 63.0) : -64.0) * 2048.0);
     UMBRAGE_HIGHP float n = floor(x * (1.0 / 2048.0));
     UMBRAGE_HIGHP float f = x - n * 2048.0;
     UMBRAGE_HIGHP float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
@@ -2541,7 +2548,7 @@ UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float 
     UMBRAGE_PRECISE UMBRAGE_HIGHP float distance = receiver - m.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = variance + distance * distance;
     UMBRAGE_HIGHP float p = variance / sum;
-    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+    return receiver <= m.x ? 1.0 : (p > 0.0 ? min(p, 1.0) : 0.0);  // a GPU's v / v may be more than 1.0
 }
 `,
             "bleed_cut": `
@@ -4449,8 +4456,13 @@ float2 umbrage_disc_turn(float2 pixel) {
 //   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
 //   radius    in 1/16 texel, a whole number from 0 to 4095
 float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
-    float2 turned = float2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
-    return floor((position + floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+    float2 at = position * (1.0 / 256.0);
+    float2 texel = floor(at);
+    float2 within = at - texel;
+    float2 scaled = turn * (radius * (1.0 / 16384.0));
+    float x = scaled.x * p.x + within.x - scaled.y * p.y;
+    float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    return texel + floor(float2(x, y));
 }
 `,
             "disc_radius": `
@@ -4961,8 +4973,10 @@ float umbrage_bounds_lit(UMBRAGE_MAP bounds, float2 size, float2 coord, float re
             "distance_code": `
 // umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
 float umbrage_distance_code(float depth) {
-    float code = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
-    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+    float v = depth * 65536.0;
+    float forward = v < 65535.0 ? floor(max(v, 0.0)) : 65535.0;
+    float reversed = v > 0.0 ? floor(min(v, 65535.0)) : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? forward : 65535.0 - reversed;
 }
 `,
             "penumbra": `
@@ -5076,8 +5090,8 @@ float umbrage_pcss8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, 
     float2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    float lit = umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return compared && found.x > 0.5 ? lit : 1.0;
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 `,
             "pcss16": `
@@ -5092,8 +5106,8 @@ float umbrage_pcss16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver,
     float2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    float lit = umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return compared && found.x > 0.5 ? lit : 1.0;
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 `,
             "pcss32": `
@@ -5108,8 +5122,8 @@ float umbrage_pcss32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver,
     float2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
     float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    float lit = umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return compared && found.x > 0.5 ? lit : 1.0;
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 `,
             "hardened8": `
@@ -5366,7 +5380,7 @@ float umbrage_power_of_two(float n) {
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 float umbrage_exp2_polynomial(float y) {
-    float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    float x = y > -64.0 ? min(y, 63.0) : -64.0;
     float n = floor(x);
     float f = x - n;
     precise float p = 0.00187931862 * f + 0.00899099465;
@@ -5381,7 +5395,7 @@ float umbrage_exp2_polynomial(float y) {
 // umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 float umbrage_exp2_steps(float y) {
-    float x = floor((y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0)) * 2048.0);
+    float x = floor((y > -64.0 ? min(y, 63.0) : -64.0) * 2048.0);
     float n = floor(x * (1.0 / 2048.0));
     float f = x - n * 2048.0;
     float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
@@ -5399,7 +5413,7 @@ float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
     precise float distance = receiver - m.x;
     precise float sum = variance + distance * distance;
     float p = variance / sum;
-    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+    return receiver <= m.x ? 1.0 : (p > 0.0 ? min(p, 1.0) : 0.0);  // a GPU's v / v may be more than 1.0
 }
 `,
             "bleed_cut": `
@@ -7263,8 +7277,13 @@ inline float2 umbrage_disc_turn(float2 pixel) {
 //   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
 //   radius    in 1/16 texel, a whole number from 0 to 4095
 inline float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
-    float2 turned = float2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
-    return metal::floor((position + metal::floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+    float2 at = position * (1.0 / 256.0);
+    float2 texel = metal::floor(at);
+    float2 within = at - texel;
+    float2 scaled = turn * (radius * (1.0 / 16384.0));
+    float x = scaled.x * p.x + within.x - scaled.y * p.y;
+    float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    return texel + metal::floor(float2(x, y));
 }
 `,
             "disc_radius": `
@@ -7776,8 +7795,10 @@ inline float umbrage_bounds_lit(UMBRAGE_MAP bounds, float2 size, float2 coord, f
             "distance_code": `
 // umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
 inline float umbrage_distance_code(float depth) {
-    float code = metal::min(metal::floor(umbrage_saturate(depth) * 65536.0), 65535.0);
-    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+    float v = depth * 65536.0;
+    float forward = v < 65535.0 ? metal::floor(metal::max(v, 0.0)) : 65535.0;
+    float reversed = v > 0.0 ? metal::floor(metal::min(v, 65535.0)) : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? forward : 65535.0 - reversed;
 }
 `,
             "penumbra": `
@@ -7894,8 +7915,8 @@ inline float umbrage_pcss8(UMBRAGE_MAP map, float2 size, float2 coord, float rec
     float2 found = umbrage_blockers8(map, size, at, receiver, widest, turn);
     float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    float lit = umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return compared && found.x > 0.5 ? lit : 1.0;
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 `,
             "pcss16": `
@@ -7910,8 +7931,8 @@ inline float umbrage_pcss16(UMBRAGE_MAP map, float2 size, float2 coord, float re
     float2 found = umbrage_blockers16(map, size, at, receiver, widest, turn);
     float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    float lit = umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return compared && found.x > 0.5 ? lit : 1.0;
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 `,
             "pcss32": `
@@ -7926,8 +7947,8 @@ inline float umbrage_pcss32(UMBRAGE_MAP map, float2 size, float2 coord, float re
     float2 found = umbrage_blockers32(map, size, at, receiver, widest, turn);
     float mean = umbrage_floor_divide(found.y, metal::max(found.x, 1.0));
     float radius = umbrage_penumbra(z - mean, softness);
-    float lit = umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return compared && found.x > 0.5 ? lit : 1.0;
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 `,
             "hardened8": `
@@ -8186,7 +8207,7 @@ inline float umbrage_power_of_two(float n) {
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 inline float umbrage_exp2_polynomial(float y) {
-    float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    float x = y > -64.0 ? metal::min(y, 63.0) : -64.0;
     float n = metal::floor(x);
     float f = x - n;
     float p = 0.00187931862 * f + 0.00899099465;
@@ -8201,7 +8222,7 @@ inline float umbrage_exp2_polynomial(float y) {
 // umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 inline float umbrage_exp2_steps(float y) {
-    float x = metal::floor((y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0)) * 2048.0);
+    float x = metal::floor((y > -64.0 ? metal::min(y, 63.0) : -64.0) * 2048.0);
     float n = metal::floor(x * (1.0 / 2048.0));
     float f = x - n * 2048.0;
     float g = metal::floor(f * (2048.0 - f) * (1.0 / 256.0));
@@ -8219,7 +8240,7 @@ inline float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
     float distance = receiver - m.x;
     float sum = variance + distance * distance;
     float p = variance / sum;
-    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+    return receiver <= m.x ? 1.0 : (p > 0.0 ? metal::min(p, 1.0) : 0.0);  // a GPU's v / v may be more than 1.0
 }
 `,
             "bleed_cut": `
@@ -10084,8 +10105,13 @@ fn umbrage_disc_turn(pixel: vec2f) -> vec2f {
 //   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
 //   radius    in 1/16 texel, a whole number from 0 to 4095
 fn umbrage_disc_tap(position: vec2f, p: vec2f, turn: vec2f, radius: f32) -> vec2f {
-    let turned: vec2f = vec2f(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
-    return floor((position + floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+    let at: vec2f = position * (1.0 / 256.0);
+    let texel: vec2f = floor(at);
+    let within: vec2f = at - texel;
+    let scaled: vec2f = turn * (radius * (1.0 / 16384.0));
+    let x: f32 = scaled.x * p.x + within.x - scaled.y * p.y;
+    let y: f32 = scaled.y * p.x + within.y + scaled.x * p.y;
+    return texel + floor(vec2f(x, y));
 }
 `,
             "disc_radius": `
@@ -10596,8 +10622,10 @@ fn umbrage_bounds_lit(UMBRAGE_MAP bounds, size: vec2f, coord: vec2f, receiver: f
             "distance_code": `
 // umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
 fn umbrage_distance_code(depth: f32) -> f32 {
-    let code: f32 = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
-    return select(65535.0 - code, code, umbrage_cleared_depth() > 0.5);
+    let v: f32 = depth * 65536.0;
+    let forward: f32 = select(65535.0, floor(max(v, 0.0)), v < 65535.0);
+    let reversed: f32 = select(0.0, floor(min(v, 65535.0)), v > 0.0);
+    return select(65535.0 - reversed, forward, umbrage_cleared_depth() > 0.5);
 }
 `,
             "penumbra": `
@@ -10711,8 +10739,8 @@ fn umbrage_pcss8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, soft
     let found: vec2f = umbrage_blockers8(map, size, at, receiver, widest, turn);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
     let radius: f32 = umbrage_penumbra(z - mean, softness);
-    let lit: f32 = umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return select(1.0, lit, compared && found.x > 0.5);
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 `,
             "pcss16": `
@@ -10727,8 +10755,8 @@ fn umbrage_pcss16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, sof
     let found: vec2f = umbrage_blockers16(map, size, at, receiver, widest, turn);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
     let radius: f32 = umbrage_penumbra(z - mean, softness);
-    let lit: f32 = umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return select(1.0, lit, compared && found.x > 0.5);
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc16(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 `,
             "pcss32": `
@@ -10743,8 +10771,8 @@ fn umbrage_pcss32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, sof
     let found: vec2f = umbrage_blockers32(map, size, at, receiver, widest, turn);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
     let radius: f32 = umbrage_penumbra(z - mean, softness);
-    let lit: f32 = umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return select(1.0, lit, compared && found.x > 0.5);
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 `,
             "hardened8": `
@@ -11001,7 +11029,7 @@ fn umbrage_power_of_two(n: f32) -> f32 {
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 fn umbrage_exp2_polynomial(y: f32) -> f32 {
-    let x: f32 = select(select(-64.0, 63.0, y >= 63.0), y, y > -64.0 && y < 63.0);
+    let x: f32 = select(-64.0, min(y, 63.0), y > -64.0);
     let n: f32 = floor(x);
     let f: f32 = x - n;
     var p: f32 = 0.00187931862 * f + 0.00899099465;
@@ -11016,7 +11044,7 @@ fn umbrage_exp2_polynomial(y: f32) -> f32 {
 // umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 fn umbrage_exp2_steps(y: f32) -> f32 {
-    let x: f32 = floor(select(select(-64.0, 63.0, y >= 63.0), y, y > -64.0 && y < 63.0) * 2048.0);
+    let x: f32 = floor(select(-64.0, min(y, 63.0), y > -64.0) * 2048.0);
     let n: f32 = floor(x * (1.0 / 2048.0));
     let f: f32 = x - n * 2048.0;
     let g: f32 = floor(f * (2048.0 - f) * (1.0 / 256.0));
@@ -11034,7 +11062,7 @@ fn umbrage_chebyshev(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
     let distance: f32 = receiver - m.x;
     let sum: f32 = variance + distance * distance;
     let p: f32 = variance / sum;
-    return select(select(0.0, p, p > 0.0 && p <= 1.0), 1.0, receiver <= m.x);
+    return select(select(0.0, min(p, 1.0), p > 0.0), 1.0, receiver <= m.x);  // a GPU's v / v may be more than 1.0
 }
 `,
             "bleed_cut": `
@@ -11881,7 +11909,7 @@ const rows = [
     ["window_hardware5", "window_hardware5", "window of 5 x 5 by 9 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
     ["window_hardware7", "window_hardware7", "window of 7 x 7 by 16 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
     ["bounds_lit", "bounds_lit", "visibility where bounds of a filter's texels suffice", "a", 0, 0, "100", "none", false, ["is_compared", "compare", "fetch_clamped"]],
-    ["distance_code", "distance_code", "a depth as 16 bits of distance from the near plane", "a", 0, 0, "100", "none", false, ["saturate", "cleared_depth"]],
+    ["distance_code", "distance_code", "a depth as 16 bits of distance from the near plane", "a", 0, 0, "100", "none", false, ["cleared_depth"]],
     ["penumbra", "penumbra", "radius of a penumbra from the distance between blocker and receiver", "a", 0, 0, "100", "none", false, []],
     ["blocker", "blocker", "whether a texel lies before a receiver, and how far from the light", "a", 0, 0, "100", "none", false, ["fetch_depth", "compare", "distance_code"]],
     ["blockers8", "blockers8", "texels under a disc's points that lie before a receiver", "a", 0, 0, "100", "none", false, ["disc_tap", "blocker"]],

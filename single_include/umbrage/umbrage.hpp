@@ -4036,13 +4036,15 @@ template <real T>
 /// @param position   floor(256 coord) of the receiver
 /// @param p          one of disc_points;   turn  as disc_turn gives it
 /// @param radius     in 1/16 texel, a whole number, 0 .. 4095
-/// @formula          floor((position + floor(turned point * radius / 64)) / 256), of point (x, y) turned by (c, s):
+/// @formula          floor((position + turned point * radius / 64) / 256), of point (x, y) turned by (c, s):
 ///                   (c x - s y, s x + c y)
-/// @exactness        A: products below 2^23
+/// @exactness        A: the position's whole texels apart, all else are multiples of 2^-14 below 2^9, in any order
 template <real T>
 [[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<2, T> turn, T radius) {
-    const glm::vec<2, T> turned(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
-    return glm::floor((position + glm::floor(turned * radius * T(1.0 / 64.0))) * T(1.0 / 256.0));
+    const glm::vec<2, T> at = position * T(1.0 / 256.0), texel = glm::floor(at), within = at - texel;
+    const glm::vec<2, T> scaled = turn * (radius * T(1.0 / 16384.0));
+    return texel +
+           glm::floor(within + glm::vec<2, T>(scaled.x * p.x - scaled.y * p.y, scaled.y * p.x + scaled.x * p.y));
 }
 
 /// A disc's radius in 1/16 texel: floor(16 radius), at most 4095; 0 for what is negative, and for NaN.
@@ -4112,8 +4114,13 @@ inline constexpr snippet disc_tap{
 //   radius    in 1/16 texel, a whole number from 0 to 4095
 UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 turn,
                                     UMBRAGE_HIGHP float radius) {
-    UMBRAGE_HIGHP vec2 turned = vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
-    return floor((position + floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
+    UMBRAGE_HIGHP vec2 texel = floor(at);
+    UMBRAGE_HIGHP vec2 within = at - texel;
+    UMBRAGE_HIGHP vec2 scaled = turn * (radius * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
+    UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    return texel + floor(vec2(x, y));
 }
 )GLSL",
 };
@@ -4389,12 +4396,14 @@ inline constexpr snippet distance_code{
     .name = "distance_code",
     .summary = "a depth as 16 bits of distance from the near plane",
     .exactness = tier::a,
-    .needs = list<&saturate, &cleared_depth>,
+    .needs = list<&cleared_depth>,
     .source = R"GLSL(
 // umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
 UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float code = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
-    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+    UMBRAGE_HIGHP float v = depth * 65536.0;
+    UMBRAGE_HIGHP float forward = v < 65535.0 ? floor(max(v, 0.0)) : 65535.0;
+    UMBRAGE_HIGHP float reversed = v > 0.0 ? floor(min(v, 65535.0)) : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? forward : 65535.0 - reversed;
 }
 )GLSL",
 };
@@ -4680,8 +4689,8 @@ UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, widest, turn);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
-    UMBRAGE_HIGHP float lit = umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return compared && found.x > 0.5 ? lit : 1.0;
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 )GLSL",
                       {{'n', Points}});
@@ -6341,7 +6350,7 @@ inline constexpr snippet exp2_polynomial{
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
-    UMBRAGE_HIGHP float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    UMBRAGE_HIGHP float x = y > -64.0 ? min(y, 63.0) : -64.0;
     UMBRAGE_HIGHP float n = floor(x);
     UMBRAGE_HIGHP float f = x - n;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float p = 0.00187931862 * f + 0.00899099465;
@@ -6363,7 +6372,7 @@ inline constexpr snippet exp2_steps{
 // umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
-    UMBRAGE_HIGHP float x = floor((y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0)) * 2048.0);
+    UMBRAGE_HIGHP float x = floor((y > -64.0 ? min(y, 63.0) : -64.0) * 2048.0);
     UMBRAGE_HIGHP float n = floor(x * (1.0 / 2048.0));
     UMBRAGE_HIGHP float f = x - n * 2048.0;
     UMBRAGE_HIGHP float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
@@ -6417,7 +6426,7 @@ template <real T>
     const T variance = detail::pick(difference > min_variance, difference, min_variance);
     const T distance = receiver - m.x;
     const T p = variance / (variance + distance * distance);
-    const T dark = detail::pick(bool(int(p > T(0)) & int(p <= T(1)) & int(!is_nan(p))), p, T(0));
+    const T dark = detail::pick(bool(int(p > T(0)) & int(!is_nan(p))), detail::pick(p < T(1), p, T(1)), T(0));
     return detail::pick(bool(int(receiver <= m.x) & int(!is_nan(receiver)) & int(!is_nan(m.x))), T(1), dark);
 }
 
@@ -6462,7 +6471,7 @@ UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float 
     UMBRAGE_PRECISE UMBRAGE_HIGHP float distance = receiver - m.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = variance + distance * distance;
     UMBRAGE_HIGHP float p = variance / sum;
-    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+    return receiver <= m.x ? 1.0 : (p > 0.0 ? min(p, 1.0) : 0.0);  // a GPU's v / v may be more than 1.0
 }
 )GLSL",
 };
@@ -7080,6 +7089,9 @@ inline constexpr auto msm_snippets =
 //
 //     float visibility = umbrage::decode_msm_hausdorff(blurred, receiver, umbrage::msm_bias_32);
 //
+// A floor that falls away from the light darkens a little where it ends before cleared texels: the blur holds its nearer
+// side alone there, depths before the receiver which decode_msm misses, as it takes the cleared ones for spread about
+// their mean. A bias for the blur's radius takes that away.
 
 namespace umbrage {
 
@@ -7094,7 +7106,14 @@ namespace umbrage {
 ///                  -1 is ((1 + z) (d D + g (1 - b1)) - k) / (2 (1 + z) p), that at 1 has the sign of
 ///                  ((1 - z) (d D - g (1 + b1)) + k) q, that at f, which lies before the receiver where d > 0, is
 ///                  d^4 / (p q (x d - g)): interpolation's weights, of central moments, where few digits cancel
-/// @exactness       C: two divisions; which depths there are is decided without one
+/// @exactness       C: two divisions; which depths there are is decided without one. In binary32 off, to first order,
+///                  by at most 24 2^-24 (s + 1 / ((1 + z) (1 - f^2)) + 1 / |z - f|), s the sum of the absolute
+///                  coefficients of the polynomial of degree 4 whose mean is the share: 1 at -1, twice 0 at f, 0 at z
+///                  and 1, or where f < z one less such: twice 0 at f, 0 at -1, 1 at z and 1. Rounding up to d and g
+///                  does as much as moments do that are off by (1, 1, 8, 23) 2^-24, and the share does not change with
+///                  f to first order; what follows is off by 8 2^-24 of 1 / (1 + f), 1 / (1 - f), 1 / |z - f| or of
+///                  1 / ((1 + z) (1 + f)) at a step. Nothing holds s down for all moments: a bias of (0, y, 0, y) is
+///                  one of depths -1, 0 and 1, no help where f is 0
 template <real T>
 [[nodiscard]] T hausdorff_share(glm::vec<4, T> b, T z) {
     const T variance = b.y - b.x * b.x, third = b.z - b.x * b.y, fourth = b.w - b.y * b.y, rest = T(1) - b.y;
@@ -7112,8 +7131,7 @@ template <real T>
 /// @param receiver  depth, biased; outside [0, 1] the nearer end counts, the near end is lit; NaN is in shadow
 /// @param bias      msm_bias_32
 /// @return          visibility, 0 to 1, no more than decode_msm's but for rounding: at least the lit share, less bias.x
-///                  and rounding, of whose quotients no bound is known. Where moments are those of fewer than three
-///                  depths, and of NaN: as decode_msm
+///                  and rounding. Where moments are those of fewer than three depths, and of NaN: as decode_msm
 /// @formula         1 - hausdorff_share where that is not negative, else decode_msm
 /// @exactness       C: within 1/64 in a shader
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015

@@ -22,8 +22,13 @@
 //   radius    in 1/16 texel, a whole number from 0 to 4095
 UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 turn,
                                     UMBRAGE_HIGHP float radius) {
-    UMBRAGE_HIGHP vec2 turned = vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
-    return floor((position + floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
+    UMBRAGE_HIGHP vec2 texel = floor(at);
+    UMBRAGE_HIGHP vec2 within = at - texel;
+    UMBRAGE_HIGHP vec2 scaled = turn * (radius * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
+    UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    return texel + floor(vec2(x, y));
 }
 #endif
 
@@ -115,21 +120,14 @@ UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP 
 }
 #endif
 
-#ifndef UMBRAGE_HAS_SATURATE
-#define UMBRAGE_HAS_SATURATE
-// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
-UMBRAGE_HIGHP float umbrage_saturate(UMBRAGE_HIGHP float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
-    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
-}
-#endif
-
 #ifndef UMBRAGE_HAS_DISTANCE_CODE
 #define UMBRAGE_HAS_DISTANCE_CODE
 // umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
 UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float code = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
-    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+    UMBRAGE_HIGHP float v = depth * 65536.0;
+    UMBRAGE_HIGHP float forward = v < 65535.0 ? floor(max(v, 0.0)) : 65535.0;
+    UMBRAGE_HIGHP float reversed = v > 0.0 ? floor(min(v, 65535.0)) : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? forward : 65535.0 - reversed;
 }
 #endif
 

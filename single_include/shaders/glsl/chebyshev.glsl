@@ -26,6 +26,6 @@ UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float 
     UMBRAGE_PRECISE UMBRAGE_HIGHP float distance = receiver - m.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = variance + distance * distance;
     UMBRAGE_HIGHP float p = variance / sum;
-    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+    return receiver <= m.x ? 1.0 : (p > 0.0 ? min(p, 1.0) : 0.0);  // a GPU's v / v may be more than 1.0
 }
 #endif

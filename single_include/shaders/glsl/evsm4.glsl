@@ -35,7 +35,7 @@ UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float 
     UMBRAGE_PRECISE UMBRAGE_HIGHP float distance = receiver - m.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = variance + distance * distance;
     UMBRAGE_HIGHP float p = variance / sum;
-    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+    return receiver <= m.x ? 1.0 : (p > 0.0 ? min(p, 1.0) : 0.0);  // a GPU's v / v may be more than 1.0
 }
 #endif
 
@@ -70,7 +70,7 @@ UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
-    UMBRAGE_HIGHP float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    UMBRAGE_HIGHP float x = y > -64.0 ? min(y, 63.0) : -64.0;
     UMBRAGE_HIGHP float n = floor(x);
     UMBRAGE_HIGHP float f = x - n;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float p = 0.00187931862 * f + 0.00899099465;

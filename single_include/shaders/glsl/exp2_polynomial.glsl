@@ -46,7 +46,7 @@ UMBRAGE_HIGHP float umbrage_power_of_two(UMBRAGE_HIGHP float n) {
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
-    UMBRAGE_HIGHP float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    UMBRAGE_HIGHP float x = y > -64.0 ? min(y, 63.0) : -64.0;
     UMBRAGE_HIGHP float n = floor(x);
     UMBRAGE_HIGHP float f = x - n;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float p = 0.00187931862 * f + 0.00899099465;

@@ -10,6 +10,6 @@ float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
     precise float distance = receiver - m.x;
     precise float sum = variance + distance * distance;
     float p = variance / sum;
-    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+    return receiver <= m.x ? 1.0 : (p > 0.0 ? min(p, 1.0) : 0.0);  // a GPU's v / v may be more than 1.0
 }
 #endif

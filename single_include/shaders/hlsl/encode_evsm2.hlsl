@@ -14,7 +14,7 @@ float umbrage_power_of_two(float n) {
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 float umbrage_exp2_polynomial(float y) {
-    float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    float x = y > -64.0 ? min(y, 63.0) : -64.0;
     float n = floor(x);
     float f = x - n;
     precise float p = 0.00187931862 * f + 0.00899099465;

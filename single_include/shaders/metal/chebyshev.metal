@@ -14,6 +14,6 @@ inline float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
     float distance = receiver - m.x;
     float sum = variance + distance * distance;
     float p = variance / sum;
-    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+    return receiver <= m.x ? 1.0 : (p > 0.0 ? metal::min(p, 1.0) : 0.0);  // a GPU's v / v may be more than 1.0
 }
 #endif

@@ -28,8 +28,13 @@ inline float umbrage_disc_radius(float radius) {
 //   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
 //   radius    in 1/16 texel, a whole number from 0 to 4095
 inline float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
-    float2 turned = float2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
-    return metal::floor((position + metal::floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+    float2 at = position * (1.0 / 256.0);
+    float2 texel = metal::floor(at);
+    float2 within = at - texel;
+    float2 scaled = turn * (radius * (1.0 / 16384.0));
+    float x = scaled.x * p.x + within.x - scaled.y * p.y;
+    float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    return texel + metal::floor(float2(x, y));
 }
 #endif
 

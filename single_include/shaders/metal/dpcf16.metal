@@ -29,8 +29,13 @@ inline float umbrage_penumbra(float apart, float3 softness) {
 //   position  floor(256 coord) of the receiver;   p  point, in 1/16 of the radius;   turn  of umbrage_disc_turn
 //   radius    in 1/16 texel, a whole number from 0 to 4095
 inline float2 umbrage_disc_tap(float2 position, float2 p, float2 turn, float radius) {
-    float2 turned = float2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
-    return metal::floor((position + metal::floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+    float2 at = position * (1.0 / 256.0);
+    float2 texel = metal::floor(at);
+    float2 within = at - texel;
+    float2 scaled = turn * (radius * (1.0 / 16384.0));
+    float x = scaled.x * p.x + within.x - scaled.y * p.y;
+    float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    return texel + metal::floor(float2(x, y));
 }
 #endif
 
@@ -89,21 +94,14 @@ inline float umbrage_cleared_depth() {
 }
 #endif
 
-#ifndef UMBRAGE_HAS_SATURATE
-#define UMBRAGE_HAS_SATURATE
-// umbrage_saturate: v clamped to [0, 1]; NaN becomes the far plane's depth
-inline float umbrage_saturate(float v) {
-    // not v > 0.0 ? v : 0.0, of which Mesa makes max(v, 0.0): softpipe's gives NaN for a signalling one
-    return v > 0.0 && v < 1.0 ? v : (v >= 1.0 ? 1.0 : (v <= 0.0 ? 0.0 : umbrage_cleared_depth()));
-}
-#endif
-
 #ifndef UMBRAGE_HAS_DISTANCE_CODE
 #define UMBRAGE_HAS_DISTANCE_CODE
 // umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
 inline float umbrage_distance_code(float depth) {
-    float code = metal::min(metal::floor(umbrage_saturate(depth) * 65536.0), 65535.0);
-    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+    float v = depth * 65536.0;
+    float forward = v < 65535.0 ? metal::floor(metal::max(v, 0.0)) : 65535.0;
+    float reversed = v > 0.0 ? metal::floor(metal::min(v, 65535.0)) : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? forward : 65535.0 - reversed;
 }
 #endif
 

@@ -23,7 +23,7 @@ inline float umbrage_chebyshev(float2 m, float receiver, float min_variance) {
     float distance = receiver - m.x;
     float sum = variance + distance * distance;
     float p = variance / sum;
-    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+    return receiver <= m.x ? 1.0 : (p > 0.0 ? metal::min(p, 1.0) : 0.0);  // a GPU's v / v may be more than 1.0
 }
 #endif
 
@@ -41,7 +41,7 @@ inline float umbrage_power_of_two(float n) {
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 inline float umbrage_exp2_polynomial(float y) {
-    float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    float x = y > -64.0 ? metal::min(y, 63.0) : -64.0;
     float n = metal::floor(x);
     float f = x - n;
     float p = 0.00187931862 * f + 0.00899099465;

@@ -18,7 +18,7 @@ inline float umbrage_power_of_two(float n) {
 // umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 inline float umbrage_exp2_steps(float y) {
-    float x = metal::floor((y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0)) * 2048.0);
+    float x = metal::floor((y > -64.0 ? metal::min(y, 63.0) : -64.0) * 2048.0);
     float n = metal::floor(x * (1.0 / 2048.0));
     float f = x - n * 2048.0;
     float g = metal::floor(f * (2048.0 - f) * (1.0 / 256.0));

@@ -1,5 +1,5 @@
 // umbrage 0.1.0, MIT License: blockers32
-// Paste along: disc_tap.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, compare.wgsl, cleared_depth.wgsl, saturate.wgsl, distance_code.wgsl, blocker.wgsl
+// Paste along: disc_tap.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, compare.wgsl, cleared_depth.wgsl, distance_code.wgsl, blocker.wgsl
 
 // umbrage_blockers32: how many of a disc's 32 points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased

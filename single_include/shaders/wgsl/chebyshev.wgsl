@@ -8,5 +8,5 @@ fn umbrage_chebyshev(m: vec2f, receiver: f32, min_variance: f32) -> f32 {
     let distance: f32 = receiver - m.x;
     let sum: f32 = variance + distance * distance;
     let p: f32 = variance / sum;
-    return select(select(0.0, p, p > 0.0 && p <= 1.0), 1.0, receiver <= m.x);
+    return select(select(0.0, min(p, 1.0), p > 0.0), 1.0, receiver <= m.x);  // a GPU's v / v may be more than 1.0
 }

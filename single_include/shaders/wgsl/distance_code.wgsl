@@ -1,8 +1,10 @@
 // umbrage 0.1.0, MIT License: distance_code
-// Paste along: cleared_depth.wgsl, saturate.wgsl
+// Paste along: cleared_depth.wgsl
 
 // umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
 fn umbrage_distance_code(depth: f32) -> f32 {
-    let code: f32 = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
-    return select(65535.0 - code, code, umbrage_cleared_depth() > 0.5);
+    let v: f32 = depth * 65536.0;
+    let forward: f32 = select(65535.0, floor(max(v, 0.0)), v < 65535.0);
+    let reversed: f32 = select(0.0, floor(min(v, 65535.0)), v > 0.0);
+    return select(65535.0 - reversed, forward, umbrage_cleared_depth() > 0.5);
 }

@@ -1,5 +1,5 @@
 // umbrage 0.1.0, MIT License: dpcf8
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cleared_depth.wgsl, saturate.wgsl, distance_code.wgsl, penumbra.wgsl, disc_tap.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, compare.wgsl, blocker.wgsl, blockers8.wgsl, mend_quotient.wgsl, floor_divide.wgsl, hardened8.wgsl
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cleared_depth.wgsl, distance_code.wgsl, penumbra.wgsl, disc_tap.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, compare.wgsl, blocker.wgsl, blockers8.wgsl, mend_quotient.wgsl, floor_divide.wgsl, hardened8.wgsl
 
 // umbrage_dpcf8: contact hardening by 8 points; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)

@@ -4,7 +4,7 @@
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 fn umbrage_exp2_polynomial(y: f32) -> f32 {
-    let x: f32 = select(select(-64.0, 63.0, y >= 63.0), y, y > -64.0 && y < 63.0);
+    let x: f32 = select(-64.0, min(y, 63.0), y > -64.0);
     let n: f32 = floor(x);
     let f: f32 = x - n;
     var p: f32 = 0.00187931862 * f + 0.00899099465;

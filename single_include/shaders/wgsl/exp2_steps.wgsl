@@ -4,7 +4,7 @@
 // umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 fn umbrage_exp2_steps(y: f32) -> f32 {
-    let x: f32 = floor(select(select(-64.0, 63.0, y >= 63.0), y, y > -64.0 && y < 63.0) * 2048.0);
+    let x: f32 = floor(select(-64.0, min(y, 63.0), y > -64.0) * 2048.0);
     let n: f32 = floor(x * (1.0 / 2048.0));
     let f: f32 = x - n * 2048.0;
     let g: f32 = floor(f * (2048.0 - f) * (1.0 / 256.0));

@@ -1,5 +1,5 @@
 // umbrage 0.1.0, MIT License: pcss8
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cleared_depth.wgsl, saturate.wgsl, distance_code.wgsl, penumbra.wgsl, disc_tap.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, compare.wgsl, blocker.wgsl, blockers8.wgsl, mend_quotient.wgsl, floor_divide.wgsl, disc_radius.wgsl, lit.wgsl, disc8.wgsl
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, cleared_depth.wgsl, distance_code.wgsl, penumbra.wgsl, disc_tap.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, compare.wgsl, blocker.wgsl, blockers8.wgsl, mend_quotient.wgsl, floor_divide.wgsl, disc_radius.wgsl, lit.wgsl, disc8.wgsl
 
 // umbrage_pcss8: percentage-closer soft shadows, 8 points twice; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -12,6 +12,6 @@ fn umbrage_pcss8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32,
     let found: vec2f = umbrage_blockers8(map, size, at, receiver, widest, turn);
     let mean: f32 = umbrage_floor_divide(found.y, max(found.x, 1.0));
     let radius: f32 = umbrage_penumbra(z - mean, softness);
-    let lit: f32 = umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return select(1.0, lit, compared && found.x > 0.5);
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc8(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }

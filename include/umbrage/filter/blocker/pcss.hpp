@@ -64,8 +64,8 @@ UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP vec2 found = umbrage_blockers$n(map, size, at, receiver, widest, turn);
     UMBRAGE_HIGHP float mean = umbrage_floor_divide(found.y, max(found.x, 1.0));
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
-    UMBRAGE_HIGHP float lit = umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-    return compared && found.x > 0.5 ? lit : 1.0;
+    // without a blocker the radius is the search's, whose points are all lit
+    return umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 )GLSL",
                       {{'n', Points}});

@@ -122,12 +122,14 @@ inline constexpr snippet distance_code{
     .name = "distance_code",
     .summary = "a depth as 16 bits of distance from the near plane",
     .exactness = tier::a,
-    .needs = list<&saturate, &cleared_depth>,
+    .needs = list<&cleared_depth>,
     .source = R"GLSL(
 // umbrage_distance_code: a depth as whole number from 0.0 at the near plane to 65535.0, also where depth is reversed
 UMBRAGE_HIGHP float umbrage_distance_code(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float code = min(floor(umbrage_saturate(depth) * 65536.0), 65535.0);
-    return umbrage_cleared_depth() > 0.5 ? code : 65535.0 - code;
+    UMBRAGE_HIGHP float v = depth * 65536.0;
+    UMBRAGE_HIGHP float forward = v < 65535.0 ? floor(max(v, 0.0)) : 65535.0;
+    UMBRAGE_HIGHP float reversed = v > 0.0 ? floor(min(v, 65535.0)) : 0.0;
+    return umbrage_cleared_depth() > 0.5 ? forward : 65535.0 - reversed;
 }
 )GLSL",
 };

@@ -81,13 +81,15 @@ template <real T>
 /// @param position   floor(256 coord) of the receiver
 /// @param p          one of disc_points;   turn  as disc_turn gives it
 /// @param radius     in 1/16 texel, a whole number, 0 .. 4095
-/// @formula          floor((position + floor(turned point * radius / 64)) / 256), of point (x, y) turned by (c, s):
+/// @formula          floor((position + turned point * radius / 64) / 256), of point (x, y) turned by (c, s):
 ///                   (c x - s y, s x + c y)
-/// @exactness        A: products below 2^23
+/// @exactness        A: the position's whole texels apart, all else are multiples of 2^-14 below 2^9, in any order
 template <real T>
 [[nodiscard]] glm::vec<2, T> disc_tap(glm::vec<2, T> position, glm::vec<2, T> p, glm::vec<2, T> turn, T radius) {
-    const glm::vec<2, T> turned(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
-    return glm::floor((position + glm::floor(turned * radius * T(1.0 / 64.0))) * T(1.0 / 256.0));
+    const glm::vec<2, T> at = position * T(1.0 / 256.0), texel = glm::floor(at), within = at - texel;
+    const glm::vec<2, T> scaled = turn * (radius * T(1.0 / 16384.0));
+    return texel +
+           glm::floor(within + glm::vec<2, T>(scaled.x * p.x - scaled.y * p.y, scaled.y * p.x + scaled.x * p.y));
 }
 
 /// A disc's radius in 1/16 texel: floor(16 radius), at most 4095; 0 for what is negative, and for NaN.
@@ -157,8 +159,13 @@ inline constexpr snippet disc_tap{
 //   radius    in 1/16 texel, a whole number from 0 to 4095
 UMBRAGE_HIGHP vec2 umbrage_disc_tap(UMBRAGE_HIGHP vec2 position, UMBRAGE_HIGHP vec2 p, UMBRAGE_HIGHP vec2 turn,
                                     UMBRAGE_HIGHP float radius) {
-    UMBRAGE_HIGHP vec2 turned = vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y);
-    return floor((position + floor(turned * radius * (1.0 / 64.0))) * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 at = position * (1.0 / 256.0);
+    UMBRAGE_HIGHP vec2 texel = floor(at);
+    UMBRAGE_HIGHP vec2 within = at - texel;
+    UMBRAGE_HIGHP vec2 scaled = turn * (radius * (1.0 / 16384.0));
+    UMBRAGE_HIGHP float x = scaled.x * p.x + within.x - scaled.y * p.y;
+    UMBRAGE_HIGHP float y = scaled.y * p.x + within.y + scaled.x * p.y;
+    return texel + floor(vec2(x, y));
 }
 )GLSL",
 };

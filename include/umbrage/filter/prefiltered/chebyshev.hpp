@@ -45,7 +45,7 @@ template <real T>
     const T variance = detail::pick(difference > min_variance, difference, min_variance);
     const T distance = receiver - m.x;
     const T p = variance / (variance + distance * distance);
-    const T dark = detail::pick(bool(int(p > T(0)) & int(p <= T(1)) & int(!is_nan(p))), p, T(0));
+    const T dark = detail::pick(bool(int(p > T(0)) & int(!is_nan(p))), detail::pick(p < T(1), p, T(1)), T(0));
     return detail::pick(bool(int(receiver <= m.x) & int(!is_nan(receiver)) & int(!is_nan(m.x))), T(1), dark);
 }
 
@@ -90,7 +90,7 @@ UMBRAGE_HIGHP float umbrage_chebyshev(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float 
     UMBRAGE_PRECISE UMBRAGE_HIGHP float distance = receiver - m.x;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float sum = variance + distance * distance;
     UMBRAGE_HIGHP float p = variance / sum;
-    return receiver <= m.x ? 1.0 : (p > 0.0 && p <= 1.0 ? p : 0.0);
+    return receiver <= m.x ? 1.0 : (p > 0.0 ? min(p, 1.0) : 0.0);  // a GPU's v / v may be more than 1.0
 }
 )GLSL",
 };

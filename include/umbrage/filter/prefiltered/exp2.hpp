@@ -127,7 +127,7 @@ inline constexpr snippet exp2_polynomial{
 // umbrage_exp2_polynomial: 2^y, off by at most 1.8e-7 of it
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 UMBRAGE_HIGHP float umbrage_exp2_polynomial(UMBRAGE_HIGHP float y) {
-    UMBRAGE_HIGHP float x = y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0);
+    UMBRAGE_HIGHP float x = y > -64.0 ? min(y, 63.0) : -64.0;
     UMBRAGE_HIGHP float n = floor(x);
     UMBRAGE_HIGHP float f = x - n;
     UMBRAGE_PRECISE UMBRAGE_HIGHP float p = 0.00187931862 * f + 0.00899099465;
@@ -149,7 +149,7 @@ inline constexpr snippet exp2_steps{
 // umbrage_exp2_steps: 2^y, a whole number below 2^12 times a power of two, y rounded down to 1/2048
 //   y  outside of -64.0 to 63.0 the nearer end counts, of NaN -64.0
 UMBRAGE_HIGHP float umbrage_exp2_steps(UMBRAGE_HIGHP float y) {
-    UMBRAGE_HIGHP float x = floor((y > -64.0 && y < 63.0 ? y : (y >= 63.0 ? 63.0 : -64.0)) * 2048.0);
+    UMBRAGE_HIGHP float x = floor((y > -64.0 ? min(y, 63.0) : -64.0) * 2048.0);
     UMBRAGE_HIGHP float n = floor(x * (1.0 / 2048.0));
     UMBRAGE_HIGHP float f = x - n * 2048.0;
     UMBRAGE_HIGHP float g = floor(f * (2048.0 - f) * (1.0 / 256.0));
