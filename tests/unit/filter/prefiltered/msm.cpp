@@ -7,7 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "linear_program.hpp"
 #include "windows.hpp"
 
 using namespace umbrage;
@@ -93,6 +96,26 @@ TEST_CASE("moment_atoms: depths and shares that return the moments, so that no b
     }
     CHECK(least >= -1e-12);
     CHECK(worst < 1e-9);
+}
+
+TEST_CASE("moment_atoms: no masses of depths far and wide shadow less, by a linear program") {
+    std::mt19937 random(23);
+    double worst = 0, unmet = 0;
+    for (int i = 0; i < 200; ++i) {
+        const depth_window w(random);
+        const glm::dvec4 b = bias_moments(moments(w), glm::dvec2(1e-3, 0.375));
+        const double z = 2 * double(w.receiver) - 1, x = z - b.x;
+        const glm::dvec4 atoms = moment_atoms(b, x);
+        std::vector<double> depths = depth_grid(w, 1);
+        for (const double own : {z, atoms.x + b.x, atoms.y + b.x}) depths.push_back(own);
+        const moment_program program(std::move(depths), z, {1, b.x, b.y, b.z, b.w});
+        const double share = (atoms.x < x ? atoms.z : 0.0) + (atoms.y < x ? atoms.w : 0.0);
+        worst = std::max(worst, std::abs(program.least() - share));
+        unmet = std::max(unmet, program.unmet());
+    }
+    CHECK(unmet < 1e-6);
+    CHECK(worst < 1e-6);
+    MESSAGE("program and atoms apart by ", worst, ", its moments off by ", unmet);
 }
 
 TEST_CASE("msm: no darker than the lit share but for the bias and rounding; in floats within its bound") {
