@@ -5,9 +5,9 @@
 //
 //     float visibility = umbrage::decode_msm_hausdorff(blurred, receiver, umbrage::msm_bias_32);
 //
-// A floor that falls away from the light darkens a little where it ends before cleared texels: the blur holds its nearer
-// side alone there, depths before the receiver, which decode_msm misses, as it takes the cleared ones for spread about a
-// mean. A bias for the blur's radius takes that away.
+// A floor that falls away from the light darkens a little where it ends before cleared texels: the blur holds its
+// nearer side alone there, depths before the receiver. decode_msm misses them, as it takes the cleared ones for spread
+// about a mean. A bias for the blur's radius takes that away.
 #pragma once
 
 #include <umbrage/filter/prefiltered/msm.hpp>
