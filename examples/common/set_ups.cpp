@@ -21,6 +21,7 @@
 #include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/texture_matrix.hpp>
+#include <umbrage/light/warp/lamp.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/perspective.hpp>
 #include <umbrage/light/warp/plane_optimal.hpp>
@@ -68,6 +69,23 @@ placed_maps spot(const lit_view& v, const umbrage::polyhedron& receivers) {
                                                     .outer_angle_radians = v.light.outer_angle_radians,
                                                     .receivers = receivers,
                                                     .casters = whole(v.scene)}));
+}
+
+/// A perspective shadow map of the spot, around what is seen in its cone.
+placed_maps perspective_spot(const lit_view& v) {
+    const umbrage::lamp<double> lamp{.position = v.light.position};
+    const double edge = std::tan(v.light.outer_angle_radians);
+    const frustum cone{.position = lamp.position,
+                       .direction = v.light.direction,
+                       .tan_half_x = edge,
+                       .tan_half_y = edge,
+                       .z_near = 2 * lamp.z_near,
+                       .z_far = 2 * v.planes.z_far};
+    const umbrage::warp_fit<double> fit{.camera = v.planes,
+                                        .direction = v.light.direction,
+                                        .receivers = intersection(seen(v, v.planes), cone),
+                                        .casters = whole(v.scene)};
+    return one_map(v, {v.light.position, 1}, umbrage::fit_perspective(fit, lamp).light);
 }
 
 template <class Cascades>
@@ -169,7 +187,8 @@ std::vector<set_up> all_set_ups() {
     std::vector<set_up> all{
         {"whole scene", [](const lit_view& v) { return directional(v, whole(v.scene), v.light.up); }},
         {"spot", [](const lit_view& v) { return spot(v, whole(v.scene)); }},
-        {"spot, tight", [](const lit_view& v) { return spot(v, seen(v, v.planes)); }}};
+        {"spot, tight", [](const lit_view& v) { return spot(v, seen(v, v.planes)); }},
+        {"spot, perspective", &perspective_spot}};
     for (const auto& [range, where] : {std::pair(&lit_view::planes, ""), {&lit_view::depths, ", measured"}}) {
         const auto add = [&all, where = where](const std::string& name, auto place) {
             all.push_back({name + where, place});

@@ -53,10 +53,12 @@ void add_view(page& page, const settings& o, const view& v) {
         umbrage::image<float> extents((screen - 1) / step + 1);
         const umbrage::quality_report r = example::measure(s, lit, step, extents.view());
         umbrage::image<glm::u8vec3> colours = example::false_colours(lit, extents, step);
-        example::overlay_maps(colours, lit, s.place(lit));
-        figures.push_back({page.picture(colours), s.name});
-        numbers.push_back({s.name, text("mean %.3g, p95 %.3g, greatest %.3g, storage %.3g", r.mean, r.p95, r.greatest,
-                                        r.storage_factor)});
+        const example::placed_maps maps = s.place(lit);
+        example::overlay_maps(colours, lit, maps);
+        const std::string name = maps.chosen.empty() ? s.name : s.name + ": " + maps.chosen;
+        figures.push_back({page.picture(colours), name});
+        numbers.push_back({name, text("mean %.3g, p95 %.3g, greatest %.3g, storage %.3g", r.mean, r.p95, r.greatest,
+                                      r.storage_factor)});
     }
     page.entry(v.id, v.title,
                text("%d × %d pixels; one map of %d × %d texels, or four of %d × %d; of a point light six, two or "
