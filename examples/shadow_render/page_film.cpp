@@ -141,6 +141,7 @@ struct scene_of_film {
 
 void page_film(const options& o, const example::scene& scene) {
     constexpr std::array budgets{16, 6};  // pages each way
+    const int frames = frames_of(scene);
     const glm::vec3 to_light = example::direction_at(o.azimuth, o.elevation);
     const std::string title =
         text("%s: pages of an adaptive map, %d frames of a camera that moves and turns", title_of(o).c_str(), frames);

@@ -32,8 +32,6 @@
 namespace shadow_render {
 namespace {
 
-constexpr int sun_frames = 24;
-
 /// A map, and which kind of map it is.
 struct kind_of_map {
     umbrage::light_space<float> light;
@@ -43,7 +41,11 @@ struct kind_of_map {
 class sun_walk {
 public:
     sun_walk(const options& o, const example::scene& scene)
-        : o_(o), scene_(scene), camera_(make_camera(o, scene)), rays_(scene.geometry) {
+        : o_(o),
+          scene_(scene),
+          camera_(make_camera(o, scene)),
+          instances_(instances_of(scene, scene.geometry.positions)),
+          rays_(scene.geometry) {
         for_each_surface(o, scene, camera_, [&](glm::ivec2 p, const example::surface& at) {
             if (p.x % 4 || p.y % 4) return;
             points_.push_back({glm::dvec3(lifted(o, at)), glm::dvec3(at.face_normal)});
@@ -53,7 +55,7 @@ public:
 
     /// From abreast of the camera to right behind it.
     [[nodiscard]] glm::vec3 to_sun(double frame) const {
-        const double angle = 90 - 90 * frame / (sun_frames - 1);
+        const double angle = 90 - 90 * frame / (frames_of(scene_) - 1);
         return example::direction_at(o_.camera_azimuth, o_.camera_elevation + static_cast<float>(angle));
     }
 
@@ -94,7 +96,7 @@ public:
 
     [[nodiscard]] point_look_up draw(const umbrage::light_space<float>& light) const {
         umbrage::image<float> map(glm::ivec2(o_.map_size), umbrage::cleared_depth(light.clip));
-        draw_seen(map, scene_, scene_.geometry.positions, light.projection * light.view, light.clip);
+        draw_seen(map, all_of(map), instances_, light.projection * light.view, light.clip);
         const glm::mat4 to_texels = umbrage::texture_matrix(light, map.size());
         return [map = std::move(map), to_texels](glm::vec3 point) -> umbrage::placed_point {
             const glm::vec3 at = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, point));
@@ -132,6 +134,7 @@ private:
     const options& o_;
     const example::scene& scene_;
     example::camera camera_;
+    std::vector<instance> instances_;
     example::ray_tracer rays_;
     std::vector<umbrage::seen_point> points_, coarse_;
 };
@@ -158,9 +161,10 @@ constexpr std::array sun_maps{
 
 void sun_film(const options& o, const example::scene& scene) {
     const sun_walk walk(o, scene);
+    const int frames = frames_of(scene);
     const std::string title =
         text("%s: one map of %d x %d texels, %d frames of a sun from abreast of the camera to behind it",
-             title_of(o).c_str(), o.map_size, o.map_size, sun_frames);
+             title_of(o).c_str(), o.map_size, o.map_size, frames);
     sheet film(
         {o.width, o.height}, static_cast<int>(sun_maps.size()) * sheet::columns,
         {title, "Red: where the light changes as one kind of map hands over to another, while the sun stands still"});
@@ -168,17 +172,27 @@ void sun_film(const options& o, const example::scene& scene) {
         std::printf("\n%s\n\n%-46s %10s %12s %12s %12s\n", title.c_str(), "set-up", "hand-overs", "% there, up",
                     "% off rays", "up to");
     std::vector<std::vector<double>> lit;
-    for (int i = 0; i < sun_frames; ++i) lit.push_back(walk.by_rays(i));
+    for (int i = 0; i < frames; ++i) lit.push_back(walk.by_rays(i));
+    std::vector<std::vector<std::pair<glm::mat4, double>>> known(lit.size());  // several set-ups come to one map
+    const auto off_rays = [&](int i, const umbrage::light_space<float>& light) {
+        const auto number = static_cast<std::size_t>(i);
+        const glm::mat4 to_clip = light.projection * light.view;
+        for (const auto& [of, share] : known[number])
+            if (of == to_clip) return share;
+        const double share =
+            walk.changed(i, walk.draw(light), [&](std::size_t k, glm::vec3) { return lit[number][k]; });
+        known[number].emplace_back(to_clip, share);
+        return share;
+    };
     for (const sun_map& w : sun_maps) {
         kind_of_map before = w.at(walk, 0, 0);
         double at = -1, jump = 0, off = 0, most_off = 0;
         int count = 0;
         point_look_up old, young;
-        for (int i = 0; i < sun_frames; ++i) {
+        for (int i = 0; i < frames; ++i) {
             const kind_of_map now = w.at(walk, i, before.which);
-            const double wrong =
-                walk.changed(i, walk.draw(now.light), [&](std::size_t k, glm::vec3) { return lit[std::size_t(i)][k]; });
-            off += wrong / sun_frames, most_off = std::max(most_off, wrong);
+            const double wrong = off_rays(i, now.light);
+            off += wrong / frames, most_off = std::max(most_off, wrong);
             if (now.which != before.which) {
                 double first = i - 1, last = i;
                 for (int halvings = 0; halvings < 20; ++halvings) {
@@ -200,13 +214,13 @@ void sun_film(const options& o, const example::scene& scene) {
         };
         alone(0);
         if (at < 0) {
-            alone(sun_frames / 2);
-            alone(sun_frames * 3 / 4);
+            alone(frames / 2);
+            alone(frames * 3 / 4);
         } else {
             film.add(walk.photo(at, old), {w.name, text("frame %.2f, before a hand-over", at)});
             film.add(walk.photo(at, young, old), {w.name, text("frame %.2f, after it", at)});
         }
-        alone(sun_frames - 1);
+        alone(frames - 1);
     }
     example::write_png(o.output / "sun.png", film.pixels().view());
 }
