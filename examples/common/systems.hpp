@@ -89,7 +89,7 @@ struct shadow_system {
 };
 
 /// ATI SDK, pixel shader 1.4: 11 bits in two channels, four taps with a matrix each.
-inline constexpr shadow_system radeon_8500{
+inline const shadow_system radeon_8500{
     .name = "radeon_8500",
     .title = "Radeon 8500 ShadowMap",
     .light = light_kind::spot,
@@ -141,7 +141,7 @@ inline constexpr shadow_system self_shadowing{
     .ambient = 0.4f,
 };
 
-inline constexpr std::array systems{radeon_8500, dx_sdk, exercise, self_shadowing};
+inline const std::array systems{radeon_8500, dx_sdk, exercise, self_shadowing};
 
 inline constexpr glm::vec3 sky{0.30f, 0.36f, 0.44f};  ///< where the camera sees nothing; lit in visibility masks
 
