@@ -7115,17 +7115,29 @@ namespace umbrage {
 ///                  1 / ((1 + z) (1 + f)) at a step. Nothing holds s down for all moments: a bias of (0, y, 0, y) is
 ///                  one of depths -1, 0 and 1, no help where f is 0
 template <real T>
-[[nodiscard]] T hausdorff_share(glm::vec<4, T> b, T z) {
+[[nodiscard]] UMBRAGE_INLINE inline T hausdorff_share(glm::vec<4, T> b, T z) {
     const T variance = b.y - b.x * b.x, third = b.z - b.x * b.y, fourth = b.w - b.y * b.y, rest = T(1) - b.y;
     const T x = z - b.x, d = third + rest * x, g = (fourth - variance * rest) - (z + b.x) * third;
     const T p = d * (T(1) + b.x) + g, q = d * (T(1) - b.x) - g, k = rest * g + third * d, square = d * d;
     const T first = (T(1) + z) * (d * variance + g * (T(1) - b.x)) - k;
     const T last = (T(1) - z) * (d * variance - g * (T(1) + b.x)) + k;
     const T end = first / (T(2) * ((T(1) + z) * p)), other = (square * square) / (p * (q * (x * d - g)));
-    const T share = end + (d > T(0) ? other : T(0));
-    if (z <= T(-1)) return T(0);
-    return first * p > T(0) && last * q > T(0) && p * q > T(0) && share >= T(0) ? (share < T(1) ? share : T(1)) : T(-1);
+    const T share = end + detail::pick(d > T(0), other, T(0));
+    const auto four = int(first * p > T(0)) & int(last * q > T(0)) & int(p * q > T(0)) & int(share >= T(0));
+    const T known = detail::pick(bool(four), detail::pick(share < T(1), share, T(1)), T(-1));
+    return detail::pick(z <= T(-1), T(0), known);
 }
+
+namespace detail {
+
+/// decode_msm_hausdorff from what decode_msm gives, of biased moments and a depth that grows with distance.
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE inline T lit_within(T plain, glm::vec<4, T> b, T d) {
+    const T share = hausdorff_share(b, moment_depth(d));
+    return pick(bool(int(!is_nan(d)) & int(share >= T(0))), T(1) - share, plain);
+}
+
+}  // namespace detail
 
 /// @param b         mean of texels
 /// @param receiver  depth, biased; outside [0, 1] the nearer end counts, the near end is lit; NaN is in shadow
@@ -7137,8 +7149,7 @@ template <real T>
 /// @cite            Peters, Klein: Moment shadow mapping, I3D 2015
 template <real T>
 [[nodiscard]] T decode_msm_hausdorff(glm::vec<4, T> b, T receiver, glm::vec<2, T> bias, T far = T(1)) {
-    const T d = forward_depth(receiver, far), share = hausdorff_share(bias_moments(b, bias), detail::moment_depth(d));
-    return !is_nan(d) && share >= T(0) ? T(1) - share : decode_msm(b, receiver, bias, far);
+    return detail::lit_within(decode_msm(b, receiver, bias, far), bias_moments(b, bias), forward_depth(receiver, far));
 }
 
 namespace glsl {
@@ -7751,6 +7762,11 @@ struct msm_hausdorff {
     [[nodiscard]] UMBRAGE_INLINE texel encode(float depth) const { return encode_msm(depth, cleared_depth(direction)); }
     [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
         return decode_msm_hausdorff(b, receiver, bias, cleared_depth(direction));
+    }
+    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel b) const { return bias_moments(b, bias); }
+    /// Visibility from decode_msm's.
+    [[nodiscard]] UMBRAGE_INLINE static float within(float plain, const glm::vec4& moments, float forward) {
+        return detail::lit_within(plain, moments, forward);
     }
 };
 
@@ -16419,7 +16435,8 @@ UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_pla
     for (int i = 0; i < block; ++i) visibility[i] = filter.decode(means[i], depths[i]);
 }
 
-/// decode_msm in three loops: compilers vectorise none that takes a root, as it may set errno.
+/// decode_msm in three loops: compilers vectorise none that takes a root, as it may set errno. What knows more of the
+/// depths goes on from there in one of its own.
 template <class Prefilter>
 requires requires(const Prefilter& f, typename Prefilter::texel t) { f.moments(t); }
 UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_planes<typename Prefilter::texel>& means,
@@ -16439,6 +16456,10 @@ UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_pla
         atom_equation<float> e;
         e.D = D[i], e.E = E[i], e.h = h[i], e.a = a[i], e.B = B[i], e.c = c[i];
         visibility[i] = lit_by_atoms(e.atoms(roots[i]), x[i], d[i]);
+    }
+    if constexpr (requires { filter.within(0.0f, glm::vec4(), 0.0f); }) {
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) visibility[i] = filter.within(visibility[i], filter.moments(means[i]), d[i]);
     }
 }
 

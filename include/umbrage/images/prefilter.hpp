@@ -113,7 +113,8 @@ UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_pla
     for (int i = 0; i < block; ++i) visibility[i] = filter.decode(means[i], depths[i]);
 }
 
-/// decode_msm in three loops: compilers vectorise none that takes a root, as it may set errno.
+/// decode_msm in three loops: compilers vectorise none that takes a root, as it may set errno. What knows more of the
+/// depths goes on from there in one of its own.
 template <class Prefilter>
 requires requires(const Prefilter& f, typename Prefilter::texel t) { f.moments(t); }
 UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_planes<typename Prefilter::texel>& means,
@@ -133,6 +134,10 @@ UMBRAGE_INLINE inline void decode_block(const Prefilter& filter, const texel_pla
         atom_equation<float> e;
         e.D = D[i], e.E = E[i], e.h = h[i], e.a = a[i], e.B = B[i], e.c = c[i];
         visibility[i] = lit_by_atoms(e.atoms(roots[i]), x[i], d[i]);
+    }
+    if constexpr (requires { filter.within(0.0f, glm::vec4(), 0.0f); }) {
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) visibility[i] = filter.within(visibility[i], filter.moments(means[i]), d[i]);
     }
 }
 

@@ -129,6 +129,11 @@ struct msm_hausdorff {
     [[nodiscard]] UMBRAGE_INLINE float decode(texel b, float receiver) const {
         return decode_msm_hausdorff(b, receiver, bias, cleared_depth(direction));
     }
+    [[nodiscard]] UMBRAGE_INLINE glm::vec4 moments(texel b) const { return bias_moments(b, bias); }
+    /// Visibility from decode_msm's.
+    [[nodiscard]] UMBRAGE_INLINE static float within(float plain, const glm::vec4& moments, float forward) {
+        return detail::lit_within(plain, moments, forward);
+    }
 };
 
 using all = list_of<vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff>;
