@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// Prefiltered maps from depth to visibility: encode, blur of 7 taps, look-up.
+// Prefiltered maps from depth to visibility: encode, blur of 7 taps, look-up. Summed tables: a large box against a
+// small one.
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include <umbrage/images/blur.hpp>
+#include <umbrage/images/moment_table.hpp>
 #include <umbrage/images/prefilter.hpp>
+#include <umbrage/images/variance_table.hpp>
 
 #include "bench.hpp"
 #include "data.hpp"
@@ -58,11 +62,41 @@ void add_row(const Filter& filter, const Peer& peer) {
                 .agree = [=] { return s->close(); }});
 }
 
+/// A table's boxes, which all are to cost the same.
+template <class Of>
+void add_boxes(const std::string& name, const Of& of, umbrage::image<glm::u16vec4> table) {
+    struct state {
+        Of of;
+        umbrage::image<glm::u16vec4> table;
+        umbrage::image<float> out{bench::screen};
+        umbrage::image<glm::vec3> receivers = bench::make_receivers(bench::order::coherent);
+    };
+    const auto s = std::make_shared<state>(state{of, std::move(table)});
+    const auto boxes = [s](int radius) {
+        return [=] {
+            umbrage::summed_visibility(std::as_const(s->table).view(), s->of, std::as_const(s->receivers).view(),
+                                       radius, s->out.view());
+        };
+    };
+    bench::add({.work = name + ": box of 33 x 33, 1920 x 1080",
+                .peer = "3 x 3",
+                .at_least = 0.9,
+                .items = bench::pixels,
+                .ours = boxes(16),
+                .theirs = boxes(1),
+                .agree = {}});
+}
+
 const bench::registration rows([] {
     add_row(umbrage::prefilters::vsm{1e-4f}, peers::glm_code::vsm{1e-4f});
     const umbrage::prefilters::evsm4 evsm;
     add_row(evsm, peers::glm_code::evsm4{evsm.parameters.exponents, evsm.parameters.deviations});
     add_row(umbrage::prefilters::msm{}, peers::glm_code::msm{umbrage::msm_bias_32});
+    const umbrage::image<float> depth = bench::make_map();
+    const umbrage::variance_table variance{.radius = 16};
+    const umbrage::moment_table moments{.radius = 16};
+    add_boxes("summed variance", variance, umbrage::make_variance_table(depth.view(), variance));
+    add_boxes("summed moments", moments, umbrage::make_moment_table(depth.view(), moments));
 });
 
 }  // namespace
