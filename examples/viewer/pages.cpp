@@ -57,8 +57,8 @@ std::string sun_pages::describe(const umbrage::page_update& u) const {
     const glm::ivec2 slots = cache_.budget().slots;
     std::array<char, 160> text{};
     std::snprintf(text.data(), text.size(),
-                  "%zu of %d pages, %zu of them drawn, %zu given up, %zu of these pop; a texel is %.2f pixels",
-                  cache_.size(), slots.x * slots.y, u.drawn.size(), u.given_up, u.forced, u.target);
+                  "%zu of %d pages, %zu drawn, a texel %.2f pixels\n%zu given up, %zu of these pop", cache_.size(),
+                  slots.x * slots.y, u.drawn.size(), u.target, u.given_up, u.forced);
     return text.data();
 }
 
