@@ -201,7 +201,7 @@ void stability_report(const options& o, const example::scene& scene) {
                                 r.compared, r.changed, 100 * r.share(), r.change);
             }
         });
-    progress.stage("film", [&] {
+    auto strip = std::async(std::launch::async, [&] {
         const glm::vec3 to_light = example::direction_at(o.azimuth, o.elevation);
         sheet film({o.width, o.height}, 4 * sheet::columns,
                    {title, "Below each row what the scene shades in the same frames, from above, white where lit",
@@ -221,6 +221,7 @@ void stability_report(const options& o, const example::scene& scene) {
         example::write_png(o.output / "film.png", film.pixels().view());
     });
     progress.stage("sun", [&] { sun_film(o, scene); });
+    progress.stage("film", [&] { strip.get(); });
     progress.stage("pages", [&] { page_film(o, scene); });
 }
 
