@@ -60,9 +60,10 @@ struct digest {
     }
 };
 
-// What is passed on as it is: a denormal that counted as zero may be there still.
+// What is passed on as it is: a denormal that counted as zero may be there still, and of a NaN only that it is one.
 inline float passed_on(float v) {
     const auto bits = std::bit_cast<std::uint32_t>(v);
+    if ((bits & 0x7FFFFFFFu) > 0x7F800000u) return from_bits(0x7FC00000u);
     return from_bits((bits & 0x7F800000u) == 0 ? bits & 0x80000000u : bits);
 }
 inline glm::vec3 passed_on(glm::vec3 v) { return {passed_on(v.x), passed_on(v.y), passed_on(v.z)}; }
