@@ -3,10 +3,11 @@
 // Every entry on one implementation, in all its dialects, against C++.
 //
 //     parity --backend llvmpipe|softpipe|lavapipe|swiftshader|swiftshader_vulkan|naga|tint|hardware|c++|metal
-//            [--count N] [--other-count N] [--other-every N] [--whole N] [--versions "100,300 es,450"]
-//            [--filter TEXT] [--out FOLDER]
+//            [--count N] [--other-count N] [--every N] [--other-every N] [--whole N]
+//            [--versions "100,300 es,450"] [--filter TEXT] [--out FOLDER]
 //
-// --other-every: one in N of the other dialects, and of entries with bound maps or alike, by a hash of both names.
+// --every: one in N entries in the main dialects, by a hash of both names; in the last dialect all.
+// --other-every: one in N in the other dialects, and of entries with bound maps or alike.
 // --whole: as many of each enumeration, in one dialect; 16777216 is all of every one.
 //
 // --mistake "FROM=TO": printers write TO for FROM; the exit status is 0 when results differ for it.
@@ -33,7 +34,7 @@ struct options {
     std::string driver = "llvmpipe", filter, versions, out = ".";
     std::size_t count = std::size_t(1) << 20;        ///< in the main dialects: one of each kind of GLSL, and languages
     std::size_t other_count = std::size_t(1) << 16;  ///< in the others
-    std::size_t other_every = 1;
+    std::size_t every = 1, other_every = 1;
     std::size_t whole = std::size_t(1) << 16;  ///< of an enumeration, in the last of the main dialects of GLSL
 
     [[nodiscard]] bool wants(const backend& b, dialect d) const {
@@ -46,11 +47,10 @@ struct options {
     [[nodiscard]] std::size_t inputs(const entry& e, dialect d, bool only) const {
         return (only || main(d) ? count : std::min(count, other_count)) / e.share;
     }
-    /// All entries without a bound map in the last dialect, so that no snippet is left out; of those like another, and
-    /// of bound ones, a sample elsewhere.
+    /// Samples, but for the last dialect, where no snippet is left out.
     [[nodiscard]] bool samples(const entry& e, const backend& b, dialect d) const {
-        const bool last = d == b.dialects().back();
-        return (e.bound.empty() && (last || (main(d) && !e.alike))) || sampled(e.name() + b.label(d), other_every);
+        const bool plain = e.bound.empty() && !e.alike, last = d == b.dialects().back();
+        return sampled(e.name() + b.label(d), plain && last ? 1 : plain && main(d) ? every : other_every);
     }
     /// A table lists every entry or is not written.
     [[nodiscard]] bool tables() const { return filter.empty() && planted.from.empty(); }
@@ -70,6 +70,7 @@ options parse(int argc, char** argv) {
         else if (name == "--whole") o.whole = std::stoull(value);
         else if (name == "--count") o.count = std::stoull(value);
         else if (name == "--other-count") o.other_count = std::stoull(value);
+        else if (name == "--every") o.every = std::stoull(value);
         else if (name == "--other-every") o.other_every = std::stoull(value);
         else throw std::invalid_argument("unknown option " + name);
     }
