@@ -103,8 +103,9 @@ prove:
 	cmake --build --preset dev --target prove
 	cmake --build --preset dev --target prove_glsl
 	cmake --build --preset dev --target mutate
-	cmake --build --preset dev --target headers_together hostile hostile_tier_a hostile_images hostile_aarch64
-	ctest --preset dev -R "^hostile/"
+	cmake --workflow --preset clang-optimised
+	cmake --build --preset dev --target headers_together hostile hostile_tier_a hostile_images hostile_aarch64 unit
+	ctest --preset dev -R "^hostile/|^unit/simd/"
 
 # The peers' shaders come from npm; the table goes to build/bench-packing/packing.tsv too.
 bench-packing:

@@ -10,7 +10,7 @@ set(scalar # by intent: what a constructor sets once, and what a branch leaves o
     "simd/raster/projection.hpp:.* if [(]outside.i.[)] vertices"
     "simd/raster/triangles.hpp:.* id.i. = 0")
 
-execute_process(COMMAND ${CXX} -O2 -fopt-info-vec-optimized=vectorized.txt -x c++ -c ${SOURCE} -o vectorized.o
+execute_process(COMMAND ${CXX} -O2 -DUMBRAGE_FORCE_ISA=avx2 -fopt-info-vec-optimized=vectorized.txt -x c++ -c ${SOURCE} -o vectorized.o
     RESULT_VARIABLE failed)
 if(failed)
     message(FATAL_ERROR "${SOURCE} does not compile")

@@ -30,8 +30,12 @@ namespace {
 using namespace hostile;
 
 constexpr int block = 64;
-constexpr int inputs = 1 << 15;      // of each primitive, for each class and mode
-constexpr int few_inputs = 1 << 11;  // of those that take many texels each
+#ifdef SAMPLE
+constexpr int inputs = 1 << 12;  // of each primitive, for each class and mode
+#else
+constexpr int inputs = 1 << 15;
+#endif
+constexpr int few_inputs = inputs / 16;  // of those that take many texels each
 
 struct look_up {  // what a filter is called with
     glm::vec2 a, b, c, d;

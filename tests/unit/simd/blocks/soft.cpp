@@ -101,7 +101,7 @@ TEST_CASE("soft_blocks: the bits of pcss and dpcf for each receiver, every path,
 TEST_CASE("divide_int: integer division") {
     values v;
     int wrong = 0;
-    each_rounding([&](int) {
+    each_rounding(rounding_modes(), [&](int) {
         for (int i = 0; i < 20000; ++i) {
             const auto a = static_cast<std::int32_t>(v.word() >> 8), b = static_cast<std::int32_t>(1 + v.word() % 300);
             if (a / b > 1 << 18) continue;
