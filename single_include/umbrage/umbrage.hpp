@@ -11575,8 +11575,8 @@ struct greatest_of {
 // compiled for the base set. GCC vectorises at -O2 only loops whose count it knows, and no `c ? x : y` on floats: so
 // loops run over blocks of 64, and select on the bits.
 //
-// UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice; a machine that lacks it takes the next lower one. No choice
-// changes a bit of a result of tier A. It has to be the same in all files of a program.
+// UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice, and nothing wider is compiled; a machine that lacks it takes
+// the next lower one. No choice changes a bit of a result of tier A. It has to be the same in all files of a program.
 
 // Before a loop that writes memory which nothing it reads lies in: GCC does not check that at run time at -O2.
 #if defined(__GNUC__) && !defined(__clang__)
@@ -11617,28 +11617,31 @@ inline constexpr bool has_dispatch = false;
 [[nodiscard]] inline isa best_isa() { return isa::base; }
 #endif
 
-/// What image functions use; tests set it to see every path.
+/// The widest set that anything is compiled for.
 #if defined(UMBRAGE_FORCE_ISA)
-inline isa isa_in_use = best_isa() < isa::UMBRAGE_FORCE_ISA ? best_isa() : isa::UMBRAGE_FORCE_ISA;
+inline constexpr isa widest_isa = has_dispatch ? isa::UMBRAGE_FORCE_ISA : isa::base;
 #else
-inline isa isa_in_use = best_isa();
+inline constexpr isa widest_isa = has_dispatch ? isa::avx512 : isa::base;
 #endif
+
+/// What image functions use; tests set it to see every path.
+inline isa isa_in_use = best_isa() < widest_isa ? best_isa() : widest_isa;
 
 /// Runs the body, compiled for the instruction set in use, which it gets as a constant. Only for results that no
 /// contraction to FMA can change.
 template <class Body>
 void on_best_isa(const Body& body) {
-    if constexpr (has_dispatch) {
-        if (isa_in_use == isa::avx512) return on_avx512(body);
-        if (isa_in_use == isa::avx2) return on_avx2(body);
-    }
+    if constexpr (widest_isa >= isa::avx512)
+        if (isa_in_use >= isa::avx512) return on_avx512(body);
+    if constexpr (widest_isa >= isa::avx2)
+        if (isa_in_use >= isa::avx2) return on_avx2(body);
     body(isa_constant<isa::base>{});
 }
 
 /// The same for sums of products that round: AVX-512 brings FMA along, with which compilers change the result.
 template <class Body>
 void on_best_isa_without_fma(const Body& body) {
-    if constexpr (has_dispatch)
+    if constexpr (widest_isa >= isa::avx2)
         if (isa_in_use != isa::base) return on_avx2(body);
     body(isa_constant<isa::base>{});
 }
