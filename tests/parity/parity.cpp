@@ -49,8 +49,8 @@ struct options {
     }
     /// Samples, but for the last dialect, where no snippet is left out.
     [[nodiscard]] bool samples(const entry& e, const backend& b, dialect d) const {
-        const bool plain = e.bound.empty() && !e.alike, last = d == b.dialects().back();
-        return sampled(e.name() + b.label(d), plain && last ? 1 : plain && main(d) ? every : other_every);
+        if (e.bound.empty() && d == b.dialects().back()) return true;
+        return sampled(e.name() + b.label(d), e.bound.empty() && !e.alike && main(d) ? every : other_every);
     }
     /// A table lists every entry or is not written.
     [[nodiscard]] bool tables() const { return filter.empty() && planted.from.empty(); }
