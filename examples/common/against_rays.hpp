@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// A picture's shadows of a sun held against rays, for the examples' checks.
+// A picture's shadows of a light held against rays, for the examples' checks.
 //
 //     const example::ray_tracer rays(scene.geometry);
-//     const example::against_rays counts(scene, rays, camera, size, to_light, 200, [&](auto p) { return lit(p); });
+//     const example::against_rays counts(scene, rays, camera, size, light, 200, [&](auto p) { return lit(p); });
 //
 #pragma once
 
@@ -24,10 +24,11 @@ struct against_rays {
     int shadowed_sky = 0;
 
     /// @param rays     of the scene, which takes longer to make than to ask
+    /// @param light    towards a sun and 0, or a lamp's position and 1
     /// @param far      distance from which pixels count as far
     /// @param is_lit   pixel -> whether it is, in the picture
     template <class Lit>
-    against_rays(const scene& s, const ray_tracer& rays, const camera& c, glm::ivec2 size, glm::vec3 to_light,
+    against_rays(const scene& s, const ray_tracer& rays, const camera& c, glm::ivec2 size, const glm::vec4& light,
                  float far, const Lit& is_lit) {
         const float everything = 2 * glm::distance(s.low, s.high);
         const auto seen = camera_pass(s.geometry, c, size);
@@ -38,8 +39,10 @@ struct against_rays {
                     continue;
                 }
                 const surface at = surface_at(s, c, seen, p);
+                const glm::vec3 way = glm::vec3(light) - light.w * at.position, to_light = glm::normalize(way);
                 if (glm::dot(at.face_normal, to_light) < 0.1f) continue;
-                const bool blocked = rays.blocked(at.position + 0.01f * at.face_normal, to_light, everything);
+                const bool blocked = rays.blocked(at.position + 0.01f * at.face_normal, to_light,
+                                                  light.w > 0 ? glm::length(way) : everything);
                 (blocked ? dark : lit) += 1;
                 if (is_lit(p) == blocked) (glm::distance(at.position, c.position) < far ? other_near : other_far) += 1;
             }

@@ -32,7 +32,7 @@ TEST_CASE("shadow_render: a kilometre under cascades, whose shadows are those of
                                                          .z_near = scene.z_near,
                                                          .z_far = scene.z_far});
     const example::against_rays rays(scene, example::ray_tracer(scene.geometry), camera, mask.size(),
-                                     example::direction_at(60, 30), 200,
+                                     {example::direction_at(60, 30), 0}, 200,
                                      [&](glm::ivec2 p) { return mask[p].r >= 128; });
     MESSAGE("lit ", rays.lit, ", dark ", rays.dark, ", other: near ", rays.other_near, ", far ", rays.other_far);
     CHECK(rays.shadowed_sky == 0);

@@ -6,7 +6,7 @@
 //     parts     a system's map, bias and filter as GLSL: change a filter there, in filter_of()
 //     programs  shaders put together from them and the library's snippets
 //     renderer  light's pass, camera's pass, map in the corner
-//     outdoor   cascades and instances; placement of one map in the cascades' place
+//     outdoor   cascades and instances; placement of one map in the cascades' place; lamp, maps all around
 //     window, headless   where OpenGL comes from
 #include <chrono>
 #include <cstdio>

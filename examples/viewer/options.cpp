@@ -44,15 +44,18 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
         ->check(within(0, 16));
     app.add_option("--epsilon", o.epsilon, "constant bias besides, in the map's depth")->check(within(-1, 1));
 
-    example::add_choice(app, "--placement", o.placement, placement_names(),
-                        "outdoor: four maps, or one of as many texels, or pages in one, for what is seen");
+    example::add_choice(app, "--scene", o.ground, ground_names(),
+                        "outdoor: a kilometre of hills, one of plain, or a few things on a floor");
+    example::add_choice(
+        app, "--placement", o.placement, placement_names(),
+        "outdoor: of a sun four maps, or one of as many texels, or pages in one; of a lamp the last three");
 
     app.option_defaults()->group("Picture");
     app.add_option("--width", o.width, "pixels")->check(within(16, 8192));
     app.add_option("--height", o.height, "pixels")->check(within(16, 8192));
     app.add_flag("--es2", o.es2, "OpenGL ES 2 and GLSL 100: systems radeon_8500 and self_shadowing");
     app.add_flag("--mask", o.mask, "visibility alone, white is lit");
-    app.add_flag("--tint", o.tint, "outdoor: each cascade, or each size of pages, in a colour");
+    app.add_flag("--tint", o.tint, "outdoor: each cascade, face or size of pages in a colour");
     app.add_flag("!--no-text", o.text, "no text in the window");
     app.add_flag("!--no-map", o.map, "no shadow map in the corner");
 
@@ -73,9 +76,10 @@ std::optional<options> parse_options(int argc, const char* const* argv) {
             throw example::usage_error(std::string(other) + " is not for --system outdoor");
     if (outdoor && o.filter && !filters_layers(*o.filter))
         throw example::usage_error("--filter " + *o.filter + " is not for --system outdoor");
-    if (!outdoor && app.count("--placement") > 0) throw example::usage_error("--placement is for --system outdoor");
-    if (o.tint && !(outdoor && (o.placement == in_cascades || o.placement == in_pages)))
-        throw example::usage_error("--tint is for --system outdoor, its cascades and pages");
+    for (const char* own : {"--placement", "--scene"})
+        if (!outdoor && app.count(own) > 0) throw example::usage_error(std::string(own) + " is for --system outdoor");
+    if (o.tint && !(outdoor && has_parts(o.placement)))
+        throw example::usage_error("--tint is for --system outdoor, its cascades, pages and faces");
     if (o.headless && o.frames == 0) o.frames = 1;
     return o;
 }

@@ -20,12 +20,13 @@ struct options {
     std::optional<int> map_size{};
     std::optional<float> radius{}, light_size{}, reach{}, epsilon{};
 
-    std::string placement = "cascades";  ///< of an outdoor sun's maps
+    std::string ground = "outdoor";      ///< outdoors, what there is
+    std::string placement = "cascades";  ///< of an outdoor light's maps
 
     int width = 960, height = 640;
     bool es2 = false;   ///< OpenGL ES 2 and GLSL 100
     bool mask = false;  ///< visibility alone
-    bool tint = false;  ///< cascades in colours
+    bool tint = false;  ///< cascades, pages, faces in colours
     bool text = true, map = true;
 
     bool headless = false;

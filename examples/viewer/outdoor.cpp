@@ -17,7 +17,6 @@
 #include <srgb.hpp>
 
 #include "outdoor_programs.hpp"
-#include "placement.hpp"
 
 namespace viewer {
 namespace {
@@ -49,7 +48,7 @@ umbrage::cascade_fit<float> fit_of(const session& s, const example::camera& c) {
 
 }  // namespace
 
-outdoor::outdoor(const example::scene& scene) : depth_(outdoor_depth_stages()), look_(outdoor_look_stages()) {
+outdoor::outdoor(const example::scene& scene) : look_(outdoor_look_stages()) {
     std::vector<shape_vertex> vertices;
     std::vector<glm::uvec3> triangles;
     for (const example::copies& part : scene.parts) {
@@ -115,11 +114,7 @@ void outdoor::make_layers(int edge, int count) {
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-/// @param where   a square of the layer
-/// @param eye     close to which a warp's depths need all digits
-void outdoor::draw_layer(const example::scene& scene, int layer, const square& where, glm::vec3 eye,
-                         const umbrage::light_space<double>& light) {
-    const glm::dmat4 to_clip = light.projection * light.view;
+void outdoor::clear_layer(int layer, const square& where) {
     glBindFramebuffer(GL_FRAMEBUFFER, layer_);
     glDrawBuffer(GL_NONE);
     glReadBuffer(GL_NONE);
@@ -129,8 +124,20 @@ void outdoor::draw_layer(const example::scene& scene, int layer, const square& w
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, maps_, 0, layer);
     glClear(GL_DEPTH_BUFFER_BIT);
     glDisable(GL_SCISSOR_TEST);
-    depth_.use().set("eye", eye).set("world_to_clip", glm::mat4(glm::translate(to_clip, glm::dvec3(eye))));
+}
+
+/// @param eye   close to which a warp's depths need all digits
+void outdoor::draw_depths(const example::scene& scene, glm::vec3 eye, const umbrage::light_space<double>& light) const {
+    const glm::dmat4 to_clip = light.projection * light.view;
+    depth_->use().set("eye", eye).set("world_to_clip", glm::mat4(glm::translate(to_clip, glm::dvec3(eye))));
     draw_instances(scene, glm::mat4(to_clip), light.clip);
+}
+
+/// @param where   a square of the layer
+void outdoor::draw_layer(const example::scene& scene, int layer, const square& where, glm::vec3 eye,
+                         const umbrage::light_space<double>& light) {
+    clear_layer(layer, where);
+    draw_depths(scene, eye, light);
 }
 
 /// @param step   of the pixels that become points, in x and y
@@ -260,9 +267,16 @@ void outdoor::place_pages(const session& s, const example::camera& c, glm::ivec2
 
 void outdoor::draw(const session& s, GLuint framebuffer, glm::ivec2 size) {
     const example::camera camera = example::make_camera(s.camera);
-    if (stages text = outdoor_camera_stages(s); !camera_ || camera_->text() != text) camera_.emplace(std::move(text));
+    const auto update = [](std::optional<program>& p, stages text) {
+        if (!p || p->text() != text) p.emplace(std::move(text));
+    };
+    update(depth_, outdoor_depth_stages(s.placement));
+    update(camera_, outdoor_camera_stages(s));
     if (!s.paged()) pages_.reset();
-    s.paged() ? place_pages(s, camera, size) : s.cascaded() ? place_cascades(s, camera) : place_one(s, camera, size);
+    if (s.paged()) place_pages(s, camera, size);
+    else if (s.cascaded()) place_cascades(s, camera);
+    else if (s.lamp()) place_lamp(s, camera);
+    else place_one(s, camera, size);
 
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, size.x, size.y);
@@ -274,7 +288,7 @@ void outdoor::draw(const session& s, GLuint framebuffer, glm::ivec2 size) {
         .set("world_to_clip", world_to_clip)
         .set("eye", camera.position)
         .set("ahead", glm::vec3(camera.frustum.direction))
-        .set("light_direction", sun(s))
+        .set("light", s.lamp() ? glm::vec4(s.lamp_position() - camera.position, 1) : glm::vec4(-sun(s), 0))
         .set("ambient", s.system.ambient)
         .set("maps", 0);
     draw_instances(s.scene, world_to_clip, umbrage::opengl_clip_space);

@@ -8,6 +8,7 @@
 //
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@
 
 #include "gl.hpp"
 #include "pages.hpp"
+#include "placement.hpp"
 #include "session.hpp"
 
 namespace viewer {
@@ -32,7 +34,11 @@ public:
 
     // Of the last picture: its maps, left bound as layers; and what came of their placement, for people.
     [[nodiscard]] int map_size() const { return map_size_; }
-    [[nodiscard]] int layers() const { return layers_; }
+    /// Layers side by side and above each other, in a picture of all.
+    [[nodiscard]] glm::vec2 tiles() const {
+        const float across = std::ceil(std::sqrt(static_cast<float>(layers_)));
+        return {across, static_cast<float>(layers_) / across};
+    }
     [[nodiscard]] const std::string& note() const { return note_; }
 
 private:
@@ -53,6 +59,8 @@ private:
         glm::ivec2 corner;
         int edge;
     };
+    void clear_layer(int layer, const square& where);
+    void draw_depths(const example::scene& scene, glm::vec3 eye, const umbrage::light_space<double>& light) const;
     void draw_layer(const example::scene& scene, int layer, const square& where, glm::vec3 eye,
                     const umbrage::light_space<double>& light);
     void make_layers(int edge, int count);
@@ -60,6 +68,16 @@ private:
     void place_cascades(const session& s, const example::camera& c);
     void place_one(const session& s, const example::camera& c, glm::ivec2 size);
     void place_pages(const session& s, const example::camera& c, glm::ivec2 size);
+    void place_lamp(const session& s, const example::camera& c);
+
+    /// The scene, cut for a lamp's paraboloids.
+    struct cut_scene {
+        glm::vec4 of;  ///< the lamp's position; texels
+        handle<buffer_kind> vertices{}, indices{};
+        GLsizei count = 0;
+    };
+    void cut(const example::scene& scene, glm::vec3 position, float range, const lamp_maps& maps);
+    void draw_cut(glm::vec3 position, const umbrage::light_space<double>& light) const;
 
     handle<buffer_kind> vertices_, indices_, places_;
     handle<texture_kind> maps_, table_;
@@ -70,8 +88,9 @@ private:
     std::optional<sun_pages> pages_;
     glm::vec2 pages_for_{0};  ///< texels, reach
     std::vector<shape> shapes_;
-    program depth_, look_;
-    std::optional<program> camera_;
+    program look_;
+    std::optional<program> depth_, camera_;
+    std::optional<cut_scene> cut_;
     std::optional<target> seen_;
 };
 

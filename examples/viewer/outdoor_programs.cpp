@@ -10,9 +10,13 @@
 #include <umbrage/bias/acne_free.hpp>
 #include <umbrage/bias/normal_offset.hpp>
 #include <umbrage/bias/slope.hpp>
+#include <umbrage/depth/kinds.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/cascades/blend.hpp>
 #include <umbrage/light/cascades/select.hpp>
+#include <umbrage/light/cube_map.hpp>
+#include <umbrage/light/dual_paraboloid.hpp>
+#include <umbrage/light/tetrahedron.hpp>
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/shade/lighting.hpp>
 #include <umbrage/shader/bind.hpp>
@@ -65,16 +69,55 @@ float visibility_here(vec3 face) {
 }
 )GLSL";
 
+/// What a face of a lamp is by the way there: in how many matrices, which of them, in which layer.
+constexpr const char* one_face = R"GLSL(
+const int faces = 1;
+float face_of(vec3 way) { return 0.0; }
+float layer_of(float face) { return 0.0; }
+)GLSL";
+constexpr const char* cube_faces = R"GLSL(
+const int faces = 6;
+float face_of(vec3 way) { return umbrage_cube_face(way); }
+float layer_of(float face) { return face; }
+)GLSL";
+constexpr const char* tetrahedron_faces = R"GLSL(
+const int faces = 4;
+float face_of(vec3 way) { return umbrage_tetrahedron_face(way); }
+float layer_of(float face) { return 0.0; }
+)GLSL";
+
 /// A warp's depths differ from place to place: epsilon is a length there, and the rest is the plane's own slope.
-constexpr const char* in_one_map = R"GLSL(
-uniform mat4 eye_to_texels, plane_matrix;
+constexpr const char* in_a_face = R"GLSL(
+uniform mat4 eye_to_texels[faces], plane_matrix[faces];
 uniform float reach;
+float number, weight = 0.0;
 
 float visibility_here(vec3 face) {
     vec3 looked_up = from_eye - epsilon * light_direction;
-    vec3 p = umbrage_project_coordinate(umbrage_shadow_coordinate(eye_to_texels, looked_up));
-    vec2 slope = umbrage_plane_slope(plane_matrix, face, from_eye);
-    return filtered(0.0, p, p.z - umbrage_acne_free_bias(slope, reach, 0.0));
+    number = face_of(looked_up - light.xyz);
+    vec3 p = umbrage_project_coordinate(umbrage_shadow_coordinate(eye_to_texels[int(number)], looked_up));
+    vec2 slope = umbrage_plane_slope(plane_matrix[int(number)], face, from_eye);
+    return filtered(layer_of(number), p, p.z - umbrage_acne_free_bias(slope, reach, 0.0));
+}
+)GLSL";
+
+/// Distances change by their tangent's share of the angle that a filter reaches, and of what tessellation leaves of
+/// places, 7/6 of a texel.
+constexpr const char* in_a_paraboloid = R"GLSL(
+uniform float reach, border, range, error;
+float number, weight = 0.0;
+
+float visibility_here(vec3 face) {
+    vec3 way = from_eye - light.xyz - epsilon * light_direction;
+    vec3 at = umbrage_dual_paraboloid_coordinate(way);
+    number = at.z;
+    vec2 inner = map_size - 2.0 * border;
+    float depth = umbrage_distance_depth(way, 1.0 / range);
+    float cosine = abs(dot(face, light_direction));
+    float radians_a_texel = 2.0 * (1.0 + abs(light_direction.z)) / inner.x;
+    float slope = depth * radians_a_texel * sqrt(1.0 - cosine * cosine) / cosine;
+    float bias = umbrage_acne_free_bias(vec2(slope * sqrt(0.5)), reach + 0.825, error);
+    return filtered(number, vec3(at.xy * inner + border, depth), depth - bias);
 }
 )GLSL";
 
@@ -101,18 +144,40 @@ float visibility_here(vec3 face) {
 )GLSL";
 
 constexpr const char* tints = R"GLSL(
-    const vec3 tints[5] = vec3[5](vec3(1.0, 0.45, 0.4), vec3(0.5, 1.0, 0.4), vec3(0.45, 0.6, 1.0),
-                                  vec3(1.0, 0.9, 0.35), vec3(1.0));
+    const vec3 tints[7] = vec3[7](vec3(1.0, 0.45, 0.4), vec3(0.5, 1.0, 0.4), vec3(0.45, 0.6, 1.0),
+                                  vec3(1.0, 0.9, 0.35), vec3(1.0), vec3(0.5, 1.0, 1.0), vec3(1.0));
     fragment_colour.rgb *= mix(tints[int(number)], tints[int(number) + 1], weight);
 )GLSL";
 
 }  // namespace
 
-stages outdoor_depth_stages() {
-    return {instances() + R"GLSL(
+stages outdoor_depth_stages(std::string_view placement) {
+    if (placement == in_paraboloids)
+        return {shader({glsl::dual_paraboloid_position}) + R"GLSL(
+in vec3 position;
+uniform mat4 world_to_clip;
+uniform vec3 eye;
+uniform float face;
+void main() {
+    vec4 at = umbrage_dual_paraboloid_position(position - eye, face);
+    gl_ClipDistance[0] = at.w - 0.1 * length(position - eye);
+    gl_Position = world_to_clip * at;
+}
+)GLSL",
+                shader({}) + "void main() {}\n"};
+    stages out{instances() + R"GLSL(
 void main() { gl_Position = world_to_clip * vec4((place * vec4(position, 1.0)).xyz - eye, 1.0); }
 )GLSL",
-            shader({}) + "void main() {}\n"};
+               shader({}) + "void main() {}\n"};
+    if (placement == in_tetrahedron)
+        out.fragment = shader({glsl::tetrahedron_face_of}) + R"GLSL(
+uniform vec2 map_size;
+uniform float face;
+void main() {
+    if (umbrage_tetrahedron_face_of(floor(gl_FragCoord.xy), map_size.x) != face) discard;
+}
+)GLSL";
+    return out;
 }
 
 stages outdoor_look_stages() {
@@ -144,7 +209,7 @@ stages outdoor_camera_stages(const session& s) {
     std::vector<glsl::bound> uses{glsl::shadow_coordinate, glsl::diffuse_ambient};
     std::vector<glsl::bound> more{glsl::project_coordinate, glsl::plane_slope, glsl::acne_free_bias};
     glsl::binding map{.texture = glsl::texture::array, .outside_lit = true};
-    std::string_view ahead, visibility_here = in_one_map;
+    std::string ahead, visibility_here = std::string(one_face) + in_a_face;
     if (s.cascaded()) {
         visibility_here = in_four_layers;
         more = {glsl::cascade_by_depth, glsl::cascade_column, glsl::cascade_coordinate,
@@ -156,6 +221,18 @@ stages outdoor_camera_stages(const session& s) {
         more.push_back(glsl::from_unorm);
         map = {.texture = glsl::texture::array, .origin = "page_origin"};
         ahead = "vec2 page_origin;\n";
+    }
+    if (s.placement == in_cube) {
+        visibility_here = std::string(cube_faces) + in_a_face;
+        more.push_back(glsl::cube_face);
+    }
+    if (s.placement == in_tetrahedron) {
+        visibility_here = std::string(tetrahedron_faces) + in_a_face;
+        more.push_back(glsl::tetrahedron_face);
+    }
+    if (s.placement == in_paraboloids) {
+        visibility_here = in_a_paraboloid;
+        more = {glsl::dual_paraboloid_coordinate, glsl::distance_depth, glsl::acne_free_bias};
     }
     uses.insert(uses.end(), more.begin(), more.end());
     for (const glsl::snippet& f : filter.uses) uses.push_back(bind(f, "", map));
@@ -178,15 +255,18 @@ void main() {
 in vec3 world_normal, surface_colour;
 in float distance_ahead;
 out vec4 fragment_colour;
-uniform vec3 eye, light_direction;
+uniform vec3 eye;
+uniform vec4 light;  // towards it and 0, or where it is from the eye and 1
+vec3 light_direction;
 uniform vec2 map_size;
 uniform float epsilon, ambient;
 uniform sampler2DArray maps;
 
 float srgb(float v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055; }
 float filtered(float layer, vec3 p, float receiver) { return )GLSL" +
-                   visibility + "; }\n" + std::string(visibility_here) + R"GLSL(
+                   visibility + "; }\n" + visibility_here + R"GLSL(
 void main() {
+    light_direction = normalize(from_eye * light.w - light.xyz);
     vec3 face = face_here();
     float visibility = visibility_here(face);
 )GLSL";
@@ -199,7 +279,7 @@ void main() {
                                         -light_direction), visibility);
     fragment_colour = vec4(srgb(seen.r), srgb(seen.g), srgb(seen.b), 1.0);
 )GLSL";
-    if (s.tint && !(visibility_here == in_one_map)) out.fragment += tints;
+    if (s.tint && has_parts(s.placement)) out.fragment += tints;
     out.fragment += "}\n";
     return out;
 }

@@ -6,6 +6,8 @@
 //
 #pragma once
 
+#include <string_view>
+
 #include "programs.hpp"
 #include "session.hpp"
 
@@ -13,15 +15,15 @@ namespace viewer {
 
 inline constexpr float cascade_fade_share = 0.1f;  ///< of a cascade, over which the next one takes over
 
-/// From the light, around an eye, from which points are told.
-[[nodiscard]] stages outdoor_depth_stages();
+/// From the light, around an eye, from which points are told; into a lamp's paraboloid, or one face of its tetrahedron.
+[[nodiscard]] stages outdoor_depth_stages(std::string_view placement);
 
 /// What the camera sees: the way there from the eye, and as a whole number of twice 12 bits the direction of the
 /// surface's normal or of the other side's; below 0 it is nothing.
 [[nodiscard]] stages outdoor_look_stages();
 [[nodiscard]] glm::vec3 normal_of(float bits);
 
-/// By its placement four layers by distance, pages of one, or one map, warped or not.
+/// By its placement four layers by distance, pages of one, one map, warped or not, or a lamp's.
 [[nodiscard]] stages outdoor_camera_stages(const session& s);
 
 }  // namespace viewer

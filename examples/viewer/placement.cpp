@@ -7,6 +7,9 @@
 #include <cstdio>
 #include <limits>
 
+#include <umbrage/light/dual_paraboloid.hpp>
+#include <umbrage/light/point_light.hpp>
+#include <umbrage/light/tetrahedron_light.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/perspective.hpp>
 #include <umbrage/light/warp/trapezoidal.hpp>
@@ -57,9 +60,18 @@ const std::vector<std::string>& placement_names() {
         for (const placement& p : placements) all.emplace_back(p.name);
         all.emplace_back(the_best);
         all.emplace_back(in_pages);
+        all.insert(all.end(), lamp_placements.begin(), lamp_placements.end());
         return all;
     }();
     return names;
+}
+
+bool is_lamp(std::string_view placement) {
+    return std::ranges::find(lamp_placements, placement) != lamp_placements.end();
+}
+
+bool has_parts(std::string_view placement) {
+    return placement == in_cascades || placement == in_pages || is_lamp(placement);
 }
 
 sun_map place_map(std::string_view name, const fit& f, std::span<const umbrage::seen_point> seen,
@@ -78,6 +90,24 @@ sun_map place_map(std::string_view name, const fit& f, std::span<const umbrage::
     sun_map best = described(placements[kept].name, all[kept]);
     best.note.insert(0, "best: ");
     return best;
+}
+
+lamp_maps place_lamp(std::string_view placement, glm::dvec3 position, double range, int texels, float reach) {
+    lamp_maps maps{};
+    maps.layers = placement == in_cube ? 6 : placement == in_paraboloids ? 2 : 1;
+    maps.size = static_cast<int>(texels / std::sqrt(maps.layers));
+    maps.border = std::min(static_cast<int>(std::ceil(reach)) + 1, maps.size / 8);
+    constexpr auto clip = umbrage::opengl_clip_space;
+    const double z_near = range / 1024;
+    const auto take = [&](const auto& faces) { maps.passes.assign(faces.begin(), faces.end()); };
+    if (placement == in_cube)
+        take(umbrage::make_point_light<double>({position, z_near, range, maps.size, maps.border, clip}));
+    else if (placement == in_tetrahedron)
+        take(umbrage::make_tetrahedron_light<double>({position, z_near, range, maps.size, maps.border, clip}));
+    else
+        maps.passes.assign(
+            2, umbrage::make_dual_paraboloid_light<double>({position, range, maps.size, maps.border, clip}));
+    return maps;
 }
 
 }  // namespace viewer

@@ -66,10 +66,10 @@ uniform vec2 map_size;
 varying vec2 at;
 )GLSL") + (layers ? R"GLSL(
 uniform sampler2DArray map;
-uniform float across;  // layers side by side, and as many above each other
+uniform vec2 tiles;  // layers side by side, and above each other
 float depth_here() {
-    vec2 tile = min(floor(at * across), across - 1.0), within = at * across - tile;
-    return umbrage_fetch_depth(map, tile.y * across + tile.x, map_size,
+    vec2 tile = min(floor(at * tiles), tiles - 1.0), within = at * tiles - tile;
+    return umbrage_fetch_depth(map, tile.y * tiles.x + tile.x, map_size,
                                floor(vec2(within.x, 1.0 - within.y) * map_size));
 }
 )GLSL"

@@ -201,10 +201,10 @@ void renderer::camera_pass(const session& s, const example::light& l, glm::ivec2
     draw_mesh();
 }
 
-/// The map, or the outdoor ones as a square of them, as the program shows it.
+/// The map, or the outdoor ones as tiles, as the program shows it.
 void renderer::draw_map(const session& s, const program& p, glm::vec4 place) const {
     p.set("map", 0).set("map_size", glm::vec2(s.outdoor() ? glm::ivec2(outdoor_->map_size()) : map_->size));
-    if (s.outdoor()) p.set("across", std::sqrt(static_cast<float>(outdoor_->layers())));
+    if (s.outdoor()) p.set("tiles", outdoor_->tiles());
     draw_rectangle(p, place);
 }
 
@@ -224,10 +224,12 @@ void renderer::overlay(const session& s, GLuint framebuffer, glm::ivec2 size) {
     const auto [low, high] = stretch(s);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, size.x, size.y);
-    const auto edge = static_cast<float>(size.y * 3 / 10);
+    const glm::vec2 tiles = s.outdoor() ? outdoor_->tiles() : glm::vec2(1);
+    const glm::vec2 extent =
+        static_cast<float>(size.y * 3 / 10) * glm::vec2(std::sqrt(tiles.x / tiles.y), std::sqrt(tiles.y / tiles.x));
     const program& p = updated(overlay_, overlay_stages(s.system, dialect(), s.outdoor()));
     p.set("low", low).set("high", high);
-    draw_map(s, p, {-1, 1, 2 * edge / static_cast<float>(size.x), 2 * edge / static_cast<float>(size.y)});
+    draw_map(s, p, {-1, 1, 2.0f * extent / glm::vec2(size)});
     check_errors("the map's picture");
 }
 

@@ -2,6 +2,7 @@
 #include "session.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -33,11 +34,36 @@ const std::string& after(const std::vector<std::string>& names, std::string_view
     return next == names.end() ? names.front() : *next;
 }
 
+/// A scene outdoors, and how it is usually seen.
+struct ground {
+    std::string_view name;
+    example::scene (*make)();
+    float elevation, distance, fov;
+};
+constexpr std::array grounds{ground{"outdoor", example::outdoor_scene, 4, 64, 50},
+                             ground{"plain", example::plain_scene, 1, 100, 60},
+                             ground{"default", example::default_scene, 25, 7.5f, 35}};
+const ground& ground_called(std::string_view name) { return *std::ranges::find(grounds, name, &ground::name); }
+
+example::scene in_parts(example::scene s) {
+    if (s.parts.empty()) s.parts = {{s.geometry, {glm::mat4(1)}}};
+    return s;
+}
+
 float turned(float degrees, float by) { return std::remainder(degrees + by, 360.0f); }
 
 bool runs_on_es2(const example::shadow_system& s) { return encoding_called(s.encoding).on_es2(); }
 
 }  // namespace
+
+const std::vector<std::string>& ground_names() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (const ground& g : grounds) all.emplace_back(g.name);
+        return all;
+    }();
+    return names;
+}
 
 const std::vector<std::string>& filter_names() {
     static const std::vector<std::string> names = [] {
@@ -61,6 +87,7 @@ session::session(const options& o)
       tint(o.tint),
       text(o.text),
       map(o.map),
+      ground_(o.ground),
       mesh_file_(o.mesh),
       up_(o.up) {
     camera.aspect = static_cast<float>(o.width) / static_cast<float>(o.height);
@@ -84,7 +111,7 @@ void session::select(const example::shadow_system& s) {
         scenes == 0 || s.scene_scale != system.scene_scale || outdoor() != (s.name == outdoor_system.name);
     system = s;
     if (other_scene) {
-        scene = outdoor() ? example::outdoor_scene() : example::make_scene(system, mesh_file_, up_);
+        scene = outdoor() ? in_parts(ground_called(ground_).make()) : example::make_scene(system, mesh_file_, up_);
         ++scenes;
     }
     camera = usual_camera();
@@ -92,11 +119,12 @@ void session::select(const example::shadow_system& s) {
 
 example::camera_setup session::usual_camera() const {
     if (!outdoor()) return example::make_camera_setup(system, scene, camera.aspect);
+    const ground& g = ground_called(ground_);
     return {.target = scene.target,
             .azimuth = 0,
-            .elevation = 4,
-            .distance = 64,
-            .fov = 50,
+            .elevation = g.elevation,
+            .distance = g.distance,
+            .fov = g.fov,
             .aspect = camera.aspect,
             .z_near = scene.z_near,
             .z_far = scene.z_far};
@@ -204,6 +232,10 @@ void session::turn_light(float azimuth, float elevation) {
     system.elevation = std::clamp(system.elevation + elevation, lowest_light, 90.0f);
 }
 
+glm::vec3 session::lamp_position() const {
+    return scene.target + 0.375f * usual_camera().distance * example::direction_at(system.azimuth, system.elevation);
+}
+
 void session::zoom(float steps) {
     const float usual = usual_camera().distance;
     camera.distance = std::clamp(camera.distance * std::pow(0.9f, steps), 0.4f * usual, 4 * usual);
@@ -222,6 +254,7 @@ std::string session::describe() const {
     out << "\nbias " << (outdoor() && !cascaded() ? "acne_free" : system.bias) << ", epsilon " << system.epsilon
         << (outdoor() && cascaded() ? "\n4 cascades, "
             : outdoor() && paged()  ? "\npages in "
+            : outdoor() && lamp()   ? "\nas many texels as "
                                     : "\nmap ")
         << edge << " x " << edge << "\nlight: azimuth " << system.azimuth << ", elevation " << system.elevation << '\n';
     return out.str();

@@ -58,6 +58,9 @@ inline constexpr example::shadow_system outdoor_system{
     .reach = example::covered(umbrage::filters::pcf_2x2{}.reach()),
 };
 
+/// Scenes for it.
+[[nodiscard]] const std::vector<std::string>& ground_names();
+
 /// All but the one that takes a summed-area table.
 [[nodiscard]] const std::vector<std::string>& filter_names();
 
@@ -98,6 +101,8 @@ public:
     [[nodiscard]] bool outdoor() const { return system.name == outdoor_system.name; }
     [[nodiscard]] bool cascaded() const { return placement == in_cascades; }
     [[nodiscard]] bool paged() const { return placement == in_pages; }
+    [[nodiscard]] bool lamp() const { return is_lamp(placement); }
+    [[nodiscard]] glm::vec3 lamp_position() const;
     [[nodiscard]] std::string describe() const;  ///< a few lines for people
 
 private:
@@ -106,6 +111,7 @@ private:
     [[nodiscard]] example::camera_setup usual_camera() const;
     void settle_receiver();
 
+    std::string ground_;
     std::filesystem::path mesh_file_;
     example::up_axis up_;
 };
