@@ -11575,8 +11575,9 @@ struct greatest_of {
 // compiled for the base set. GCC vectorises at -O2 only loops whose count it knows, and no `c ? x : y` on floats: so
 // loops run over blocks of 64, and select on the bits.
 //
-// UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice, and nothing wider is compiled; a machine that lacks it takes
-// the next lower one. No choice changes a bit of a result of tier A. It has to be the same in all files of a program.
+// UMBRAGE_FORCE_ISA=base, =avx2 or =avx512 sets the choice, and nothing wider is compiled; a machine that lacks it
+// takes the next lower one. No choice changes a bit of a result of tier A. It has to be the same in all files of a
+// program.
 
 // Before a loop that writes memory which nothing it reads lies in: GCC does not check that at run time at -O2.
 #if defined(__GNUC__) && !defined(__clang__)
