@@ -3,6 +3,7 @@
 // What film strips share: a camera's pictures under look-ups of shadow maps.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -51,11 +52,11 @@ using point_look_up = std::function<umbrage::placed_point(glm::vec3)>;
                                  .z_far = scene.z_far});
 }
 
-/// How far points are lifted off their surfaces, world units: less than that is acne's.
-[[nodiscard]] inline float lift(const options& o) { return 0.007f * o.camera_distance; }
-
-[[nodiscard]] inline glm::vec3 lifted(const options& o, const example::surface& at) {
-    return at.position + lift(o) * at.face_normal;
+/// What is looked up for a surface: a point some pixels above it. Nearer to it is acne's, as maps for a view have texels
+/// that grow with the distance.
+[[nodiscard]] inline glm::vec3 lifted(const options& o, const example::scene& scene, const example::surface& at) {
+    const float distance = std::max(o.camera_distance, glm::distance(at.position, scene.target));
+    return at.position + 0.007f * distance * at.face_normal;
 }
 
 /// Calls use(pixel, surface) for what a camera sees.
@@ -116,8 +117,8 @@ constexpr glm::vec3 mark(0.9f, 0.1f, 0.1f);  ///< red
                                         glm::vec3 to_light, const point_look_up& lit, const point_look_up& then = {}) {
     picture out({o.width, o.height}, example::to_srgb(background));
     for_each_surface(o, scene, camera, [&](glm::ivec2 p, const example::surface& at) {
-        const umbrage::placed_point in = lit(lifted(o, at));
-        if (then && then(lifted(o, at)).visibility != in.visibility) {
+        const umbrage::placed_point in = lit(lifted(o, scene, at));
+        if (then && then(lifted(o, scene, at)).visibility != in.visibility) {
             out[p] = umbrage::store_unorm8(mark);
             return;
         }

@@ -136,7 +136,8 @@ std::vector<glm::vec3> points_of(const options& o, const example::scene& scene) 
     const glm::vec3 to_light = example::direction_at(o.azimuth, o.elevation);
     std::vector<glm::vec3> points;
     for_each_surface(o, scene, camera_at(o, scene, 0), [&](glm::ivec2 p, const example::surface& at) {
-        if (p.x % 3 == 0 && p.y % 3 == 0 && glm::dot(at.face_normal, to_light) > 0.1f) points.push_back(lifted(o, at));
+        if (p.x % 3 == 0 && p.y % 3 == 0 && glm::dot(at.face_normal, to_light) > 0.1f)
+            points.push_back(lifted(o, scene, at));
     });
     return points;
 }
@@ -152,7 +153,7 @@ picture from_above(const options& o, const example::scene& scene, const point_lo
                    const point_look_up& first) {
     picture out({o.width, o.height});
     for_each_surface(o, scene, camera_above(o, scene), [&](glm::ivec2 p, const example::surface& at) {
-        const umbrage::placed_point now = lit(lifted(o, at)), then = first(lifted(o, at));
+        const umbrage::placed_point now = lit(lifted(o, scene, at)), then = first(lifted(o, scene, at));
         const bool same = now.map != then.map || now.visibility == then.visibility;
         const glm::vec3 grey(static_cast<float>(0.15 + 0.7 * now.visibility));
         out[p] = umbrage::store_unorm8(same ? grey : mark);

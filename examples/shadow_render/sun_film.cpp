@@ -48,7 +48,7 @@ public:
           rays_(scene.geometry) {
         for_each_surface(o, scene, camera_, [&](glm::ivec2 p, const example::surface& at) {
             if (p.x % 4 || p.y % 4) return;
-            points_.push_back({glm::dvec3(lifted(o, at)), glm::dvec3(at.face_normal)});
+            points_.push_back({glm::dvec3(lifted(o, scene, at)), glm::dvec3(at.face_normal)});
             if (p.x % 16 == 0 && p.y % 16 == 0) coarse_.push_back(points_.back());
         });
     }
