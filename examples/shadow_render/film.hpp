@@ -52,8 +52,8 @@ using point_look_up = std::function<umbrage::placed_point(glm::vec3)>;
                                  .z_far = scene.z_far});
 }
 
-/// What is looked up for a surface: a point some pixels above it. Nearer to it is acne's, as maps for a view have texels
-/// that grow with the distance.
+/// What is looked up for a surface: a point some pixels above it. Nearer to it is acne's, as maps for a view have
+/// texels that grow with the distance.
 [[nodiscard]] inline glm::vec3 lifted(const options& o, const example::scene& scene, const example::surface& at) {
     const float distance = std::max(o.camera_distance, glm::distance(at.position, scene.target));
     return at.position + 0.007f * distance * at.face_normal;
