@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What film strips share: a camera's pictures under look-ups of shadow maps.
+// What film strips share: a camera that walks, maps of what it may see, and its pictures under look-ups of them.
 #pragma once
 
 #include <algorithm>
