@@ -833,7 +833,7 @@ concept known_encoding = encoding<Encoding> && requires(const Encoding& e) {
     { Encoding::name } -> std::convertible_to<std::string_view>;     // a C++ identifier, without the template
     { Encoding::summary } -> std::convertible_to<std::string_view>;  // one sentence
     { Encoding::writer } -> std::convertible_to<const glsl::snippet*>;
-    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;  // null: the texel is the depth
+    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;  // null: the texel is the depth (written::depth)
     { Encoding::writes } -> std::convertible_to<written>;
     { Encoding::codes } -> std::convertible_to<std::uint64_t>;            // texels that the writer can give
     { e.direction } -> std::convertible_to<depth_direction>;              // far is 1 forward, 0 reversed
@@ -16952,7 +16952,7 @@ struct binding {
 template <known_encoding Encoding>
 [[nodiscard]] binding stored_as(const Encoding& encoding, binding map = {}) {
     map.direction = encoding.direction;
-    if constexpr (Encoding::reader != nullptr) {
+    if constexpr (Encoding::writes != written::depth) {
         map.channels = static_cast<int>(Encoding::texel::length());
         map.depth = "umbrage_" + std::string(Encoding::reader->name) + "(value." +
                     std::string("xyzw").substr(0, static_cast<std::size_t>(map.channels));
@@ -18394,16 +18394,21 @@ namespace detail {
 /// Snippets in order, each once, what it needs before it.
 struct collection {
     std::array<const snippet*, 512> members{};
+    std::array<std::uint32_t, 512> hashes{};
     std::size_t size = 0;
 
     [[nodiscard]] constexpr const snippet* const* begin() const { return members.data(); }
     [[nodiscard]] constexpr const snippet* const* end() const { return members.data() + size; }
 
     constexpr void add(const snippet* s) {
+        // By name: where null may be an address (as GCC's -fsanitize=undefined has it), addresses are no constants.
+        std::uint32_t hash = 2166136261;
+        for (char letter : s->name) hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619;
         for (std::size_t i = 0; i < size; ++i)
-            if (members[i] == s) return;
+            if (hashes[i] == hash && members[i]->name == s->name) return;
         for (const snippet* need : s->needs) add(need);
-        members[size++] = s;
+        members[size] = s;
+        hashes[size++] = hash;
     }
 };
 
@@ -18411,8 +18416,7 @@ template <class... Lists>
 constexpr collection collect(const Lists&... lists) {
     collection all;
     const auto add = [&](const auto& some) {
-        for (const snippet* s : some)
-            if (s) all.add(s);
+        for (const snippet* s : some) all.add(s);
     };
     (add(lists), ...);
     return all;
@@ -18425,7 +18429,7 @@ consteval auto writers_of(const list_of<Encodings...>*) {
 }
 template <class... Encodings>
 consteval auto readers_of(const list_of<Encodings...>*) {
-    return std::array{Encodings::reader...};
+    return std::array{(Encodings::writes == written::depth ? Encodings::writer : Encodings::reader)...};
 }
 /// One for each of the filter's values.
 template <class Filter>

@@ -46,7 +46,7 @@ concept known_encoding = encoding<Encoding> && requires(const Encoding& e) {
     { Encoding::name } -> std::convertible_to<std::string_view>;     // a C++ identifier, without the template
     { Encoding::summary } -> std::convertible_to<std::string_view>;  // one sentence
     { Encoding::writer } -> std::convertible_to<const glsl::snippet*>;
-    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;  // null: the texel is the depth
+    { Encoding::reader } -> std::convertible_to<const glsl::snippet*>;  // null: the texel is the depth (written::depth)
     { Encoding::writes } -> std::convertible_to<written>;
     { Encoding::codes } -> std::convertible_to<std::uint64_t>;            // texels that the writer can give
     { e.direction } -> std::convertible_to<depth_direction>;              // far is 1 forward, 0 reversed

@@ -70,7 +70,7 @@ struct binding {
 template <known_encoding Encoding>
 [[nodiscard]] binding stored_as(const Encoding& encoding, binding map = {}) {
     map.direction = encoding.direction;
-    if constexpr (Encoding::reader != nullptr) {
+    if constexpr (Encoding::writes != written::depth) {
         map.channels = static_cast<int>(Encoding::texel::length());
         map.depth = "umbrage_" + std::string(Encoding::reader->name) + "(value." +
                     std::string("xyzw").substr(0, static_cast<std::size_t>(map.channels));

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include <umbrage/bias/acne_free.hpp>
 #include <umbrage/bias/constant.hpp>
@@ -63,16 +64,21 @@ namespace detail {
 /// Snippets in order, each once, what it needs before it.
 struct collection {
     std::array<const snippet*, 512> members{};
+    std::array<std::uint32_t, 512> hashes{};
     std::size_t size = 0;
 
     [[nodiscard]] constexpr const snippet* const* begin() const { return members.data(); }
     [[nodiscard]] constexpr const snippet* const* end() const { return members.data() + size; }
 
     constexpr void add(const snippet* s) {
+        // By name: where null may be an address (as GCC's -fsanitize=undefined has it), addresses are no constants.
+        std::uint32_t hash = 2166136261;
+        for (char letter : s->name) hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619;
         for (std::size_t i = 0; i < size; ++i)
-            if (members[i] == s) return;
+            if (hashes[i] == hash && members[i]->name == s->name) return;
         for (const snippet* need : s->needs) add(need);
-        members[size++] = s;
+        members[size] = s;
+        hashes[size++] = hash;
     }
 };
 
@@ -80,8 +86,7 @@ template <class... Lists>
 constexpr collection collect(const Lists&... lists) {
     collection all;
     const auto add = [&](const auto& some) {
-        for (const snippet* s : some)
-            if (s) all.add(s);
+        for (const snippet* s : some) all.add(s);
     };
     (add(lists), ...);
     return all;
@@ -94,7 +99,7 @@ consteval auto writers_of(const list_of<Encodings...>*) {
 }
 template <class... Encodings>
 consteval auto readers_of(const list_of<Encodings...>*) {
-    return std::array{Encodings::reader...};
+    return std::array{(Encodings::writes == written::depth ? Encodings::writer : Encodings::reader)...};
 }
 /// One for each of the filter's values.
 template <class Filter>
