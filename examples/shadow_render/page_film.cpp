@@ -102,13 +102,15 @@ public:
     }
 
     /// @return   in place of a map's number the level of a page
-    [[nodiscard]] umbrage::placed_point operator()(glm::vec3 point) const {
-        const glm::vec3 p(umbrage::shadow_coordinate(sun_.to_root, point));
+    [[nodiscard]] umbrage::placed_point operator()(const example::surface& s) const {
+        const int level = cache_.level_at(glm::dvec2(umbrage::shadow_coordinate(sun_.to_root, s.position)));
+        const glm::mat4 to_texels(umbrage::texture_matrix(sun_.root, glm::ivec2(size_.texels << std::max(level, 0))));
+        const glm::vec3 p(umbrage::shadow_coordinate(sun_.to_root, biased(to_texels, glm::vec3(-sun_.direction), s)));
         const glm::vec4 at =
             umbrage::page_coordinate(umbrage::clamped(table_), static_cast<float>(table_.size().x), glm::vec2(p),
                                      static_cast<float>(size_.texels), static_cast<float>(size_.gutter));
         const auto page = atlas_.view().region(glm::ivec2(at.z, at.w), glm::ivec2(size_.pitch()));
-        return {cache_.level_at(glm::dvec2(p)), glm::dvec2(at),
+        return {level, glm::dvec2(at),
                 static_cast<double>(umbrage::pcf_2x2(umbrage::clamped(page), glm::vec2(at), p.z))};
     }
 
@@ -169,9 +171,9 @@ void page_film(const options& o, const example::scene& scene) {
             scene_of_film& part = shown[static_cast<std::size_t>(i * sheet::columns / frames)];
             if (!part.photo.texels().empty() && pop <= part.popped) continue;
             part = {photograph(
-                        o, scene, camera, to_light, [&](glm::vec3 p) { return now(p); },
-                        [&](glm::vec3 p) {
-                            const umbrage::placed_point was = before(p), is = now(p);
+                        o, scene, camera, to_light, [&](const example::surface& s) { return now(s); },
+                        [&](const example::surface& s) {
+                            const umbrage::placed_point was = before(s), is = now(s);
                             return is.map < was.map ? was : is;
                         }),
                     i, update.forced, pop};

@@ -23,6 +23,7 @@
 #include <png.hpp>
 #include <progress.hpp>
 
+#include "depth_pass.hpp"
 #include "film.hpp"
 #include "page_film.hpp"
 #include "sheet.hpp"
@@ -56,15 +57,19 @@ template <umbrage::real T>
 class frame {
 public:
     frame(const options& o, const example::scene& scene, const example::camera& c, const way& w,
-          std::span<const glm::vec3> points)
-        : way_(w), size_(o.map_size / 2), position_(c.frustum.position), direction_(c.frustum.direction) {
+          std::span<const example::surface> points)
+        : way_(w),
+          size_(o.map_size / 2),
+          position_(c.frustum.position),
+          direction_(c.frustum.direction),
+          to_light_(example::direction_at(o.azimuth, o.elevation)) {
         using vector = glm::vec<3, T>;
         const auto& f = c.frustum;
         const auto tangent = [](double t) { return static_cast<T>(t); };
         const umbrage::cascade_fit<T> fit{
             .camera = {vector(f.position), vector(f.direction), vector(f.up), tangent(f.tan_half_x),
                        tangent(f.tan_half_y)},
-            .direction = -vector(example::direction_at(o.azimuth, o.elevation)),
+            .direction = -vector(to_light_),
             .up = vector(w.stable ? example::direction_at(o.azimuth, o.elevation + 90) : glm::vec3(f.direction)),
             .scene = {vector(scene.low), vector(scene.high)},
             .map_size = o.map_size / 2,
@@ -81,8 +86,8 @@ public:
             to_texels_.push_back(umbrage::texture_matrix(of.light, glm::ivec2(size_)));
         const auto instances = instances_of(scene, w.one_matrix ? scene.geometry.positions : rotated);
         std::array<rectangle, 4> parts;
-        for (const glm::vec3& p : points) {
-            const auto [number, at] = place(p);
+        for (const example::surface& s : points) {
+            const auto [number, at] = place(s);
             parts[number].add(glm::dvec2(at));
         }
         for (std::size_t i = 0; i < cascades_.size(); ++i) {
@@ -93,8 +98,8 @@ public:
         }
     }
 
-    [[nodiscard]] umbrage::placed_point operator()(glm::vec3 point) const {
-        const auto [number, at] = place(point);
+    [[nodiscard]] umbrage::placed_point operator()(const example::surface& s) const {
+        const auto [number, at] = place(s);
         if (!umbrage::inside_cascade(at, glm::vec<2, T>(T(size_)), T(1.5))) return {};
         return {static_cast<int>(number), glm::dvec2(at),
                 static_cast<double>(umbrage::pcf_2x2(umbrage::clamped(maps_[number]), glm::vec<2, T>(at), at.z))};
@@ -105,11 +110,11 @@ private:
         std::size_t number;
         glm::vec<3, T> at;
     };
-    [[nodiscard]] place_in place(glm::vec3 point) const {
-        const double depth = glm::dot(glm::dvec3(point) - position_, direction_);
+    [[nodiscard]] place_in place(const example::surface& s) const {
+        const double depth = glm::dot(glm::dvec3(s.position) - position_, direction_);
         const auto number = static_cast<glm::length_t>(umbrage::cascade_by_depth(T(depth), uniforms_.ends));
         const auto i = static_cast<std::size_t>(number);
-        const glm::vec<3, T> p(point);
+        const glm::vec<3, T> p = biased(to_texels_[i], to_light_, s);
         if (way_.one_matrix) return {i, glm::vec<3, T>(umbrage::shadow_coordinate(to_texels_[i], p))};
         return {i, umbrage::cascade_coordinate(glm::vec<3, T>(umbrage::shadow_coordinate(uniforms_.rotation, p)),
                                                uniforms_.scales[number], uniforms_.offsets[number])};
@@ -118,26 +123,26 @@ private:
     way way_;
     int size_;
     glm::dvec3 position_, direction_;
+    glm::vec3 to_light_;
     std::array<umbrage::cascade<T>, 4> cascades_;
     umbrage::cascade_uniforms<T> uniforms_;
     std::vector<glm::mat<4, 4, T>> to_texels_;
     std::vector<umbrage::image<float>> maps_;
 };
 
-point_look_up draw(const options& o, const example::scene& scene, int number, const way& w,
-                   std::span<const glm::vec3> points = {}) {
+film_look_up draw(const options& o, const example::scene& scene, int number, const way& w,
+                  std::span<const example::surface> points = {}) {
     const example::camera camera = camera_at(o, scene, number);
     if (w.in_double) return frame<double>(o, scene, camera, w, points);
     return frame<float>(o, scene, camera, w, points);
 }
 
-/// Points that the first frame's camera sees, where they face the light, a little off their surfaces.
-std::vector<glm::vec3> points_of(const options& o, const example::scene& scene) {
+/// What the first frame's camera sees that faces the light.
+std::vector<example::surface> points_of(const options& o, const example::scene& scene) {
     const glm::vec3 to_light = example::direction_at(o.azimuth, o.elevation);
-    std::vector<glm::vec3> points;
+    std::vector<example::surface> points;
     for_each_surface(o, scene, camera_at(o, scene, 0), [&](glm::ivec2 p, const example::surface& at) {
-        if (p.x % 3 == 0 && p.y % 3 == 0 && glm::dot(at.face_normal, to_light) > 0.1f)
-            points.push_back(lifted(o, scene, at));
+        if (p.x % 3 == 0 && p.y % 3 == 0 && glm::dot(at.face_normal, to_light) > 0.1f) points.push_back(at);
     });
     return points;
 }
@@ -149,11 +154,10 @@ example::scene moved(example::scene scene, glm::vec3 by) {
 }
 
 /// Visibility from above. Red: where it is another than in the first frame, whose look-up `first` is.
-picture from_above(const options& o, const example::scene& scene, const point_look_up& lit,
-                   const point_look_up& first) {
+picture from_above(const options& o, const example::scene& scene, const film_look_up& lit, const film_look_up& first) {
     picture out({o.width, o.height});
     for_each_surface(o, scene, camera_above(o, scene), [&](glm::ivec2 p, const example::surface& at) {
-        const umbrage::placed_point now = lit(lifted(o, scene, at)), then = first(lifted(o, scene, at));
+        const umbrage::placed_point now = lit(at), then = first(at);
         const bool same = now.map != then.map || now.visibility == then.visibility;
         const glm::vec3 grey(static_cast<float>(0.15 + 0.7 * now.visibility));
         out[p] = umbrage::store_unorm8(same ? grey : mark);
@@ -187,8 +191,8 @@ void stability_report(const options& o, const example::scene& scene) {
             for (const auto& place : places)
                 found.emplace_back(place.name, std::async(std::launch::async, [&] {
                                        const example::scene there = moved(scene, place.at);
-                                       std::vector<glm::vec3> seen = points;
-                                       for (glm::vec3& p : seen) p += place.at;
+                                       std::vector<example::surface> seen = points;
+                                       for (example::surface& s : seen) s.position += place.at;
                                        return umbrage::measure_stability(frames, seen.size(), [&](int i) {
                                            return [&, lit = draw(o, there, i, w, seen)](std::size_t k) {
                                                return lit(seen[k]);
@@ -208,11 +212,11 @@ void stability_report(const options& o, const example::scene& scene) {
                    {title, "Below each row what the scene shades in the same frames, from above, white where lit",
                     "Red: in another light than in the first frame, by the same cascade"});
         for (const way& w : {stable, tight}) {
-            const point_look_up first = draw(o, scene, 0, w);
+            const film_look_up first = draw(o, scene, 0, w);
             std::vector<picture> below;
             for (int i = 0; i < sheet::columns; ++i) {
                 const int number = i * (frames - 1) / (sheet::columns - 1);
-                const point_look_up lit = draw(o, scene, number, w);
+                const film_look_up lit = draw(o, scene, number, w);
                 film.add(photograph(o, scene, camera_at(o, scene, number), to_light, lit),
                          {w.name, text("frame %d", number)});
                 below.push_back(from_above(o, scene, lit, first));

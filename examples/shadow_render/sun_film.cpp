@@ -19,12 +19,14 @@
 #include <umbrage/light/texture_matrix.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/perspective.hpp>
+#include <umbrage/light/warp/trapezoidal.hpp>
 
 #include <camera.hpp>
 #include <png.hpp>
 #include <ray_tracer.hpp>
 #include <surface.hpp>
 
+#include "depth_pass.hpp"
 #include "film.hpp"
 #include "sheet.hpp"
 #include "view.hpp"
@@ -48,8 +50,9 @@ public:
           rays_(scene.geometry) {
         for_each_surface(o, scene, camera_, [&](glm::ivec2 p, const example::surface& at) {
             if (p.x % 4 || p.y % 4) return;
-            points_.push_back({glm::dvec3(lifted(o, scene, at)), glm::dvec3(at.face_normal)});
-            if (p.x % 16 == 0 && p.y % 16 == 0) coarse_.push_back(points_.back());
+            points_.push_back(at);
+            if (p.x % 16 == 0 && p.y % 16 == 0)
+                coarse_.push_back({glm::dvec3(at.position), glm::dvec3(at.face_normal)});
         });
     }
 
@@ -76,6 +79,9 @@ public:
                 .clip = example::picture_clip};
     }
 
+    /// Up to what the camera looks at.
+    [[nodiscard]] float focus() const { return o_.camera_distance; }
+
     /// The better of a warp and of none, for what the camera sees.
     [[nodiscard]] kind_of_map choose(double frame, std::size_t before) const {
         const auto f = fit(frame);
@@ -94,27 +100,27 @@ public:
         return {lights[kept], kept};
     }
 
-    [[nodiscard]] point_look_up draw(const umbrage::light_space<float>& light) const {
+    [[nodiscard]] film_look_up draw(double frame, const umbrage::light_space<float>& light) const {
         umbrage::image<float> map(glm::ivec2(o_.map_size), umbrage::cleared_depth(light.clip));
         draw_seen(map, all_of(map), instances_, light.projection * light.view, light.clip);
         const glm::mat4 to_texels = umbrage::texture_matrix(light, map.size());
-        return [map = std::move(map), to_texels](glm::vec3 point) -> umbrage::placed_point {
-            const glm::vec3 at = umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, point));
-            return {0, glm::dvec2(at),
-                    static_cast<double>(umbrage::pcf_2x2(umbrage::clamped(map), glm::vec2(at), at.z))};
+        return [map = std::move(map), to_texels, way = to_sun(frame)](const example::surface& s) {
+            const glm::vec3 at =
+                umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, biased(to_texels, way, s)));
+            return umbrage::placed_point{
+                0, glm::dvec2(at), static_cast<double>(umbrage::pcf_2x2(umbrage::clamped(map), glm::vec2(at), at.z))};
         };
     }
 
-    /// Share of the points that face the sun, whose light differs by a quarter or more from then(number, point).
+    /// Share of the points that face the sun, whose light differs by a quarter or more from then(number, surface).
     template <class Then>
-    [[nodiscard]] double changed(double frame, const point_look_up& now, Then&& then) const {
-        const glm::dvec3 way(to_sun(frame));
+    [[nodiscard]] double changed(double frame, const film_look_up& now, Then&& then) const {
+        const glm::vec3 way = to_sun(frame);
         std::size_t count = 0, all = 0;
         for (std::size_t i = 0; i < points_.size(); ++i) {
-            if (glm::dot(points_[i].normal, way) < 0.1) continue;
-            const glm::vec3 point(points_[i].position);
+            if (glm::dot(points_[i].face_normal, way) < 0.1f) continue;
             ++all;
-            count += std::abs(now(point).visibility - then(i, point)) >= 0.25;
+            count += std::abs(now(points_[i]).visibility - then(i, points_[i])) >= 0.25;
         }
         return 100.0 * static_cast<double>(count) / static_cast<double>(all);
     }
@@ -122,11 +128,11 @@ public:
     [[nodiscard]] std::vector<double> by_rays(double frame) const {
         const float far = 2 * glm::length(scene_.high - scene_.low);
         std::vector<double> lit;
-        for (const umbrage::seen_point& p : points_)
-            lit.push_back(rays_.blocked(glm::vec3(p.position), to_sun(frame), far) ? 0 : 1);
+        for (const example::surface& p : points_)
+            lit.push_back(rays_.blocked(p.position + 0.01f * p.face_normal, to_sun(frame), far) ? 0 : 1);
         return lit;
     }
-    [[nodiscard]] picture photo(double frame, const point_look_up& lit, const point_look_up& then = {}) const {
+    [[nodiscard]] picture photo(double frame, const film_look_up& lit, const film_look_up& then = {}) const {
         return photograph(o_, scene_, camera_, to_sun(frame), lit, then);
     }
 
@@ -136,7 +142,8 @@ private:
     example::camera camera_;
     std::vector<instance> instances_;
     example::ray_tracer rays_;
-    std::vector<umbrage::seen_point> points_, coarse_;
+    std::vector<example::surface> points_;
+    std::vector<umbrage::seen_point> coarse_;
 };
 
 struct sun_map {
@@ -153,6 +160,11 @@ constexpr std::array sun_maps{
             [](const sun_walk& w, double frame, std::size_t) -> kind_of_map {
                 const auto warped = umbrage::fit_perspective(w.fit(frame));
                 return {warped.light, warped.seen_as == umbrage::light_image::none ? std::size_t(1) : 0};
+            }},
+    sun_map{"trapezoidal",
+            [](const sun_walk& w, double frame, std::size_t) -> kind_of_map {
+                const auto warped = umbrage::fit_trapezoidal(w.fit(frame), w.focus());
+                return {warped.light, warped.strength > 0 ? std::size_t(1) : 0};
             }},
     sun_map{"light-space perspective or none, by quality",
             [](const sun_walk& w, double frame, std::size_t before) { return w.choose(frame, before); }}};
@@ -179,8 +191,8 @@ void sun_film(const options& o, const example::scene& scene) {
         const glm::mat4 to_clip = light.projection * light.view;
         for (const auto& [of, share] : known[number])
             if (of == to_clip) return share;
-        const double share =
-            walk.changed(i, walk.draw(light), [&](std::size_t k, glm::vec3) { return lit[number][k]; });
+        const double share = walk.changed(i, walk.draw(i, light),
+                                          [&](std::size_t k, const example::surface&) { return lit[number][k]; });
         known[number].emplace_back(to_clip, share);
         return share;
     };
@@ -188,7 +200,7 @@ void sun_film(const options& o, const example::scene& scene) {
         kind_of_map before = w.at(walk, 0, 0);
         double at = -1, jump = 0, off = 0, most_off = 0;
         int count = 0;
-        point_look_up old, young;
+        film_look_up old, young;
         for (int i = 0; i < frames; ++i) {
             const kind_of_map now = w.at(walk, i, before.which);
             const double wrong = off_rays(i, now.light);
@@ -199,10 +211,10 @@ void sun_film(const options& o, const example::scene& scene) {
                     const double middle = (first + last) / 2;
                     (w.at(walk, middle, before.which).which == before.which ? first : last) = middle;
                 }
-                const point_look_up then = walk.draw(w.at(walk, first, before.which).light),
-                                    next = walk.draw(w.at(walk, last, before.which).light);
-                const double here =
-                    walk.changed(last, next, [&](std::size_t, glm::vec3 p) { return then(p).visibility; });
+                const film_look_up then = walk.draw(first, w.at(walk, first, before.which).light),
+                                   next = walk.draw(last, w.at(walk, last, before.which).light);
+                const double here = walk.changed(
+                    last, next, [&](std::size_t, const example::surface& s) { return then(s).visibility; });
                 ++count;
                 if (here >= jump) jump = here, at = last, old = then, young = next;
             }
@@ -210,7 +222,8 @@ void sun_film(const options& o, const example::scene& scene) {
         }
         if (!o.quiet) std::printf("%-46s %10d %12.3f %12.3f %12.3f\n", w.name, count, jump, off, most_off);
         const auto alone = [&](double frame) {
-            film.add(walk.photo(frame, walk.draw(w.at(walk, frame, 0).light)), {w.name, text("frame %.0f", frame)});
+            film.add(walk.photo(frame, walk.draw(frame, w.at(walk, frame, 0).light)),
+                     {w.name, text("frame %.0f", frame)});
         };
         alone(0);
         if (at < 0) {

@@ -38,7 +38,7 @@ template <real T>
 [[nodiscard]] lamp_view view_of(const lamp<T>& from, const warp_fit<T>& fit, const char* function) {
     require(is_normal(from.z_near) && from.z_near > T(0), function, "z_near",
             "must be above 0, finite and no denormal");
-    const glm::dvec3 position(from.position), direction(fit.direction), up(fit.camera.up);
+    const glm::dvec3 position(from.position), direction(fit.direction), up = up_of(fit);
     lamp_view v;
     v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "position"), fit.clip.hand);
     const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(fit.receivers));
@@ -54,13 +54,17 @@ template <real T>
     return v;
 }
 
-/// No warp: what the lamp sees along its axis.
-template <real T>
-[[nodiscard]] warped_light<T> unwarped(const lamp_view& v, const warp_fit<T>& fit, const char* function) {
+/// What the lamp sees along its axis: x, y, depth and w, of no warp.
+[[nodiscard]] inline glm::dmat4 map_along(const lamp_view& v) {
     glm::dmat4 inverse(1.0);  // of the distance: depth and w
     inverse[2] = {0, 0, 0, 1};
     inverse[3] = {0, 0, -0.5 * (v.least + v.farthest), 0};
-    const auto light = refit(inverse * v.frame, fit, v.casters, function);
+    return inverse * v.frame;
+}
+
+template <real T>
+[[nodiscard]] warped_light<T> unwarped(const lamp_view& v, const warp_fit<T>& fit, const char* function) {
+    const auto light = refit(map_along(v), fit, v.casters, function);
     require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a map");
     return *light;
 }

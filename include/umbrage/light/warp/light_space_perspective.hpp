@@ -61,17 +61,32 @@ template <real T>
 /// The wider the angle between view and light, the more of a warp there is: none below 0.02, all of it from 0.2 on.
 [[nodiscard]] inline double share_of_warp(double sine) { return glm::clamp((sine - 0.02) / 0.18, 0.0, 1.0); }
 
+/// @return   infinite where camera and light look one way
+[[nodiscard]] inline double optimal_distance(const along_view& v) {
+    const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
+    return v.sine > 0.0 ? n : std::numeric_limits<double>::infinity();
+}
+
+/// Near the best on a ground.
+[[nodiscard]] inline double default_distance(const along_view& v) { return std::sqrt(v.closest * optimal_distance(v)); }
+
 /// A perspective along y whose centre lies n before the first receivers; in front of them it changes no length.
+/// @return    world to x, y, depth and w
 /// @formula   (x, y, z) / (1 + y / n) about `first`
-template <real T>
-[[nodiscard]] warped_light<T> warped_along(const along_view& v, double n, const warp_fit<T>& fit,
-                                           const char* function) {
+[[nodiscard]] inline glm::dmat4 map_along(const along_view& v, double n) {
     const double nearest = v.length * 0x1p-14;  // float holds no more
     const double bend = share_of_warp(v.sine) / glm::max(n, nearest);
+    if (!(bend > 0.0 && is_finite(bend))) return v.frame;
     glm::dmat4 warp(1.0);
     warp[3] = glm::dvec4(-v.first, 1.0 - bend * v.first.y);
     warp[1][3] = bend;
-    const auto warped = bend > 0.0 && is_finite(bend) ? refit(warp * v.frame, fit, function) : std::nullopt;
+    return warp * v.frame;
+}
+
+template <real T>
+[[nodiscard]] warped_light<T> warped_along(const along_view& v, double n, const warp_fit<T>& fit,
+                                           const char* function) {
+    const auto warped = refit(map_along(v, n), fit, function);
     return warped ? *warped : unwarped(fit, function);
 }
 
@@ -86,9 +101,7 @@ template <real T>
 /// @cite        Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
 template <real T = float>
 [[nodiscard]] T optimal_distance(const warp_fit<T>& fit) {
-    const detail::along_view v = detail::make_along_view(fit, "optimal_distance");
-    const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
-    return v.sine > 0.0 ? T(n) : std::numeric_limits<T>::infinity();
+    return T(detail::optimal_distance(detail::make_along_view(fit, "optimal_distance")));
 }
 
 /// The map of a directional light, warped along the camera's view.
@@ -112,8 +125,7 @@ template <real T = float>
     constexpr auto function = "fit_light_space_perspective";
     const detail::along_view v = detail::make_along_view(fit, function);
     detail::require(!distance || *distance > T(0), function, "distance", "must be above 0");
-    const double n = distance ? double(*distance) : std::sqrt(v.closest * double(optimal_distance(fit)));
-    return detail::warped_along(v, n, fit, function);
+    return detail::warped_along(v, distance ? double(*distance) : detail::default_distance(v), fit, function);
 }
 
 }  // namespace umbrage

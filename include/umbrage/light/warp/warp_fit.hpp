@@ -61,14 +61,18 @@ void require_warp_fit(const warp_fit<T>& fit, const char* function) {
     if (fit.casters) (void)corners(*fit.casters);
 }
 
-/// The light's view that maps are drawn in: y goes the way the camera looks, or up as it has it where it looks along
-/// the light.
+/// The way y goes in a map: the way the camera looks, or up as it has it where it looks along the light.
+template <real T>
+[[nodiscard]] glm::dvec3 up_of(const warp_fit<T>& fit) {
+    const glm::dmat3 camera = axes(fit.camera);
+    const bool along = !(glm::length(glm::cross(camera[2], unit(glm::dvec3(fit.direction)))) > 1e-3);
+    return camera[along ? 1 : 2];
+}
+
+/// The light's view that maps are drawn in.
 template <real T>
 [[nodiscard]] glm::dmat4 view_of(const warp_fit<T>& fit, const char* function) {
-    const glm::dmat3 camera = axes(fit.camera);
-    const glm::dvec3 direction(fit.direction);
-    const bool along = !(glm::length(glm::cross(camera[2], unit(direction))) > 1e-3);
-    return look_along(glm::dvec3(0), direction, camera[along ? 1 : 2], fit.clip.hand, function, "");
+    return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit), fit.clip.hand, function, "");
 }
 
 /// What a map sees of a body within planes of the map's space.

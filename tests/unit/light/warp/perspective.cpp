@@ -102,6 +102,40 @@ TEST_CASE("fit_perspective: no jump while the light passes from before the camer
               doctest::Approx(p95).epsilon(1e-4));
 }
 
+TEST_CASE("fit_perspective: turns into light-space perspective, and back again, without a jump") {
+    int hand_overs = 0;
+    for (const double pitch : {0.0, -25.0})
+        for (const double azimuth : {0.0, 20.0, -35.0}) {
+            CAPTURE(pitch);
+            CAPTURE(azimuth);
+            const auto under = [&](double elevation) {
+                warp_fit<double> fit = reference_view::warp_under({elevation, azimuth});
+                fit.camera.direction = {0, std::sin(glm::radians(pitch)), -std::cos(glm::radians(pitch))};
+                fit.receivers = intersection(fit.camera, reference_view::reference_scene);
+                return fit;
+            };
+            const auto replaced = [&](double elevation) {
+                return fit_perspective(under(elevation)).seen_as == light_image::none;
+            };
+            for (double elevation = 4; elevation < 176; elevation += 4) {
+                double first = elevation, last = elevation + 4;
+                const bool before = replaced(first);
+                if (replaced(last) == before) continue;
+                ++hand_overs;
+                for (int halvings = 0; halvings < 40; ++halvings) {
+                    const double middle = (first + last) / 2;
+                    (replaced(middle) == before ? first : last) = middle;
+                }
+                const auto fit = under(first);
+                const glm::dmat4 one = texture_matrix_uv(fit_perspective(fit).light),
+                                 other = texture_matrix_uv(fit_perspective(under(last)).light);
+                for (const glm::dvec3& p : fit.receivers.points)
+                    CHECK(glm::length(through(one, p) - through(other, p)) < 1e-7);
+            }
+        }
+    CHECK(hand_overs == 12);
+}
+
 TEST_CASE("fit_perspective: rays are texels, however nearly abreast of the camera the light is") {
     for (const double off : {0.0, 1e-12, -1e-9, 1e-7, -1e-5, 1e-4, -1e-3, 0.005, -0.006, 0.1}) {
         CAPTURE(off);
