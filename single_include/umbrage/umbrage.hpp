@@ -9683,14 +9683,18 @@ void require_warp_fit(const warp_fit<T>& fit, const char* function) {
     if (fit.casters) (void)corners(*fit.casters);
 }
 
-/// The light's view that maps are drawn in: y goes the way the camera looks, or up as it has it where it looks along
-/// the light.
+/// The way y goes in a map: the way the camera looks, or up as it has it where it looks along the light.
+template <real T>
+[[nodiscard]] glm::dvec3 up_of(const warp_fit<T>& fit) {
+    const glm::dmat3 camera = axes(fit.camera);
+    const bool along = !(glm::length(glm::cross(camera[2], unit(glm::dvec3(fit.direction)))) > 1e-3);
+    return camera[along ? 1 : 2];
+}
+
+/// The light's view that maps are drawn in.
 template <real T>
 [[nodiscard]] glm::dmat4 view_of(const warp_fit<T>& fit, const char* function) {
-    const glm::dmat3 camera = axes(fit.camera);
-    const glm::dvec3 direction(fit.direction);
-    const bool along = !(glm::length(glm::cross(camera[2], unit(direction))) > 1e-3);
-    return look_along(glm::dvec3(0), direction, camera[along ? 1 : 2], fit.clip.hand, function, "");
+    return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit), fit.clip.hand, function, "");
 }
 
 /// What a map sees of a body within planes of the map's space.
@@ -10655,7 +10659,7 @@ template <real T>
 [[nodiscard]] lamp_view view_of(const lamp<T>& from, const warp_fit<T>& fit, const char* function) {
     require(is_normal(from.z_near) && from.z_near > T(0), function, "z_near",
             "must be above 0, finite and no denormal");
-    const glm::dvec3 position(from.position), direction(fit.direction), up(fit.camera.up);
+    const glm::dvec3 position(from.position), direction(fit.direction), up = up_of(fit);
     lamp_view v;
     v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "position"), fit.clip.hand);
     const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(fit.receivers));
@@ -10671,13 +10675,17 @@ template <real T>
     return v;
 }
 
-/// No warp: what the lamp sees along its axis.
-template <real T>
-[[nodiscard]] warped_light<T> unwarped(const lamp_view& v, const warp_fit<T>& fit, const char* function) {
+/// What the lamp sees along its axis: x, y, depth and w, of no warp.
+[[nodiscard]] inline glm::dmat4 map_along(const lamp_view& v) {
     glm::dmat4 inverse(1.0);  // of the distance: depth and w
     inverse[2] = {0, 0, 0, 1};
     inverse[3] = {0, 0, -0.5 * (v.least + v.farthest), 0};
-    const auto light = refit(inverse * v.frame, fit, v.casters, function);
+    return inverse * v.frame;
+}
+
+template <real T>
+[[nodiscard]] warped_light<T> unwarped(const lamp_view& v, const warp_fit<T>& fit, const char* function) {
+    const auto light = refit(map_along(v), fit, v.casters, function);
     require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a map");
     return *light;
 }
@@ -10732,17 +10740,32 @@ template <real T>
 /// The wider the angle between view and light, the more of a warp there is: none below 0.02, all of it from 0.2 on.
 [[nodiscard]] inline double share_of_warp(double sine) { return glm::clamp((sine - 0.02) / 0.18, 0.0, 1.0); }
 
+/// @return   infinite where camera and light look one way
+[[nodiscard]] inline double optimal_distance(const along_view& v) {
+    const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
+    return v.sine > 0.0 ? n : std::numeric_limits<double>::infinity();
+}
+
+/// Near the best on a ground.
+[[nodiscard]] inline double default_distance(const along_view& v) { return std::sqrt(v.closest * optimal_distance(v)); }
+
 /// A perspective along y whose centre lies n before the first receivers; in front of them it changes no length.
+/// @return    world to x, y, depth and w
 /// @formula   (x, y, z) / (1 + y / n) about `first`
-template <real T>
-[[nodiscard]] warped_light<T> warped_along(const along_view& v, double n, const warp_fit<T>& fit,
-                                           const char* function) {
+[[nodiscard]] inline glm::dmat4 map_along(const along_view& v, double n) {
     const double nearest = v.length * 0x1p-14;  // float holds no more
     const double bend = share_of_warp(v.sine) / glm::max(n, nearest);
+    if (!(bend > 0.0 && is_finite(bend))) return v.frame;
     glm::dmat4 warp(1.0);
     warp[3] = glm::dvec4(-v.first, 1.0 - bend * v.first.y);
     warp[1][3] = bend;
-    const auto warped = bend > 0.0 && is_finite(bend) ? refit(warp * v.frame, fit, function) : std::nullopt;
+    return warp * v.frame;
+}
+
+template <real T>
+[[nodiscard]] warped_light<T> warped_along(const along_view& v, double n, const warp_fit<T>& fit,
+                                           const char* function) {
+    const auto warped = refit(map_along(v, n), fit, function);
     return warped ? *warped : unwarped(fit, function);
 }
 
@@ -10757,9 +10780,7 @@ template <real T>
 /// @cite        Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
 template <real T = float>
 [[nodiscard]] T optimal_distance(const warp_fit<T>& fit) {
-    const detail::along_view v = detail::make_along_view(fit, "optimal_distance");
-    const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
-    return v.sine > 0.0 ? T(n) : std::numeric_limits<T>::infinity();
+    return T(detail::optimal_distance(detail::make_along_view(fit, "optimal_distance")));
 }
 
 /// The map of a directional light, warped along the camera's view.
@@ -10783,8 +10804,7 @@ template <real T = float>
     constexpr auto function = "fit_light_space_perspective";
     const detail::along_view v = detail::make_along_view(fit, function);
     detail::require(!distance || *distance > T(0), function, "distance", "must be above 0");
-    const double n = distance ? double(*distance) : std::sqrt(v.closest * double(optimal_distance(fit)));
-    return detail::warped_along(v, n, fit, function);
+    return detail::warped_along(v, distance ? double(*distance) : detail::default_distance(v), fit, function);
 }
 
 }  // namespace umbrage
@@ -10869,19 +10889,23 @@ struct angles {
     return image + axis * glm::dot(middle - image, axis);
 }
 
-/// From the camera's NDC to a map in which rays are texels: x, y, depth and w. Of sources and sinks alike, and of what
-/// is between them: the light goes through the aim along u, curved by k, which is above 0 for sources.
+/// A map in which rays are texels, and the angle by which its light's image sees receivers, pi and more: amid them.
+struct ray_map {
+    glm::dmat4 to_map;  ///< to x, y, depth and w
+    double opening;
+};
+
+/// Of sources and sinks alike, and of what is between them: the light goes through the aim along u, curved by k, which
+/// is above 0 for sources.
 /// @param light       in NDC, homogeneous
+/// @param up          of the map, in NDC at the aim
 /// @param receivers   in NDC
-/// @return            nothing where their image opens by more than 150 degrees
 /// @formula           u = -(l.xyz - l.w aim) / r, k = l.w / r, r its length; depth = u.(p - aim), w = 1 + k depth
-[[nodiscard]] inline std::optional<glm::dmat4> along_rays(const glm::dvec4& light, const glm::dvec3& aim,
-                                                          const std::vector<glm::dvec3>& receivers,
-                                                          const char* function) {
+[[nodiscard]] inline ray_map along_rays(const glm::dvec4& light, const glm::dvec3& aim, const glm::dvec3& up,
+                                        const std::vector<glm::dvec3>& receivers, const char* function) {
     const glm::dvec3 back = glm::dvec3(light) - aim * light.w;
     const double bend = light.w / glm::length(back);
-    glm::dmat4 rays = light_frame(look_along(aim, -back, glm::dvec3(0, 0, 1), handedness::right, function, "camera"),
-                                  handedness::right);
+    glm::dmat4 rays = light_frame(look_along(aim, -back, up, handedness::right, function, "camera"), handedness::right);
     for (glm::length_t i = 0; i < 4; ++i) rays[i][3] += bend * rays[i][2];
 
     std::vector<glm::dvec3> ahead;
@@ -10889,17 +10913,45 @@ struct angles {
         const glm::dvec4 h = rays * glm::dvec4(p, 1.0);
         ahead.emplace_back(h.x * glm::abs(bend), h.y * glm::abs(bend), h.w);
     }
-    constexpr double widest = 150.0 / 180.0 * std::numbers::pi;
-    const auto opening = angles_of(ahead);
-    if (!opening || glm::any(glm::greaterThan(opening->high - opening->low, glm::dvec2(widest)))) return {};
-    return rays;
+    const auto seen = angles_of(ahead);
+    if (!seen) return {rays, std::numbers::pi};
+    const glm::dvec2 opening = seen->high - seen->low;
+    return {rays, glm::max(opening.x, opening.y)};
+}
+
+/// How much of a map stands in for one that opens so wide: all of it from 150 degrees on, none up to 120.
+[[nodiscard]] inline double share_of_stand_in(double opening) {
+    constexpr double degree = std::numbers::pi / 180.0;
+    return glm::clamp((opening - 120.0 * degree) / (30.0 * degree), 0.0, 1.0);
+}
+
+/// A map whose receivers fill -1 to 1, w 1 at the least of them, and that mirrors nothing: maps of one light that are
+/// laid so can be mixed, as rays are texels in each.
+[[nodiscard]] inline glm::dmat4 filled(const glm::dmat4& to_map, const hull& receivers) {
+    extent box;
+    double least = std::numeric_limits<double>::infinity();
+    for (const glm::dvec3& p : corners_of(receivers)) {
+        const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
+        box.low = glm::min(box.low, glm::dvec3(h) / h.w), box.high = glm::max(box.high, glm::dvec3(h) / h.w);
+        least = glm::min(least, h.w);
+    }
+    const glm::dvec3 size = box.high - box.low;
+    glm::dvec3 scale = 2.0 / glm::max(size, 0x1p-8 * glm::max(glm::max(size.x, size.y), size.z));
+    if (glm::determinant(to_map) < 0.0) scale.x = -scale.x;
+    glm::dmat4 placed(1.0);
+    for (glm::length_t i = 0; i < 3; ++i)
+        placed[i][i] = scale[i], placed[3][i] = -0.5 * scale[i] * (box.low[i] + box.high[i]);
+    return placed * to_map / least;
 }
 
 /// The map of a light, homogeneous: the way towards it and 0, or its position and 1.
-/// @param instead   () -> warped_light<T>, where there is no such map
+/// @param stand_in   the light's map where it has no other: world to x, y, depth and w
+/// @param instead    () -> warped_light<T>, that map
+/// @param frame      the light's own, whose y is the map's
 template <real T, class Instead>
 [[nodiscard]] perspective_light<T> perspective_of(const glm::dvec4& light, const warp_fit<T>& fit,
                                                   const polyhedron& casters, T slide, const char* function,
+                                                  const glm::dmat4& frame, const glm::dmat4& stand_in,
                                                   Instead&& instead) {
     require(is_normal(slide) && slide > T(0), function, "slide", "must be above 0 and finite");
     const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
@@ -10912,10 +10964,21 @@ template <real T, class Instead>
     }
     const bool far = !(glm::abs(image.w) >= 1e-4 * glm::length(glm::dvec3(image)));
     const auto middle = far ? glm::dvec3(0) : aim(glm::dvec3(image) / image.w, in_ndc, function);
-    const auto rays = middle ? along_rays(image, *middle, in_ndc, function) : std::nullopt;
-    const auto warped = rays ? refit(*rays * to_ndc, fit, casters, function) : std::nullopt;
-    if (!warped) return {instead(), light_image::none};
-    return {*warped, far ? light_image::parallel : image.w > 0 ? light_image::source : light_image::sink};
+    if (middle) {
+        const auto [low, high] = extent_of(in_ndc);
+        const glm::dvec4 y = to_ndc * glm::dvec4(frame[0][1], frame[1][1], frame[2][1], 0.0);
+        // as the stand-in has it on the camera's axis, of a lamp amid the receivers: both turn alike
+        const glm::dvec3 up = glm::dvec3(y) - light.w * 0.5 * (low + high) * y.w;
+        const auto [rays, opening] = along_rays(image, *middle, up, in_ndc, function);
+        const double share = share_of_stand_in(opening);
+        glm::dmat4 to_map = rays * to_ndc;
+        if (share > 0.0 && share < 1.0)
+            to_map = (1.0 - share) * filled(to_map, fit.receivers) + share * filled(stand_in, fit.receivers);
+        const auto warped = share < 1.0 ? refit(to_map, fit, casters, function) : std::nullopt;
+        if (warped)
+            return {*warped, far ? light_image::parallel : image.w > 0 ? light_image::source : light_image::sink};
+    }
+    return {instead(), light_image::none};
 }
 
 }  // namespace detail
@@ -10923,23 +10986,25 @@ template <real T, class Instead>
 /// The map of a directional light through the camera's perspective. Casters behind the camera need no more of a slide:
 /// w is the same all along a ray, and depth runs on.
 ///
-/// While camera and light move the map changes without a jump, from image to image of the light too; where
-/// fit_light_space_perspective takes its place, and back again, there is one.
+/// While camera and light move the map changes without a jump, from image to image of the light too, and to
+/// fit_light_space_perspective, which it turns into while what the camera sees fills 120 to 150 degrees around the
+/// light's image.
 ///
 /// @param slide   how far behind its place the camera is taken for the warp, world units, > 0: the least distance to
 ///                receivers. Less gives more of the map to what is close
 /// @return        light_image::none and fit_light_space_perspective where the light, or the point opposite, stands amid
-///                what the camera sees, which then fills more than 150 degrees around it
+///                what the camera sees, which fills 150 degrees around it or more
 /// @throws std::invalid_argument  as fit_light_space_perspective does, and slide not above 0
 /// @cite          Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002
 template <real T = float>
 [[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, T slide = T(1)) {
     constexpr auto function = "fit_perspective";
-    detail::require_warp_fit(fit, function);
-    const glm::dmat4 view = detail::light_frame(detail::view_of(fit, function), fit.clip.hand);
+    const detail::along_view v = detail::make_along_view(fit, function);
+    const glm::dvec4 light(-v.frame[0][2], -v.frame[1][2], -v.frame[2][2], 0.0);
     const polyhedron casters = fit.casters ? polyhedron(*fit.casters) : polyhedron();
-    return detail::perspective_of(glm::dvec4(-view[0][2], -view[1][2], -view[2][2], 0.0), fit, casters, slide, function,
-                                  [&] { return fit_light_space_perspective(fit); });
+    const double n = detail::default_distance(v);
+    return detail::perspective_of(light, fit, casters, slide, function, v.frame, detail::map_along(v, n),
+                                  [&] { return detail::warped_along(v, n, fit, function); });
 }
 
 /// The same of a point light, such as a spot: a source where it is before the camera, a sink where it is behind.
@@ -10955,6 +11020,7 @@ template <real T>
     detail::require_warp_fit(fit, function);
     const detail::lamp_view own = detail::view_of(from, fit, function);
     return detail::perspective_of(glm::dvec4(glm::dvec3(from.position), 1.0), fit, own.casters, slide, function,
+                                  own.frame, detail::map_along(own),
                                   [&] { return detail::unwarped(own, fit, function); });
 }
 
