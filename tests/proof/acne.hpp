@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Planes in a map against receivers on them: with acne_free_bias none is dark, with 9/10 of it some are. A sample in
-// the tests, all of it in `make prove`.
+// Planes in a map against receivers on them: with acne_free_bias, and acne_free_disc_bias under discs in every turn,
+// none is dark, with 9/10 of it some are. A sample in the tests, all of it in `make prove`.
 #pragma once
 
 #include <algorithm>
@@ -37,6 +37,7 @@ inline constexpr std::uint64_t plane_count = std::size(tilts) * 3 * 4;
 struct any_filter {
     std::string_view name;
     float reach;
+    bool turned;  ///< by the pixel, otherwise in each place among 4 x 4
     umbrage::comparison is_lit;
     std::function<void(const umbrage::image<float>&, const umbrage::image<glm::vec3>&, umbrage::image<float>&)>
         visibility;
@@ -45,6 +46,7 @@ struct any_filter {
     any_filter(const Filter& filter, umbrage::depth_direction direction)
         : name(filter.name),
           reach(filter.reach()),
+          turned(requires { filter.points; }),
           is_lit{direction},
           visibility([=](auto& map, auto& seen, auto& lit) {
               umbrage::visibility(map, umbrage::depth32f{}, seen, filter, lit);
@@ -67,7 +69,8 @@ struct plane {
     umbrage::image<glm::vec3> receivers{{256, 256}};
 
     /// @param reach  texels around each receiver that are the map's
-    plane(glm::vec2 slope, float reach, std::mt19937& random) : depth({1, 1}) {
+    /// @param from   pixel of the receiver on the corner of a texel: where a filter turns, another turn from each
+    plane(glm::vec2 slope, float reach, glm::ivec2 from, std::mt19937& random) : depth({1, 1}) {
         const auto margin = static_cast<int>(std::ceil(reach)) + 1;
         const double steep = std::abs(double(slope.x)) + std::abs(double(slope.y));
         const int side = 2 * margin + std::clamp(static_cast<int>(0.9 / std::max(steep, 1e-9)) - 2 * margin, 1, 32);
@@ -84,7 +87,7 @@ struct plane {
         for (int y = 0; y < 256; ++y)
             for (int x = 0; x < 256; ++x) {
                 const glm::dvec2 p = glm::dvec2(texel(random), texel(random)) + glm::dvec2(x, y) / 256.0;
-                receivers[{x, y}] = {p.x, p.y, at(p)};
+                receivers[(glm::ivec2(x, y) + from) % 256] = {p.x, p.y, at(p)};
             }
     }
 
@@ -108,7 +111,8 @@ public:
     const glm::vec2 slope;
 
     [[nodiscard]] const plane& operator[](std::size_t move) {
-        while (made_.size() <= move) made_.emplace_back(slope, reach_, random_);
+        for (auto made = static_cast<int>(made_.size()); made_.size() <= move; ++made)
+            made_.emplace_back(slope, reach_, glm::ivec2(made % 4, made / 4 % 4), random_);
         return made_[move];
     }
 
@@ -124,15 +128,17 @@ struct acne {
     bool loose = false;      ///< and does not
 };
 
-/// Looks at moves of a plane until 9/10 of the bias is too little. Of a plane that faces the light all receivers have
-/// one error of the encoding, and few moves have nearly the greatest.
+/// Looks at moves of a plane until 9/10 of the bias is too little, and until a filter that turns has had every turn at
+/// every fraction of a texel. Of a plane that faces the light all receivers have one error of the encoding, and few
+/// moves have nearly the greatest.
 [[nodiscard]] inline acne look_for_acne(const any_filter& filter, const any_encoding& encoding, float bias,
                                         moved_plane& moved) {
     acne seen{.owed = bias - 0x1p-23f > 0x1p-16f};
     bool tight = false;
-    for (std::size_t move = 0; move == 0 || (seen.owed && !tight && move < 512); ++move) {
+    const std::size_t turns = filter.turned ? 16 : 1;
+    for (std::size_t move = 0; move < turns || (seen.owed && !tight && move < 512); ++move) {
         seen.dark += static_cast<std::uint64_t>(moved[move].dark(filter, encoding, bias));
-        tight = seen.owed && moved[move].dark(filter, encoding, bias * 0.9f) > 0;
+        tight = tight || (seen.owed && moved[move].dark(filter, encoding, bias * 0.9f) > 0);
     }
     seen.loose = seen.owed && !tight;
     return seen;
@@ -152,7 +158,11 @@ void for_each_decoder(umbrage::depth_direction direction, Use&& use) {
     });
 }
 
-/// Calls use(filter) for every filter there is, in every size that it is made for, and either direction that it takes.
+/// Of discs, in texels.
+inline constexpr float disc_radii[]{0.5f, 2.0f, 12.0f};
+
+/// Calls use(filter) for every filter there is, in every size that it is made for, of discs in some, and in either
+/// direction that it takes.
 template <class Use>
 void for_each_percentage_closer(Use&& use) {
     umbrage::for_each_filter([&]<class Filter>(Filter filter) {
@@ -162,6 +172,11 @@ void for_each_percentage_closer(Use&& use) {
             if constexpr (requires { filter.radius = 0; })
                 for (int radius = 0; radius <= umbrage::max_box_radius; ++radius) {
                     filter.radius = radius;
+                    use(filter, direction);
+                }
+            else if constexpr (requires { filter.radius_texels = 0.0f; })
+                for (float radius : disc_radii) {
+                    filter.radius_texels = radius;
                     use(filter, direction);
                 }
             else use(filter, direction);

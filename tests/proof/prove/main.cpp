@@ -4,7 +4,6 @@
 // Prints a table, writes it as TSV into the file that the argument names, and fails when anything in it does.
 //
 //     prove_cpp prove.tsv
-//
 #include <atomic>
 #include <cstdio>
 #include <fstream>
@@ -157,14 +156,15 @@ void add_foreign(std::vector<line>& table) {
         }
 }
 
-/// Receivers under a filter over planes, in maps of every encoding.
+/// Receivers on planes under a filter, in maps of every encoding.
 template <class Filter>
 line acne_under(const Filter& filter, umbrage::depth_direction direction) {
-    char reach[16];
-    std::snprintf(reach, sizeof reach, ", reach %g", double(filter.reach()));
-    const bool forward = direction == umbrage::depth_direction::forward;
-    return {umbrage::glsl::acne_free_bias, std::string(filter.name) + reach + (forward ? "" : ", reversed"), 0,
-            proof::plane_count, [=, erased = proof::any_filter(filter, direction)](count first, count last) {
+    char kind[64];
+    const char* const way = direction == umbrage::depth_direction::forward ? "" : ", reversed";
+    std::snprintf(kind, sizeof kind, "%s, reach %g%s", filter.name.data(), double(filter.reach()), way);
+    constexpr bool turned = requires { filter.points; };
+    return {turned ? umbrage::glsl::acne_free_disc_bias : umbrage::glsl::acne_free_bias, kind, 0, proof::plane_count,
+            [=, erased = proof::any_filter(filter, direction)](count first, count last) {
                 seen s;
                 for (count n = first; n < last; ++n) {
                     proof::moved_plane moved(n, filter.reach());
