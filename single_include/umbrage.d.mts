@@ -523,6 +523,8 @@ export const on_receiver_plane: Snippet;
 export const acne_free_bias: Snippet;
 /** smallest bias without acne, for filters that read a disc */
 export const acne_free_disc_bias: Snippet;
+/** depth before a receiver within which its bias loses a caster's shadow */
+export const detachment: Snippet;
 /** 1 inside a spot light's cone */
 export const spot_cone: Snippet;
 /** diffuse plus ambient light of a surface */

@@ -3037,6 +3037,15 @@ UMBRAGE_HIGHP float umbrage_acne_free_disc_bias(UMBRAGE_HIGHP vec2 slope, UMBRAG
     return umbrage_clamp_bias(bias);
 }
 `,
+            "detachment": `
+// umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0
+//   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
+//   reach  of the filter, texels
+UMBRAGE_HIGHP float umbrage_detachment(UMBRAGE_HIGHP float bias, UMBRAGE_HIGHP vec2 caster_slope,
+                                       UMBRAGE_HIGHP float reach) {
+    return umbrage_acne_free_bias(caster_slope, reach, bias);
+}
+`,
             "spot_cone": `
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
@@ -5873,6 +5882,14 @@ float umbrage_acne_free_disc_bias(float2 slope, float radius, float error) {
     return umbrage_clamp_bias(bias);
 }
 `,
+            "detachment": `
+// umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0
+//   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
+//   reach  of the filter, texels
+float umbrage_detachment(float bias, float2 caster_slope, float reach) {
+    return umbrage_acne_free_bias(caster_slope, reach, bias);
+}
+`,
             "spot_cone": `
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
@@ -8703,6 +8720,14 @@ inline float umbrage_acne_free_disc_bias(float2 slope, float radius, float error
     return umbrage_clamp_bias(bias);
 }
 `,
+            "detachment": `
+// umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0
+//   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
+//   reach  of the filter, texels
+inline float umbrage_detachment(float bias, float2 caster_slope, float reach) {
+    return umbrage_acne_free_bias(caster_slope, reach, bias);
+}
+`,
             "spot_cone": `
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
@@ -11523,6 +11548,14 @@ fn umbrage_acne_free_disc_bias(slope: vec2f, radius: f32, error: f32) -> f32 {
     return umbrage_clamp_bias(bias);
 }
 `,
+            "detachment": `
+// umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0
+//   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
+//   reach  of the filter, texels
+fn umbrage_detachment(bias: f32, caster_slope: vec2f, reach: f32) -> f32 {
+    return umbrage_acne_free_bias(caster_slope, reach, bias);
+}
+`,
             "spot_cone": `
 // umbrage_spot_cone: 1.0 inside the cone of a spot light, else 0.0
 //   direction  of the light, unit length;   to_point  from the light, any length;   cos_outer  in [0, 1)
@@ -11979,6 +12012,7 @@ const rows = [
     ["on_receiver_plane", "on_receiver_plane", "stored depth moved along the receiver's plane to the receiver", "b", 0, 0, "100", "none", false, ["cleared_depth"]],
     ["acne_free_bias", "acne_free_bias", "smallest bias without acne, for a slope, a reach and an encoding's error", "b", 0, 0, "100", "none", false, ["clamp_bias"]],
     ["acne_free_disc_bias", "acne_free_disc_bias", "smallest bias without acne, for filters that read a disc", "c", 1, 0, "100", "none", false, ["clamp_bias"]],
+    ["detachment", "detachment", "depth before a receiver within which its bias loses a caster's shadow", "b", 0, 0, "100", "none", false, ["acne_free_bias"]],
     ["spot_cone", "spot_cone", "1 inside a spot light's cone", "b", 0, 0, "100", "none", false, []],
     ["diffuse_ambient", "diffuse_ambient", "diffuse plus ambient light of a surface", "b", 0, 0, "100", "none", false, []],
     ["false_colour", "false_colour", "0..1 to blue, green, red", "b", 0, 0, "100", "none", false, ["saturate"]],
@@ -12036,4 +12070,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, turn_moments_back, bias_moments, forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, turn_moments_back, bias_moments, forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, detachment, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

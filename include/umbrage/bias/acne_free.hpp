@@ -78,10 +78,12 @@ template <real T>
 /// @param bias           of the receiver, in depth
 /// @param caster_slope   of the caster's depth, a texel; |slope.x| + |slope.y| of a caster that faces the light is 0
 /// @param reach          of the filter, texels
-/// @return               in depth, >= 0: casters at least so far before the receiver shadow it as without bias
-/// @formula              bias + reach (|caster_slope.x| + |caster_slope.y|). On a floor beside a wall that stands
-///                       square to it light leaks in for bias sin(t), t between the floor's normal and the light: in
-///                       world units at most sqrt(2) reach texel tan(t) sin(t)
+/// @return               0 .. 1: casters at least so far before the receiver shadow it as without bias; 1 for what is
+///                       infinite, and for NaN
+/// @formula              bias + reach (|caster_slope.x| + |caster_slope.y|) + 2^-23. On a floor beside a wall that
+///                       stands square to it light leaks in for bias sin(t), t between the floor's normal and the
+///                       light: in world units at most sqrt(2) reach texel tan(t) sin(t)
+/// @exactness            B
 template <real T>
 [[nodiscard]] constexpr T detachment(T bias, glm::vec<2, T> caster_slope, T reach) {
     return acne_free_bias(caster_slope, reach, bias);
@@ -128,7 +130,23 @@ UMBRAGE_HIGHP float umbrage_acne_free_disc_bias(UMBRAGE_HIGHP vec2 slope, UMBRAG
 )GLSL",
 };
 
-inline constexpr auto acne_free_snippets = list<&acne_free_bias, &acne_free_disc_bias>;
+inline constexpr snippet detachment{
+    .name = "detachment",
+    .summary = "depth before a receiver within which its bias loses a caster's shadow",
+    .exactness = tier::b,
+    .needs = list<&acne_free_bias>,
+    .source = R"GLSL(
+// umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0
+//   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
+//   reach  of the filter, texels
+UMBRAGE_HIGHP float umbrage_detachment(UMBRAGE_HIGHP float bias, UMBRAGE_HIGHP vec2 caster_slope,
+                                       UMBRAGE_HIGHP float reach) {
+    return umbrage_acne_free_bias(caster_slope, reach, bias);
+}
+)GLSL",
+};
+
+inline constexpr auto acne_free_snippets = list<&acne_free_bias, &acne_free_disc_bias, &detachment>;
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -27,6 +27,8 @@ TEST_CASE_TEMPLATE("acne_free_bias: by hand", T, float, double) {
     // 3-4-5: a disc of 2 texels reaches 2 * 0.05 before the plane, and its points' texels 65/128 * 0.07 farther
     CHECK(acne_free_disc_bias(vec(T(0.03), T(-0.04)), T(2), T(0)) == doctest::Approx(0.1 + 0.07 * 65 / 128));
     CHECK(acne_free_disc_bias(vec(0), T(8), T(0.25)) == T(0.25) + rounding);
+    CHECK(detachment(T(0.25), vec(0), T(2)) == T(0.25) + rounding);  // a caster that faces the light
+    CHECK(detachment(T(0.25), vec(T(0.0625), T(-0.125)), T(2)) == T(0.625) + rounding);
 }
 
 TEST_CASE("acne_free_bias: of filters and encodings, each with the error that counts in its direction") {
@@ -49,6 +51,7 @@ TEST_CASE_TEMPLATE("acne_free_bias, acne_free_disc_bias: infinite, NaN, zero tex
         for (vec slope : {vec(bad, 0), vec(0, bad), vec(bad)}) {
             CHECK(acne_free_bias(slope, T(1), T(0)) == 1);
             CHECK(acne_free_disc_bias(slope, T(1), T(0)) == 1);
+            CHECK(detachment(T(0), slope, T(1)) == 1);
         }
         CHECK(acne_free_bias(vec(T(0.1)), T(1), std::abs(bad)) == 1);
         CHECK(acne_free_bias(vec(T(0.1)), std::abs(bad), T(0)) == 1);

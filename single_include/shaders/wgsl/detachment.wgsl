@@ -1,0 +1,9 @@
+// umbrage 0.1.0, MIT License: detachment
+// Paste along: clamp_bias.wgsl, acne_free_bias.wgsl
+
+// umbrage_detachment: depth before a receiver within which a caster's shadow is lost, wholly or in part, 0.0 to 1.0
+//   bias   of the receiver, in depth;   caster_slope  change of the caster's depth from one texel to the next
+//   reach  of the filter, texels
+fn umbrage_detachment(bias: f32, caster_slope: vec2f, reach: f32) -> f32 {
+    return umbrage_acne_free_bias(caster_slope, reach, bias);
+}
