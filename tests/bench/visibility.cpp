@@ -12,6 +12,7 @@
 #include "data.hpp"
 #include "default_scene.hpp"
 #include "peers/glm.hpp"
+#include "window_loads.hpp"
 #ifdef UMBRAGE_BENCH_LLVMPIPE
 #include "peers/llvmpipe.hpp"
 #endif
@@ -23,7 +24,7 @@ using umbrage::filters::box;
 using umbrage::filters::pcf_2x2;
 
 struct state {
-    image<float> map = bench::make_map(), ours{bench::screen}, other{bench::screen};
+    image<float> map = bench::make_map(), decoded{bench::map_size}, ours{bench::screen}, other{bench::screen};
     image<glm::u8vec2> packed{bench::map_size};
     image<glm::vec3> coherent = bench::make_receivers(bench::order::coherent),
                      random = bench::make_receivers(bench::order::random);
@@ -99,6 +100,23 @@ const bench::registration rows([] {
                     .ours = on_packed(s->coherent, filter),
                     .theirs = theirs,
                     .agree = close});
+        const auto loads = [s, row = filter.row](const image<float>& map) {
+            bench::load_windows(map, s->coherent, row, s->other);
+        };
+        bench::add({.work = std::string("window ") + size + ", float map, coherent 1920 x 1080",
+                    .peer = "its loads alone",
+                    .items = bench::pixels,
+                    .ours = on_floats(s->coherent, filter),
+                    .theirs = [=] { loads(s->map); },
+                    .agree = {}});
+        bench::add({.work = std::string("window ") + size + ", 11-bit map, coherent 1920 x 1080",
+                    .peer = "decoding, loads alone",
+                    .items = bench::pixels,
+                    .ours = on_packed(s->coherent, filter),
+                    .theirs = [=] {
+                        umbrage::decode(s->packed, s->decoded, rg);
+                        loads(s->decoded);
+                    }});
     }
     umbrage::filters::rotated_disc disc = umbrage::filters::disc<16>;
     disc.radius_texels = 3.0f;

@@ -107,9 +107,9 @@ inline void add_products(const plain_lanes<float, Count>& a, const plain_lanes<f
 }
 
 /// The sum of the lanes of each of four registers.
-inline void sum_four_lanes(const plain_lanes<float, 4>& a, const plain_lanes<float, 4>& b,
-                           const plain_lanes<float, 4>& c, const plain_lanes<float, 4>& d,
-                           plain_lanes<float, 4>& sums) {
+template <class T>
+inline void sum_four_lanes(const plain_lanes<T, 4>& a, const plain_lanes<T, 4>& b, const plain_lanes<T, 4>& c,
+                           const plain_lanes<T, 4>& d, plain_lanes<T, 4>& sums) {
     for (int k = 0; const auto* v : {&a, &b, &c, &d}) sums[k++] = (*v)[0] + (*v)[1] + (*v)[2] + (*v)[3];
 }
 
@@ -169,10 +169,9 @@ UMBRAGE_INLINE inline void add_products(const lanes_of<float, Count>& a, const l
     }
 }
 
-UMBRAGE_INLINE inline void sum_four_lanes(const lanes_of<float, 4>& a, const lanes_of<float, 4>& b,
-                                          const lanes_of<float, 4>& c, const lanes_of<float, 4>& d,
-                                          lanes_of<float, 4>& sums) {
-    lanes_of<float, 4> even, odd, first, second;
+template <class Four>
+UMBRAGE_INLINE inline void sum_four_lanes(const Four& a, const Four& b, const Four& c, const Four& d, Four& sums) {
+    Four even, odd, first, second;
     shuffle<0, 4, 1, 5>(a, b, even);
     shuffle<2, 6, 3, 7>(a, b, odd);
     first = even + odd;

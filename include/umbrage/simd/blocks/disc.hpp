@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Discs over blocks of receivers: the turned points of a row of pixels are looked up, not turned again.
+// Discs over blocks of receivers: the turned points of a row of pixels are looked up, not turned again. All texels near
+// a receiver are compared at once, a row of them in a register, where that is less work than point after point.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -13,6 +16,7 @@
 #include <umbrage/simd/blocks/form.hpp>
 #include <umbrage/simd/blocks/receivers.hpp>
 #include <umbrage/simd/blocks/texels.hpp>
+#include <umbrage/simd/lanes.hpp>
 
 namespace umbrage::detail {
 
@@ -20,8 +24,15 @@ namespace umbrage::detail {
 struct disc_table {
     struct tap {
         alignas(64) std::int32_t x[block], y[block];
+        alignas(64) std::uint32_t packed[block];
     };
     std::vector<std::array<tap, 32>> of;
+    int farthest = 0;  ///< along an axis
+
+    /// Both in one word, sums of them from 0 to 2047: x is at the top, where what it borrows and carries is lost.
+    static UMBRAGE_INLINE std::uint32_t pack(std::int32_t x, std::int32_t y) {
+        return (static_cast<std::uint32_t>(x) << 21) + static_cast<std::uint32_t>(y);
+    }
 
     disc_table(const disc_point* points, int count, float radius) : of(16) {
         const auto rho = static_cast<int>(disc_radius(radius));
@@ -31,9 +42,13 @@ struct disc_table {
                 for (int p = 0; p < count; ++p) {
                     const disc_point point = points[p];
                     tap& taps = of[static_cast<std::size_t>(y)][static_cast<std::size_t>(p)];
+                    const int right = (turn.x * point.x - turn.y * point.y) * rho >> 6;
+                    const int up = (turn.y * point.x + turn.x * point.y) * rho >> 6;
+                    for (const int way : {right, -right, up, -up}) farthest = way > farthest ? way : farthest;
                     for (int i = x; i < block; i += 4) {
-                        taps.x[i] = (turn.x * point.x - turn.y * point.y) * rho >> 6;
-                        taps.y[i] = (turn.y * point.x + turn.x * point.y) * rho >> 6;
+                        taps.x[i] = right;
+                        taps.y[i] = up;
+                        taps.packed[i] = pack(right, up);
                     }
                 }
             }
@@ -76,28 +91,118 @@ struct disc_blocks {
 
     template <class Isa>
     UMBRAGE_INLINE void operator()(const placed& at, int, float* visibility, Isa set) const {
+        if constexpr (Isa::value != isa::base) {
+            near_texels texels;
+            if (points >= 2 * near_rows && find_near(at, texels))
+                return out_of_line(set, [&](auto) UMBRAGE_INLINE {
+                    count_near<Isa::value == isa::avx512 ? 16 : 8>(at, texels, visibility);
+                });
+        }
         out_of_line(set, [&](auto) UMBRAGE_INLINE { count_all(at, visibility); });
     }
 
 private:
+    static constexpr int near_before = 3, near_rows = 7, near_columns = 8;
+    struct near_texels {
+        alignas(64) std::int32_t offsets[block];  ///< of the first
+        alignas(64) std::uint32_t from[block];    ///< there to the receiver, packed
+        alignas(64) std::uint32_t left[block], right[block], lit[block];
+    };
+
+    /// @return   whether all points fall on them, and all of them lie in the map
+    UMBRAGE_INLINE bool find_near(const placed& at, near_texels& texels) const {
+        const texel_bytes memory(map);
+        const int last_x = map.size.x - near_columns, last_y = map.size.y - near_rows;
+        if (last_x < 0 || last_y < 0 || taps.farthest > near_before * 256) return false;
+        std::int32_t all = -1;
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t x = (at.x[i] >> 8) - near_before, y = (at.y[i] >> 8) - near_before;
+            const std::int32_t inside = ~((x | y | (last_x - x) | (last_y - y)) >> 31);
+            texels.offsets[i] = memory.offset(x & inside, y & inside);
+            texels.from[i] = disc_table::pack((at.x[i] & 255) + near_before * 256, (at.y[i] & 255) + near_before * 256);
+            all &= inside | ~at.compared[i];
+        }
+        return all != 0;
+    }
+
+    template <int Lanes>
+    UMBRAGE_INLINE void count_near(const placed& at, near_texels& texels, float* visibility) const {
+        for (int i = 0; i < block; i += 4) {
+            lanes_of<std::int32_t, 4> left[4], right[4], words;
+#pragma GCC unroll 4
+            for (int k = 0; k < 4; ++k)
+                compare_near<near_columns>(at.z[i + k], texels.offsets[i + k], left[k], right[k]);
+            sum_four_lanes(left[0], left[1], left[2], left[3], words);
+            store_lanes(words, texels.left + i);
+            sum_four_lanes(right[0], right[1], right[2], right[3], words);
+            store_lanes(words, texels.right + i);
+        }
+        const auto& row = taps.of[static_cast<std::size_t>(at.row)];
+        for (int i = 0; i < block; i += Lanes) {
+            lanes_of<std::uint32_t, Lanes> from, left, either, tap, lit{};
+            load_lanes(texels.from + i, from);
+            load_lanes(texels.left + i, left);
+            load_lanes(texels.right + i, either);
+            either ^= left;
+            for (int p = 0; p < points; ++p) {
+                load_lanes(row[static_cast<std::size_t>(p)].packed + i, tap);
+                tap += from;
+                const auto on_right = reinterpret_cast<lanes_of<std::int32_t, Lanes>>(tap) >> 31;
+                const auto word = left ^ (either & reinterpret_cast<lanes_of<std::uint32_t, Lanes>>(on_right));
+                lit += word >> ((tap >> 26 & 24) + (tap >> 8 & 7)) & 1;
+            }
+            store_lanes(lit, texels.lit + i);
+        }
+        take_share(at, texels.lit, visibility);
+    }
+
+    /// Bit y of byte x is 1 where the texel in column x and row y is lit, of the left four columns and of the others.
+    /// A column is a lane, and its other bytes are 0.
+    template <int Columns>
+    UMBRAGE_INLINE void compare_near(float receiver, std::int32_t offset, lanes_of<std::int32_t, 4>& left,
+                                     lanes_of<std::int32_t, 4>& right) const {
+        const texel_bytes memory(map);
+        const std::byte* from = memory.data + offset + near_rows * std::ptrdiff_t(memory.stride);
+        lanes_of<std::int32_t, Columns> bits{}, lit;
+        lanes_of<float, Columns> texels;
+#pragma GCC unroll 7
+        for (int y = 0; y < near_rows; ++y) {
+            from -= memory.stride;
+            load_lanes(from, texels);
+            lit_lanes<Columns, test::forward>(receiver, texels, lit);
+            bits = bits + bits - lit;
+        }
+        bits = bits << lanes_of<std::int32_t, Columns>{0, 8, 16, 24, 0, 8, 16, 24};
+        std::memcpy(&left, &bits, sizeof left);
+        std::memcpy(&right, reinterpret_cast<const char*>(&bits) + sizeof left, sizeof right);
+    }
+
     UMBRAGE_INLINE void count_all(const placed& at, float* visibility) const {
         const float_texels of_map{map};
         const texel_bytes memory(map);
         const int last_x = map.size.x - 1, last_y = map.size.y - 1;
         loaded_texels<float_texels> texels(of_map);
-        alignas(64) std::int32_t offsets[block], lit[block]{};
+        alignas(64) std::int32_t offsets[block];
+        alignas(64) std::uint32_t lit[block]{};
         for (int p = 0; p < points; ++p) {
             const disc_table::tap& tap = taps.of[static_cast<std::size_t>(at.row)][static_cast<std::size_t>(p)];
             for (int i = 0; i < block; ++i)
                 offsets[i] = memory.offset(clamp_int((at.x[i] + tap.x[i]) >> 8, last_x),
                                            clamp_int((at.y[i] + tap.y[i]) >> 8, last_y));
             texels.load_one([&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); });
-            for (int i = 0; i < block; ++i) lit[i] += test::lit(at.z[i], texels.one(i));
+            for (int i = 0; i < block; ++i) lit[i] += static_cast<std::uint32_t>(test::lit(at.z[i], texels.one(i)));
         }
+        take_share(at, lit, visibility);
+    }
+
+    UMBRAGE_INLINE void take_share(const placed& at, const std::uint32_t* lit, float* visibility) const {
         const float share = points == 8 ? 1.0f / 8.0f : (points == 16 ? 1.0f / 16.0f : 1.0f / 32.0f);
         UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i)
-            visibility[i] = select(at.compared[i], static_cast<float>(lit[i]) * share, 1.0f);
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t count = static_cast<std::int32_t>(lit[i]) & number_mask(at.z[i]);
+            visibility[i] = select(at.compared[i], static_cast<float>(count) * share, 1.0f);
+        }
     }
 };
 

@@ -39,7 +39,9 @@ struct window_blocks {
     const window_row& row;
     const window_table& weights;
 
-    [[nodiscard]] UMBRAGE_INLINE int loaded() const { return row.touched() > 8 ? 16 : 8; }  ///< of a row of texels
+    [[nodiscard]] UMBRAGE_INLINE int loaded() const {  ///< of a row of texels
+        return row.touched() > 8 ? 16 : (row.touched() > 4 ? 8 : 4);
+    }
 
     /// Of the texels that a receiver there asks for, along an axis.
     [[nodiscard]] UMBRAGE_INLINE std::int32_t first(float coord) const {
@@ -82,7 +84,8 @@ private:
     UMBRAGE_INLINE void weigh_all(const placed& at, int count, float* visibility) const {
         alignas(64) float sums[block]{};
         if (map.size.x >= loaded() && map.size.y >= row.touched()) {
-            if (row.touched() <= 8) weigh_inside<Lanes, 8 / Lanes>(at, count, sums);
+            if (row.touched() <= 4) weigh_inside<4, 1>(at, count, sums);
+            else if (row.touched() <= 8) weigh_inside<Lanes, 8 / Lanes>(at, count, sums);
             else weigh_inside<Lanes, 16 / Lanes>(at, count, sums);
         }
         if (!at.all_inside)
