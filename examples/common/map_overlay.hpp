@@ -15,8 +15,8 @@
 namespace example {
 
 /// Draws each map as the light sees it, farther is lighter, side by side from the top left corner on; of pages the
-/// root.
-/// @param maps   of umbrage's default clip space
+/// root; paraboloids where they get 16 texels.
+/// @param maps   of umbrage's default clip space; without matrices they are a lamp's paraboloids
 void overlay_maps(umbrage::image_view<glm::u8vec3> picture, const lit_view& v, const placed_maps& maps);
 
 }  // namespace example

@@ -43,24 +43,26 @@ TEST_CASE("outdoor: maps placed either way shadow as rays do, under other filter
     CHECK(mapped > 1000);
 }
 
-TEST_CASE("outdoor: a lamp's maps shadow as rays do") {
+TEST_CASE("outdoor: a lamp's maps shadow as rays do, and a sun's on the ground") {
     viewer::options o;
     o.system = "outdoor", o.ground = "default", o.width = 240, o.height = 160;
     const viewer::session s(o);
     const example::ray_tracer tracer(s.scene.geometry);
-    for (const std::string_view placement : viewer::lamp_placements) {
+    const auto check = [&](std::string_view placement, const glm::vec4& light) {
         const picture mask = viewed(
             "--headless --system outdoor --scene default --width 240 --height 160 --mask "
             "--placement " +
             std::string(placement));
-        const example::against_rays rays(s.scene, tracer, example::make_camera(s.camera), mask.size(),
-                                         {s.lamp_position(), 1}, 200, [&](glm::ivec2 p) { return mask[p].r >= 128; });
+        const example::against_rays rays(s.scene, tracer, example::make_camera(s.camera), mask.size(), light, 200,
+                                         [&](glm::ivec2 p) { return mask[p].r >= 128; });
         MESSAGE(placement, ": lit ", rays.lit, ", dark ", rays.dark, ", other ", rays.other_near);
         CHECK(rays.shadowed_sky == 0);
         CHECK(rays.lit > 8000);
         CHECK(rays.dark > 1500);
         CHECK(rays.other_near * 100 < rays.lit + rays.dark);
-    }
+    };
+    for (const std::string_view placement : viewer::lamp_placements) check(placement, {s.lamp_position(), 1});
+    check("plane-optimal", {example::direction_at(s.system.azimuth, s.system.elevation), 0});
 }
 
 TEST_CASE("outdoor: the best map is a warp across the light, and none along it") {

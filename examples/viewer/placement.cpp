@@ -6,12 +6,14 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <stdexcept>
 
 #include <umbrage/light/dual_paraboloid.hpp>
 #include <umbrage/light/point_light.hpp>
 #include <umbrage/light/tetrahedron_light.hpp>
 #include <umbrage/light/warp/light_space_perspective.hpp>
 #include <umbrage/light/warp/perspective.hpp>
+#include <umbrage/light/warp/plane_optimal.hpp>
 #include <umbrage/light/warp/trapezoidal.hpp>
 
 namespace viewer {
@@ -21,7 +23,7 @@ using fit = umbrage::warp_fit<double>;
 
 struct warped {
     umbrage::warped_light<double> map;
-    std::string_view seen_as{};  ///< of a light in the camera's perspective
+    std::string_view seen_as{};  ///< of a light in the camera's perspective; what came of a ground
 };
 
 warped tight(const fit& f) {
@@ -34,13 +36,21 @@ warped perspective(const fit& f) {
     const auto map = umbrage::fit_perspective(f);
     return {map, images[static_cast<std::size_t>(map.seen_as)]};
 }
+/// Of the scene's lowest plane, and of what shades that part of it which the screen shows.
+warped plane_optimal(const fit& f) {
+    try {
+        return {umbrage::fit_plane_optimal(f, glm::dvec4(0, 1, 0, -f.casters->low.y)), "the ground alone"};
+    } catch (const std::invalid_argument&) { return {tight(f).map, "tight, as no ground is seen"}; }
+}
 
 struct placement {
     std::string_view name;
     warped (*place)(const fit&);
+    bool holds_all = true;  ///< that the camera sees
 };
 constexpr std::array placements{placement{"tight", tight}, placement{"light-space", light_space},
-                                placement{"trapezoidal", trapezoidal}, placement{"perspective", perspective}};
+                                placement{"trapezoidal", trapezoidal}, placement{"perspective", perspective},
+                                placement{"plane-optimal", plane_optimal, false}};
 constexpr std::string_view the_best = "best";
 
 sun_map described(std::string_view name, const warped& w) {
@@ -83,6 +93,7 @@ sun_map place_map(std::string_view name, const fit& f, std::span<const umbrage::
     std::vector<warped> all;
     std::vector<umbrage::light_space<double>> lights;
     for (const placement& p : placements) {
+        if (!p.holds_all) continue;
         all.push_back(p.place(f));
         lights.push_back(all.back().map.light);
     }
