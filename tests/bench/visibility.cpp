@@ -113,10 +113,12 @@ const bench::registration rows([] {
                     .peer = "decoding, loads alone",
                     .items = bench::pixels,
                     .ours = on_packed(s->coherent, filter),
-                    .theirs = [=] {
-                        umbrage::decode(s->packed, s->decoded, rg);
-                        loads(s->decoded);
-                    }});
+                    .theirs =
+                        [=] {
+                            umbrage::decode(s->packed, s->decoded, rg);
+                            loads(s->decoded);
+                        },
+                    .agree = {}});
     }
     umbrage::filters::rotated_disc disc = umbrage::filters::disc<16>;
     disc.radius_texels = 3.0f;
