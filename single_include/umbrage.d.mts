@@ -489,6 +489,14 @@ export const msm: Snippet;
 export const msm_turned: Snippet;
 /** visibility from a map of encode_msm's texels */
 export const msm_hausdorff: Snippet;
+/** most that a variance lets be lit, less the light that bleeds */
+export const chebyshev_hardware: Snippet;
+/** mean and deviation to visibility, the cheapest way */
+export const decode_vsm_hardware: Snippet;
+/** mean of texels of two components to visibility, by the GPU's own exp2 */
+export const decode_evsm2_hardware: Snippet;
+/** mean of texels of four components to visibility, by the GPU's own exp2 */
+export const decode_evsm4_hardware: Snippet;
 /** mean of texels in a row */
 export const blur_row3: Snippet;
 /** mean of texels in a row */

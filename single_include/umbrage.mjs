@@ -2828,6 +2828,61 @@ UMBRAGE_HIGHP float umbrage_msm_hausdorff(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 si
     return compared ? lit : 1.0;
 }
 `,
+            "chebyshev_hardware": `
+// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
+//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+UMBRAGE_HIGHP float umbrage_chebyshev_hardware(UMBRAGE_HIGHP float variance, UMBRAGE_HIGHP float distance,
+                                               UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float beyond = max(distance, 0.0);
+    UMBRAGE_HIGHP float p = variance / (variance + beyond * beyond);
+    return clamp((p - amount) / (1.0 - amount), 0.0, 1.0);
+}
+`,
+            "decode_vsm_hardware": `
+// umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   held  mean and twice the standard deviation of depths, filtered;   receiver  depth, biased
+//   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
+UMBRAGE_HIGHP float umbrage_decode_vsm_hardware(UMBRAGE_HIGHP vec2 held, UMBRAGE_HIGHP float receiver,
+                                                UMBRAGE_HIGHP float min_variance, UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float variance = max(held.y * held.y * 0.25, min_variance);
+    UMBRAGE_HIGHP float distance = umbrage_forward_depth(receiver) - held.x;
+    UMBRAGE_HIGHP float lit = umbrage_chebyshev_hardware(variance, distance, amount);
+    return abs(receiver) < 1048576.0 ? lit : 0.0;
+}
+`,
+            "decode_evsm2_hardware": `
+// umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
+UMBRAGE_HIGHP float umbrage_decode_evsm2_hardware(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                                  UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation,
+                                                  UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    UMBRAGE_HIGHP float w = exp2(exponent * (d * 2.0 - 1.0));
+    UMBRAGE_HIGHP float least = deviation * w;
+    UMBRAGE_HIGHP float variance = max(m.y - m.x * m.x, least * least);
+    UMBRAGE_HIGHP float lit = umbrage_chebyshev_hardware(variance, w - m.x, amount);
+    return abs(receiver) < 1048576.0 ? lit : 0.0;
+}
+`,
+            "decode_evsm4_hardware": `
+// umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
+UMBRAGE_HIGHP float umbrage_decode_evsm4_hardware(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
+                                                  UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations,
+                                                  UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    UMBRAGE_HIGHP float w = exp2(exponents.x * d);
+    UMBRAGE_HIGHP float n = 0.0 - exp2((0.0 - exponents.y) * d);
+    UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
+    UMBRAGE_HIGHP float growing = max(m.y - m.x * m.x, least.x * least.x);
+    UMBRAGE_HIGHP float falling = max(m.w - m.z * m.z, least.y * least.y);
+    UMBRAGE_HIGHP float a = umbrage_chebyshev_hardware(growing, w - m.x, amount);
+    UMBRAGE_HIGHP float b = umbrage_chebyshev_hardware(falling, n - m.z, amount);
+    return abs(receiver) < 1048576.0 ? min(a, b) : 0.0;
+}
+`,
             "blur_row3": `
 // umbrage_blur_row3: mean of 3 texels in a row, weighed by a row of Pascal's triangle
 //   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
@@ -5688,6 +5743,55 @@ float umbrage_msm_hausdorff(UMBRAGE_MAP map, float2 size, float2 coord, float re
     return compared ? lit : 1.0;
 }
 `,
+            "chebyshev_hardware": `
+// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
+//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+float umbrage_chebyshev_hardware(float variance, float distance, float amount) {
+    float beyond = max(distance, 0.0);
+    float p = variance / (variance + beyond * beyond);
+    return clamp((p - amount) / (1.0 - amount), 0.0, 1.0);
+}
+`,
+            "decode_vsm_hardware": `
+// umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   held  mean and twice the standard deviation of depths, filtered;   receiver  depth, biased
+//   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
+float umbrage_decode_vsm_hardware(float2 held, float receiver, float min_variance, float amount) {
+    float variance = max(held.y * held.y * 0.25, min_variance);
+    float distance = umbrage_forward_depth(receiver) - held.x;
+    float lit = umbrage_chebyshev_hardware(variance, distance, amount);
+    return abs(receiver) < 1048576.0 ? lit : 0.0;
+}
+`,
+            "decode_evsm2_hardware": `
+// umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
+float umbrage_decode_evsm2_hardware(float2 m, float receiver, float exponent, float deviation, float amount) {
+    float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    float w = exp2(exponent * (d * 2.0 - 1.0));
+    float least = deviation * w;
+    float variance = max(m.y - m.x * m.x, least * least);
+    float lit = umbrage_chebyshev_hardware(variance, w - m.x, amount);
+    return abs(receiver) < 1048576.0 ? lit : 0.0;
+}
+`,
+            "decode_evsm4_hardware": `
+// umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
+float umbrage_decode_evsm4_hardware(float4 m, float receiver, float2 exponents, float2 deviations, float amount) {
+    float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    float w = exp2(exponents.x * d);
+    float n = 0.0 - exp2((0.0 - exponents.y) * d);
+    float2 least = deviations * float2(w, n);
+    float growing = max(m.y - m.x * m.x, least.x * least.x);
+    float falling = max(m.w - m.z * m.z, least.y * least.y);
+    float a = umbrage_chebyshev_hardware(growing, w - m.x, amount);
+    float b = umbrage_chebyshev_hardware(falling, n - m.z, amount);
+    return abs(receiver) < 1048576.0 ? min(a, b) : 0.0;
+}
+`,
             "blur_row3": `
 // umbrage_blur_row3: mean of 3 texels in a row, weighed by a row of Pascal's triangle
 //   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
@@ -8525,6 +8629,56 @@ inline float umbrage_msm_hausdorff(UMBRAGE_MAP map, float2 size, float2 coord, f
     return compared ? lit : 1.0;
 }
 `,
+            "chebyshev_hardware": `
+// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
+//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+inline float umbrage_chebyshev_hardware(float variance, float distance, float amount) {
+    float beyond = metal::max(distance, 0.0);
+    float p = variance / (variance + beyond * beyond);
+    return metal::clamp((p - amount) / (1.0 - amount), 0.0, 1.0);
+}
+`,
+            "decode_vsm_hardware": `
+// umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   held  mean and twice the standard deviation of depths, filtered;   receiver  depth, biased
+//   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
+inline float umbrage_decode_vsm_hardware(float2 held, float receiver, float min_variance, float amount) {
+    float variance = metal::max(held.y * held.y * 0.25, min_variance);
+    float distance = umbrage_forward_depth(receiver) - held.x;
+    float lit = umbrage_chebyshev_hardware(variance, distance, amount);
+    return metal::abs(receiver) < 1048576.0 ? lit : 0.0;
+}
+`,
+            "decode_evsm2_hardware": `
+// umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
+inline float umbrage_decode_evsm2_hardware(float2 m, float receiver, float exponent, float deviation, float amount) {
+    float d = umbrage_forward_depth(metal::clamp(receiver, 0.0, 1.0));
+    float w = metal::exp2(exponent * (d * 2.0 - 1.0));
+    float least = deviation * w;
+    float variance = metal::max(m.y - m.x * m.x, least * least);
+    float lit = umbrage_chebyshev_hardware(variance, w - m.x, amount);
+    return metal::abs(receiver) < 1048576.0 ? lit : 0.0;
+}
+`,
+            "decode_evsm4_hardware": `
+// umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
+inline float umbrage_decode_evsm4_hardware(float4 m, float receiver, float2 exponents, float2 deviations,
+                                           float amount) {
+    float d = umbrage_forward_depth(metal::clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    float w = metal::exp2(exponents.x * d);
+    float n = 0.0 - metal::exp2((0.0 - exponents.y) * d);
+    float2 least = deviations * float2(w, n);
+    float growing = metal::max(m.y - m.x * m.x, least.x * least.x);
+    float falling = metal::max(m.w - m.z * m.z, least.y * least.y);
+    float a = umbrage_chebyshev_hardware(growing, w - m.x, amount);
+    float b = umbrage_chebyshev_hardware(falling, n - m.z, amount);
+    return metal::abs(receiver) < 1048576.0 ? metal::min(a, b) : 0.0;
+}
+`,
             "blur_row3": `
 // umbrage_blur_row3: mean of 3 texels in a row, weighed by a row of Pascal's triangle
 //   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
@@ -11354,6 +11508,55 @@ fn umbrage_msm_hausdorff(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f
     return select(1.0, lit, compared);
 }
 `,
+            "chebyshev_hardware": `
+// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
+//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+fn umbrage_chebyshev_hardware(variance: f32, distance: f32, amount: f32) -> f32 {
+    let beyond: f32 = max(distance, 0.0);
+    let p: f32 = variance / (variance + beyond * beyond);
+    return clamp((p - amount) / (1.0 - amount), 0.0, 1.0);
+}
+`,
+            "decode_vsm_hardware": `
+// umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   held  mean and twice the standard deviation of depths, filtered;   receiver  depth, biased
+//   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
+fn umbrage_decode_vsm_hardware(held: vec2f, receiver: f32, min_variance: f32, amount: f32) -> f32 {
+    let variance: f32 = max(held.y * held.y * 0.25, min_variance);
+    let distance: f32 = umbrage_forward_depth(receiver) - held.x;
+    let lit: f32 = umbrage_chebyshev_hardware(variance, distance, amount);
+    return select(0.0, lit, abs(receiver) < 1048576.0);
+}
+`,
+            "decode_evsm2_hardware": `
+// umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
+fn umbrage_decode_evsm2_hardware(m: vec2f, receiver: f32, exponent: f32, deviation: f32, amount: f32) -> f32 {
+    let d: f32 = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    let w: f32 = exp2(exponent * (d * 2.0 - 1.0));
+    let least: f32 = deviation * w;
+    let variance: f32 = max(m.y - m.x * m.x, least * least);
+    let lit: f32 = umbrage_chebyshev_hardware(variance, w - m.x, amount);
+    return select(0.0, lit, abs(receiver) < 1048576.0);
+}
+`,
+            "decode_evsm4_hardware": `
+// umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
+fn umbrage_decode_evsm4_hardware(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f, amount: f32) -> f32 {
+    let d: f32 = umbrage_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    let w: f32 = exp2(exponents.x * d);
+    let n: f32 = 0.0 - exp2((0.0 - exponents.y) * d);
+    let least: vec2f = deviations * vec2f(w, n);
+    let growing: f32 = max(m.y - m.x * m.x, least.x * least.x);
+    let falling: f32 = max(m.w - m.z * m.z, least.y * least.y);
+    let a: f32 = umbrage_chebyshev_hardware(growing, w - m.x, amount);
+    let b: f32 = umbrage_chebyshev_hardware(falling, n - m.z, amount);
+    return select(0.0, min(a, b), abs(receiver) < 1048576.0);
+}
+`,
             "blur_row3": `
 // umbrage_blur_row3: mean of 3 texels in a row, weighed by a row of Pascal's triangle
 //   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
@@ -11995,6 +12198,10 @@ const rows = [
     ["msm", "msm", "visibility from a map of encode_msm's texels", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_msm"]],
     ["msm_turned", "msm_turned", "visibility from a map of turned moments", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_msm", "turn_moments_back"]],
     ["msm_hausdorff", "msm_hausdorff", "visibility from a map of encode_msm's texels", "c", 0, 1 / 64, "100", "none", false, ["is_compared", "fetch_bilinear", "decode_msm_hausdorff"]],
+    ["chebyshev_hardware", "chebyshev_hardware", "most that a variance lets be lit, less the light that bleeds", "c", 0, 1 / 524288, "100", "none", false, []],
+    ["decode_vsm_hardware", "decode_vsm_hardware", "mean and deviation to visibility, the cheapest way", "c", 0, 1 / 1024, "100", "none", false, ["chebyshev_hardware", "forward_depth"]],
+    ["decode_evsm2_hardware", "decode_evsm2_hardware", "mean of texels of two components to visibility, by the GPU's own exp2", "c", 0, 1 / 64, "100", "none", false, ["chebyshev_hardware", "forward_depth"]],
+    ["decode_evsm4_hardware", "decode_evsm4_hardware", "mean of texels of four components to visibility, by the GPU's own exp2", "c", 0, 1 / 64, "100", "none", false, ["chebyshev_hardware", "forward_depth"]],
     ["blur_row3", "blur_row3", "mean of texels in a row", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
     ["blur_row5", "blur_row5", "mean of texels in a row", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
     ["blur_row7", "blur_row7", "mean of texels in a row", "b", 0, 0, "100", "none", false, ["fetch_clamped"]],
@@ -12070,4 +12277,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, turn_moments_back, bias_moments, forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, detachment, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, turn_moments_back, bias_moments, forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, detachment, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

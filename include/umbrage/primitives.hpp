@@ -45,6 +45,7 @@
 #include <umbrage/filter/pcf/window_hardware.hpp>
 #include <umbrage/filter/pcf/windows.hpp>
 #include <umbrage/filter/prefiltered/chebyshev.hpp>
+#include <umbrage/filter/prefiltered/decode_hardware.hpp>
 #include <umbrage/filter/prefiltered/esm.hpp>
 #include <umbrage/filter/prefiltered/evsm.hpp>
 #include <umbrage/filter/prefiltered/exp2.hpp>

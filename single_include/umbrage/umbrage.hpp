@@ -6826,6 +6826,339 @@ inline constexpr auto evsm_snippets = list<&encode_evsm2, &encode_evsm4, &decode
 }  // namespace glsl
 }  // namespace umbrage
 
+// ---- umbrage/filter/prefiltered/vsm.hpp
+// Variance shadow maps: a texel holds depth and its square, which may be blurred, halved and filtered by the sampler.
+//
+//     glm::vec2 texel = umbrage::encode_vsm(depth);  // blur and so on are means of texels
+//     float visibility = umbrage::decode_vsm(blurred, receiver, 1e-6f);
+//
+// Needs floats of 32 bits. For targets of 16 bits, or of four times 8, hold mean and deviation instead: of depth and
+// its square too little is left there to take a variance from.
+//
+//     glm::vec2 held = umbrage::encode_deviation(blurred);  // each 0 to 1: two channels of 16 bits, or encode_rg<16>
+//     glm::vec2 moments = umbrage::decode_deviation(held);
+//
+// A mean of held values is no mean of depths: decode, blur, encode.
+
+namespace umbrage {
+
+/// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1)
+/// @param far       1, or 0 where depth is reversed
+/// @formula         (d, d^2), d = forward_depth
+/// @exactness       B
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_vsm(T depth, T far = T(1)) {
+    const T d = forward_depth(saturate(depth, far), far);
+    return {d, d * d};
+}
+
+/// @param m              mean of texels
+/// @param receiver       depth, biased; NaN is in shadow
+/// @param min_variance   >= 0; 1e-6 for floats of 32 bits: variance that a slope or rounding brings, without which
+///                       surfaces shadow themselves
+/// @return               visibility before bleed_cut: at least the lit share, less chebyshev's error
+/// @formula              chebyshev(m, forward_depth(receiver), min_variance)
+/// @exactness            C, 1 ulp: a division
+/// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
+template <real T>
+[[nodiscard]] UMBRAGE_INLINE constexpr T decode_vsm(glm::vec<2, T> m, T receiver, T min_variance, T far = T(1)) {
+    return chebyshev(m, forward_depth(receiver, far), min_variance);
+}
+
+/// @param m         mean of the depths, mean of their squares
+/// @return          mean and twice the standard deviation, for depths in [0, 1] each 0 to 1; the latter 0 for NaN
+/// @formula         (m.x, 2 sqrt(max(m.y - m.x^2, 0)))
+/// @exactness       C, 1 ulp: a root
+template <real T>
+[[nodiscard]] glm::vec<2, T> encode_deviation(glm::vec<2, T> m) {
+    const T variance = m.y - m.x * m.x;
+    return {m.x, T(2) * std::sqrt(!is_nan(variance) && variance > T(0) ? variance : T(0))};
+}
+
+/// @param held      mean and twice the standard deviation, as stored
+/// @return          mean of the depths, mean of their squares
+/// @formula         (mean, mean^2 + (deviation / 2)^2)
+/// @exactness       B
+template <real T>
+[[nodiscard]] constexpr glm::vec<2, T> decode_deviation(glm::vec<2, T> held) {
+    const T half = held.y * T(0.5);
+    return {held.x, held.x * held.x + half * half};
+}
+
+/// Mean and deviation of four channels of 8 bits, each as encode_rg<16> has it.
+/// @param c         as sampled, k / 255
+/// @return          the mean of the depths, the mean of their squares: mean and deviation of the upper edges of their
+///                  codes, so that nothing gets darker by being stored
+/// @formula         decode_deviation(decode_rg<16>(c.xy), decode_rg<16>(c.zw))
+/// @exactness       B
+template <real T>
+[[nodiscard]] glm::vec<2, T> decode_deviation_rgba8(glm::vec<4, T> c) {
+    return decode_deviation(
+        glm::vec<2, T>(decode_rg<16>(glm::vec<2, T>(c.x, c.y), T(1)), decode_rg<16>(glm::vec<2, T>(c.z, c.w), T(1))));
+}
+
+namespace glsl {
+
+inline constexpr snippet encode_vsm{
+    .name = "encode_vsm",
+    .summary = "depth to a texel of a variance shadow map",
+    .exactness = tier::b,
+    .needs = list<&saturate, &forward_depth>,
+    .source = R"GLSL(
+// umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
+UMBRAGE_HIGHP vec2 umbrage_encode_vsm(UMBRAGE_HIGHP float depth) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(depth));
+    return vec2(d, d * d);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_vsm{
+    .name = "decode_vsm",
+    .summary = "mean of texels of a variance shadow map to visibility",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&chebyshev, &forward_depth>,
+    .source = R"GLSL(
+// umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
+UMBRAGE_HIGHP float umbrage_decode_vsm(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                       UMBRAGE_HIGHP float min_variance) {
+    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
+}
+)GLSL",
+};
+
+inline constexpr snippet encode_deviation{
+    .name = "encode_deviation",
+    .summary = "depth's two moments to mean and deviation",
+    .exactness = tier::c,
+    .ulp = 1,
+    .source = R"GLSL(
+// umbrage_encode_deviation: mean and mean square of depths to mean and twice the standard deviation, each 0.0 to 1.0
+UMBRAGE_HIGHP vec2 umbrage_encode_deviation(UMBRAGE_HIGHP vec2 m) {
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float variance = m.y - m.x * m.x;
+    return vec2(m.x, 2.0 * sqrt(variance > 0.0 ? variance : 0.0));
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_deviation{
+    .name = "decode_deviation",
+    .summary = "mean and deviation to depth's two moments",
+    .exactness = tier::b,
+    .source = R"GLSL(
+// umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
+UMBRAGE_HIGHP vec2 umbrage_decode_deviation(UMBRAGE_HIGHP vec2 held) {
+    UMBRAGE_HIGHP float half_of_it = held.y * 0.5;
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = held.x * held.x + half_of_it * half_of_it;
+    return vec2(held.x, square);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_deviation_rgba8{
+    .name = "decode_deviation_rgba8",
+    .summary = "mean and deviation in four channels to depth's two moments",
+    .exactness = tier::b,
+    .needs = list<&decode_deviation, &decode_rg<16>>,
+    .source = R"GLSL(
+// umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
+UMBRAGE_HIGHP vec2 umbrage_decode_deviation_rgba8(UMBRAGE_HIGHP vec4 c) {
+    UMBRAGE_HIGHP float mean = umbrage_decode_rg16(vec2(c.x, c.y), 1.0);
+    UMBRAGE_HIGHP float deviation = umbrage_decode_rg16(vec2(c.z, c.w), 1.0);
+    return umbrage_decode_deviation(vec2(mean, deviation));
+}
+)GLSL",
+};
+
+inline constexpr auto vsm_snippets =
+    list<&encode_vsm, &decode_vsm, &encode_deviation, &decode_deviation, &decode_deviation_rgba8>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/prefiltered/decode_hardware.hpp
+// Variance shadow maps as GPUs have them cheapest: what the sampler filtered, the GPU's own exp2 and division, sums
+// fused as it likes, and the cut of bleeding light taken along. Within a bound of the same formula, not of its bits.
+//
+//     float lit = umbrage::decode_vsm_hardware(held, receiver, 1e-6f, 0.2f);  // held: of encode_deviation
+//     lit = umbrage::decode_evsm2_hardware(moments, receiver, exponent, deviation, 0.2f);
+//
+// Mean and deviation are filtered as they are: there is no difference of squares that rounding could take away.
+
+namespace umbrage {
+
+namespace detail {
+
+/// Below 2^20 in size, as all depths are; what is not is in shadow.
+template <real T>
+[[nodiscard]] constexpr bool is_depth(T receiver) {
+    return !is_nan(receiver) && receiver < T(1048576) && receiver > T(-1048576);
+}
+
+}  // namespace detail
+
+/// chebyshev and bleed_cut in one.
+/// @param variance   above 0 by a normal number
+/// @param distance   from the mean to the receiver, no NaN; what is not above 0 is lit
+/// @param amount     as of bleed_cut, 0 to 1/2
+/// @formula          clamp((p - amount) / (1 - amount), 0, 1), p = variance / (variance + max(distance, 0)^2)
+/// @exactness        C, within 2^-19 in a shader: sum and product half an ulp each, of divisions GPUs promise 2.5, and
+///                   the cut doubles that
+template <real T>
+[[nodiscard]] constexpr T chebyshev_hardware(T variance, T distance, T amount) {
+    const T beyond = distance > T(0) ? distance : T(0);
+    const T p = variance / (variance + beyond * beyond);
+    return glm::clamp((p - amount) / (T(1) - amount), T(0), T(1));
+}
+
+/// @param held           mean and twice the standard deviation, as encode_deviation has them, filtered; no NaN
+/// @param receiver       depth, biased; NaN, and from 2^20 on on either side: in shadow
+/// @param min_variance   1e-7 or more
+/// @param amount         as of bleed_cut, 0 to 1/2
+/// @formula              chebyshev_hardware(max((held.y / 2)^2, min_variance), d - held.x, amount),
+///                       d = forward_depth(receiver)
+/// @exactness            C, within 2^-10 in a shader: a distance off by 2^-23 moves p by at most 0.65 2^-23 /
+///                       sqrt(min_variance), which the cut doubles; and chebyshev_hardware
+/// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
+template <real T>
+[[nodiscard]] constexpr T decode_vsm_hardware(glm::vec<2, T> held, T receiver, T min_variance, T amount, T far = T(1)) {
+    if (!detail::is_depth(receiver)) return T(0);
+    const T variance = glm::max(held.y * held.y * T(0.25), min_variance);
+    return chebyshev_hardware(variance, forward_depth(receiver, far) - held.x, amount);
+}
+
+/// @param m           mean of encode_evsm2's texels; no NaN
+/// @param receiver    depth, biased; outside [0, 1] the nearer end counts; NaN, and from 2^20 on on either side: in
+///                    shadow
+/// @param exponent    as of the texels, at most 55
+/// @param deviation   as of decode_evsm2, 0.005 or more
+/// @param amount      as of bleed_cut, 0 to 0.3
+/// @formula           chebyshev_hardware(max(m.y - m.x^2, (deviation w)^2), w - m.x, amount),
+///                    w = warp_depth(forward_depth(clamp(receiver, 0, 1)), exponent)
+/// @exactness         C, within 1/64 in a shader. exp2 of y is promised to 3 + 2 |y| ulp; with y's own rounding on
+///                    either side w is off by e = (5 + 4 exponent) 2^-23 of itself, and p by 0.65 e / deviation + e.
+///                    Moments fused or not: 2 (2^-24 / deviation^2 + 2^-21). The cut divides both by 1 - amount
+/// @cite              Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
+template <real T>
+[[nodiscard]] constexpr T decode_evsm2_hardware(glm::vec<2, T> m, T receiver, T exponent, T deviation, T amount,
+                                                T far = T(1)) {
+    if (!detail::is_depth(receiver)) return T(0);
+    const T w = warp_depth(forward_depth(glm::clamp(receiver, T(0), T(1)), far), exponent), least = deviation * w;
+    return chebyshev_hardware(glm::max(m.y - m.x * m.x, least * least), w - m.x, amount);
+}
+
+/// @param m           mean of encode_evsm4's texels; no NaN
+/// @param receiver    as of decode_evsm2_hardware, and so are exponents, deviations and amount
+/// @formula           the lesser of decode_evsm2_hardware's for either power
+/// @exactness         C, within 1/64 in a shader, as decode_evsm2_hardware
+template <real T>
+[[nodiscard]] constexpr T decode_evsm4_hardware(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
+                                                glm::vec<2, T> deviations, T amount, T far = T(1)) {
+    if (!detail::is_depth(receiver)) return T(0);
+    const T d = forward_depth(glm::clamp(receiver, T(0), T(1)), far);
+    const T w = warp_depth(d, exponents.x), n = T(0) - warp_depth(d, T(0) - exponents.y);
+    const T least_w = deviations.x * w, least_n = deviations.y * n;
+    const T a = chebyshev_hardware(glm::max(m.y - m.x * m.x, least_w * least_w), w - m.x, amount);
+    const T b = chebyshev_hardware(glm::max(m.w - m.z * m.z, least_n * least_n), n - m.z, amount);
+    return glm::min(a, b);
+}
+
+namespace glsl {
+
+inline constexpr snippet chebyshev_hardware{
+    .name = "chebyshev_hardware",
+    .summary = "most that a variance lets be lit, less the light that bleeds",
+    .exactness = tier::c,
+    .within = 1.0f / 524288.0f,
+    .source = R"GLSL(
+// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
+//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+UMBRAGE_HIGHP float umbrage_chebyshev_hardware(UMBRAGE_HIGHP float variance, UMBRAGE_HIGHP float distance,
+                                               UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float beyond = max(distance, 0.0);
+    UMBRAGE_HIGHP float p = variance / (variance + beyond * beyond);
+    return clamp((p - amount) / (1.0 - amount), 0.0, 1.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_vsm_hardware{
+    .name = "decode_vsm_hardware",
+    .summary = "mean and deviation to visibility, the cheapest way",
+    .exactness = tier::c,
+    .within = 1.0f / 1024.0f,
+    .needs = list<&chebyshev_hardware, &forward_depth>,
+    .source = R"GLSL(
+// umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   held  mean and twice the standard deviation of depths, filtered;   receiver  depth, biased
+//   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
+UMBRAGE_HIGHP float umbrage_decode_vsm_hardware(UMBRAGE_HIGHP vec2 held, UMBRAGE_HIGHP float receiver,
+                                                UMBRAGE_HIGHP float min_variance, UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float variance = max(held.y * held.y * 0.25, min_variance);
+    UMBRAGE_HIGHP float distance = umbrage_forward_depth(receiver) - held.x;
+    UMBRAGE_HIGHP float lit = umbrage_chebyshev_hardware(variance, distance, amount);
+    return abs(receiver) < 1048576.0 ? lit : 0.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_evsm2_hardware{
+    .name = "decode_evsm2_hardware",
+    .summary = "mean of texels of two components to visibility, by the GPU's own exp2",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .needs = list<&chebyshev_hardware, &forward_depth>,
+    .source = R"GLSL(
+// umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
+UMBRAGE_HIGHP float umbrage_decode_evsm2_hardware(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                                  UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation,
+                                                  UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    UMBRAGE_HIGHP float w = exp2(exponent * (d * 2.0 - 1.0));
+    UMBRAGE_HIGHP float least = deviation * w;
+    UMBRAGE_HIGHP float variance = max(m.y - m.x * m.x, least * least);
+    UMBRAGE_HIGHP float lit = umbrage_chebyshev_hardware(variance, w - m.x, amount);
+    return abs(receiver) < 1048576.0 ? lit : 0.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_evsm4_hardware{
+    .name = "decode_evsm4_hardware",
+    .summary = "mean of texels of four components to visibility, by the GPU's own exp2",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .needs = list<&chebyshev_hardware, &forward_depth>,
+    .source = R"GLSL(
+// umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
+UMBRAGE_HIGHP float umbrage_decode_evsm4_hardware(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
+                                                  UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations,
+                                                  UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    UMBRAGE_HIGHP float w = exp2(exponents.x * d);
+    UMBRAGE_HIGHP float n = 0.0 - exp2((0.0 - exponents.y) * d);
+    UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
+    UMBRAGE_HIGHP float growing = max(m.y - m.x * m.x, least.x * least.x);
+    UMBRAGE_HIGHP float falling = max(m.w - m.z * m.z, least.y * least.y);
+    UMBRAGE_HIGHP float a = umbrage_chebyshev_hardware(growing, w - m.x, amount);
+    UMBRAGE_HIGHP float b = umbrage_chebyshev_hardware(falling, n - m.z, amount);
+    return abs(receiver) < 1048576.0 ? min(a, b) : 0.0;
+}
+)GLSL",
+};
+
+inline constexpr auto decode_hardware_snippets =
+    list<&chebyshev_hardware, &decode_vsm_hardware, &decode_evsm2_hardware, &decode_evsm4_hardware>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/filter/prefiltered/msm.hpp
 // Moment shadow maps: a texel holds the first four powers of depth on [-1, 1], of which means may be taken.
 //
@@ -7227,158 +7560,6 @@ UMBRAGE_HIGHP float umbrage_decode_msm_hausdorff(UMBRAGE_HIGHP vec4 b, UMBRAGE_H
 };
 
 inline constexpr auto hausdorff_snippets = list<&hausdorff_share, &decode_msm_hausdorff>;
-
-}  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/filter/prefiltered/vsm.hpp
-// Variance shadow maps: a texel holds depth and its square, which may be blurred, halved and filtered by the sampler.
-//
-//     glm::vec2 texel = umbrage::encode_vsm(depth);  // blur and so on are means of texels
-//     float visibility = umbrage::decode_vsm(blurred, receiver, 1e-6f);
-//
-// Needs floats of 32 bits. For targets of 16 bits, or of four times 8, hold mean and deviation instead: of depth and
-// its square too little is left there to take a variance from.
-//
-//     glm::vec2 held = umbrage::encode_deviation(blurred);  // each 0 to 1: two channels of 16 bits, or encode_rg<16>
-//     glm::vec2 moments = umbrage::decode_deviation(held);
-//
-// A mean of held values is no mean of depths: decode, blur, encode.
-
-namespace umbrage {
-
-/// @param depth     clamped to [0, 1]; NaN counts as far, as a cleared texel does: (1, 1)
-/// @param far       1, or 0 where depth is reversed
-/// @formula         (d, d^2), d = forward_depth
-/// @exactness       B
-template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr glm::vec<2, T> encode_vsm(T depth, T far = T(1)) {
-    const T d = forward_depth(saturate(depth, far), far);
-    return {d, d * d};
-}
-
-/// @param m              mean of texels
-/// @param receiver       depth, biased; NaN is in shadow
-/// @param min_variance   >= 0; 1e-6 for floats of 32 bits: variance that a slope or rounding brings, without which
-///                       surfaces shadow themselves
-/// @return               visibility before bleed_cut: at least the lit share, less chebyshev's error
-/// @formula              chebyshev(m, forward_depth(receiver), min_variance)
-/// @exactness            C, 1 ulp: a division
-/// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
-template <real T>
-[[nodiscard]] UMBRAGE_INLINE constexpr T decode_vsm(glm::vec<2, T> m, T receiver, T min_variance, T far = T(1)) {
-    return chebyshev(m, forward_depth(receiver, far), min_variance);
-}
-
-/// @param m         mean of the depths, mean of their squares
-/// @return          mean and twice the standard deviation, for depths in [0, 1] each 0 to 1; the latter 0 for NaN
-/// @formula         (m.x, 2 sqrt(max(m.y - m.x^2, 0)))
-/// @exactness       C, 1 ulp: a root
-template <real T>
-[[nodiscard]] glm::vec<2, T> encode_deviation(glm::vec<2, T> m) {
-    const T variance = m.y - m.x * m.x;
-    return {m.x, T(2) * std::sqrt(!is_nan(variance) && variance > T(0) ? variance : T(0))};
-}
-
-/// @param held      mean and twice the standard deviation, as stored
-/// @return          mean of the depths, mean of their squares
-/// @formula         (mean, mean^2 + (deviation / 2)^2)
-/// @exactness       B
-template <real T>
-[[nodiscard]] constexpr glm::vec<2, T> decode_deviation(glm::vec<2, T> held) {
-    const T half = held.y * T(0.5);
-    return {held.x, held.x * held.x + half * half};
-}
-
-/// Mean and deviation of four channels of 8 bits, each as encode_rg<16> has it.
-/// @param c         as sampled, k / 255
-/// @return          the mean of the depths, the mean of their squares: mean and deviation of the upper edges of their
-///                  codes, so that nothing gets darker by being stored
-/// @formula         decode_deviation(decode_rg<16>(c.xy), decode_rg<16>(c.zw))
-/// @exactness       B
-template <real T>
-[[nodiscard]] glm::vec<2, T> decode_deviation_rgba8(glm::vec<4, T> c) {
-    return decode_deviation(
-        glm::vec<2, T>(decode_rg<16>(glm::vec<2, T>(c.x, c.y), T(1)), decode_rg<16>(glm::vec<2, T>(c.z, c.w), T(1))));
-}
-
-namespace glsl {
-
-inline constexpr snippet encode_vsm{
-    .name = "encode_vsm",
-    .summary = "depth to a texel of a variance shadow map",
-    .exactness = tier::b,
-    .needs = list<&saturate, &forward_depth>,
-    .source = R"GLSL(
-// umbrage_encode_vsm: depth and its square, of depth that grows with distance; NaN counts as far
-UMBRAGE_HIGHP vec2 umbrage_encode_vsm(UMBRAGE_HIGHP float depth) {
-    UMBRAGE_HIGHP float d = umbrage_forward_depth(umbrage_saturate(depth));
-    return vec2(d, d * d);
-}
-)GLSL",
-};
-
-inline constexpr snippet decode_vsm{
-    .name = "decode_vsm",
-    .summary = "mean of texels of a variance shadow map to visibility",
-    .exactness = tier::c,
-    .ulp = 1,
-    .needs = list<&chebyshev, &forward_depth>,
-    .source = R"GLSL(
-// umbrage_decode_vsm: visibility of a receiver, at least its lit share; 1.0 is lit
-//   m  mean of texels;   receiver  depth, biased;   min_variance  0.0 or more
-UMBRAGE_HIGHP float umbrage_decode_vsm(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
-                                       UMBRAGE_HIGHP float min_variance) {
-    return umbrage_chebyshev(m, umbrage_forward_depth(receiver), min_variance);
-}
-)GLSL",
-};
-
-inline constexpr snippet encode_deviation{
-    .name = "encode_deviation",
-    .summary = "depth's two moments to mean and deviation",
-    .exactness = tier::c,
-    .ulp = 1,
-    .source = R"GLSL(
-// umbrage_encode_deviation: mean and mean square of depths to mean and twice the standard deviation, each 0.0 to 1.0
-UMBRAGE_HIGHP vec2 umbrage_encode_deviation(UMBRAGE_HIGHP vec2 m) {
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float variance = m.y - m.x * m.x;
-    return vec2(m.x, 2.0 * sqrt(variance > 0.0 ? variance : 0.0));
-}
-)GLSL",
-};
-
-inline constexpr snippet decode_deviation{
-    .name = "decode_deviation",
-    .summary = "mean and deviation to depth's two moments",
-    .exactness = tier::b,
-    .source = R"GLSL(
-// umbrage_decode_deviation: mean and twice the standard deviation to mean and mean square of depths
-UMBRAGE_HIGHP vec2 umbrage_decode_deviation(UMBRAGE_HIGHP vec2 held) {
-    UMBRAGE_HIGHP float half_of_it = held.y * 0.5;
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float square = held.x * held.x + half_of_it * half_of_it;
-    return vec2(held.x, square);
-}
-)GLSL",
-};
-
-inline constexpr snippet decode_deviation_rgba8{
-    .name = "decode_deviation_rgba8",
-    .summary = "mean and deviation in four channels to depth's two moments",
-    .exactness = tier::b,
-    .needs = list<&decode_deviation, &decode_rg<16>>,
-    .source = R"GLSL(
-// umbrage_decode_deviation_rgba8: mean and deviation, two channels each, as sampled, to mean and mean square of depths
-UMBRAGE_HIGHP vec2 umbrage_decode_deviation_rgba8(UMBRAGE_HIGHP vec4 c) {
-    UMBRAGE_HIGHP float mean = umbrage_decode_rg16(vec2(c.x, c.y), 1.0);
-    UMBRAGE_HIGHP float deviation = umbrage_decode_rg16(vec2(c.z, c.w), 1.0);
-    return umbrage_decode_deviation(vec2(mean, deviation));
-}
-)GLSL",
-};
-
-inline constexpr auto vsm_snippets =
-    list<&encode_vsm, &decode_vsm, &encode_deviation, &decode_deviation, &decode_deviation_rgba8>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -18650,7 +18831,7 @@ inline constexpr auto maps =
             penumbra_snippets, pcss_snippets, dpcf_snippets, summed_variance_snippets, summed_moments_snippets);
 inline constexpr auto prefiltered =
     collect(exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
-            hausdorff_snippets, look_up_snippets, reduce_snippets);
+            hausdorff_snippets, look_up_snippets, decode_hardware_snippets, reduce_snippets);
 inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
                                      kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);

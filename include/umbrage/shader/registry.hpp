@@ -31,6 +31,7 @@
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 #include <umbrage/filter/pcf/window_hardware.hpp>
 #include <umbrage/filter/prefiltered/chebyshev.hpp>
+#include <umbrage/filter/prefiltered/decode_hardware.hpp>
 #include <umbrage/filter/prefiltered/esm.hpp>
 #include <umbrage/filter/prefiltered/evsm.hpp>
 #include <umbrage/filter/prefiltered/exp2.hpp>
@@ -132,7 +133,7 @@ inline constexpr auto maps =
             penumbra_snippets, pcss_snippets, dpcf_snippets, summed_variance_snippets, summed_moments_snippets);
 inline constexpr auto prefiltered =
     collect(exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
-            hausdorff_snippets, look_up_snippets, reduce_snippets);
+            hausdorff_snippets, look_up_snippets, decode_hardware_snippets, reduce_snippets);
 inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
                                      kernel_snippets, receiver_plane_snippets, acne_free_snippets);
 inline constexpr auto shade = collect(lighting_snippets);

@@ -4,6 +4,7 @@
 #include "jobs.hpp"
 
 #include <umbrage/filter/blocker/pcss.hpp>
+#include <umbrage/filter/prefiltered/decode_hardware.hpp>
 #include <umbrage/filter/prefiltered/look_up.hpp>
 
 namespace bench {
@@ -41,8 +42,14 @@ std::vector<job> soft(const std::string& folder) {
                "(map, map_size, x1.xy, x1.z, vec3(0.0625, 16.0, 96.0), umbrage_disc_turn(gl_FragCoord.xy)))";
     };
     return {
-        {"VSM, one tap by the sampler",
+        {"VSM, one tap by the sampler",  // both hold mean and deviation
          {{us,
+           "decode_vsm_hardware",
+           "",
+           {glsl::is_compared, glsl::decode_vsm_hardware},
+           "vec4(umbrage_is_compared(x0.xy, x0.z) ? "
+           "umbrage_decode_vsm_hardware(texture(map, x0.xy).xy, x0.z, 1e-7, 0.3) : 1.0)"},
+          {us,
            "decode_vsm",
            "",
            {glsl::is_compared, glsl::bleed_cut, glsl::decode_vsm},
@@ -52,19 +59,17 @@ std::vector<job> soft(const std::string& folder) {
            three_shadow,
            {},
            "vec4(getShadow(map, map_size, 1.0, 0.0, 1.0, vec4(x0.xyz, 1.0)))"}}},
-        {"EVSM, one tap by the sampler",
+        {"EVSM, one tap by the sampler",  // PlayCanvas' caller tests what is outside, and so does ours here
          {{us,
+           "decode_evsm2_hardware",
+           "",
+           {glsl::decode_evsm2_hardware},
+           "vec4(umbrage_decode_evsm2_hardware(" + texel + ".xy, x0.z, 21.64, 0.003, 0.1))"},
+          {us,
            "decode_evsm2",
            "",
-           {glsl::is_compared, glsl::bleed_cut, glsl::decode_evsm2},
-           looked_up("umbrage_decode_evsm2(" + texel + ".xy, x0.z, 21.64, 0.003)", "0.1")},
-          {us,
-           "chebyshev of the GPU's own exp2",  // whose bits no language promises
-           "",
-           {glsl::bleed_cut, glsl::chebyshev},
-           "vec4(0.0); float w = exp2(21.64 * (x0.z * 2.0 - 1.0)), least = 0.003 * w;"
-           "result = vec4(umbrage_bleed_cut(umbrage_chebyshev(" +
-               texel + ".xy, w, least * least), 0.1))"},
+           {glsl::bleed_cut, glsl::decode_evsm2},
+           "vec4(umbrage_bleed_cut(umbrage_decode_evsm2(" + texel + ".xy, x0.z, 21.64, 0.003), 0.1))"},
           {playcanvas,
            "getShadowVSM32",
            playcanvas_evsm,

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+//
+// Variance shadow maps as GPUs have them cheapest: what the sampler filtered, the GPU's own exp2 and division, sums
+// fused as it likes, and the cut of bleeding light taken along. Within a bound of the same formula, not of its bits.
+//
+//     float lit = umbrage::decode_vsm_hardware(held, receiver, 1e-6f, 0.2f);  // held: of encode_deviation
+//     lit = umbrage::decode_evsm2_hardware(moments, receiver, exponent, deviation, 0.2f);
+//
+// Mean and deviation are filtered as they are: there is no difference of squares that rounding could take away.
+#pragma once
+
+#include <cmath>
+
+#include <glm/common.hpp>
+
+#include <umbrage/filter/prefiltered/evsm.hpp>
+#include <umbrage/filter/prefiltered/vsm.hpp>
+
+namespace umbrage {
+
+namespace detail {
+
+/// Below 2^20 in size, as all depths are; what is not is in shadow.
+template <real T>
+[[nodiscard]] constexpr bool is_depth(T receiver) {
+    return !is_nan(receiver) && receiver < T(1048576) && receiver > T(-1048576);
+}
+
+}  // namespace detail
+
+/// chebyshev and bleed_cut in one.
+/// @param variance   above 0 by a normal number
+/// @param distance   from the mean to the receiver, no NaN; what is not above 0 is lit
+/// @param amount     as of bleed_cut, 0 to 1/2
+/// @formula          clamp((p - amount) / (1 - amount), 0, 1), p = variance / (variance + max(distance, 0)^2)
+/// @exactness        C, within 2^-19 in a shader: sum and product half an ulp each, of divisions GPUs promise 2.5, and
+///                   the cut doubles that
+template <real T>
+[[nodiscard]] constexpr T chebyshev_hardware(T variance, T distance, T amount) {
+    const T beyond = distance > T(0) ? distance : T(0);
+    const T p = variance / (variance + beyond * beyond);
+    return glm::clamp((p - amount) / (T(1) - amount), T(0), T(1));
+}
+
+/// @param held           mean and twice the standard deviation, as encode_deviation has them, filtered; no NaN
+/// @param receiver       depth, biased; NaN, and from 2^20 on on either side: in shadow
+/// @param min_variance   1e-7 or more
+/// @param amount         as of bleed_cut, 0 to 1/2
+/// @formula              chebyshev_hardware(max((held.y / 2)^2, min_variance), d - held.x, amount),
+///                       d = forward_depth(receiver)
+/// @exactness            C, within 2^-10 in a shader: a distance off by 2^-23 moves p by at most 0.65 2^-23 /
+///                       sqrt(min_variance), which the cut doubles; and chebyshev_hardware
+/// @cite                 Donnelly, Lauritzen: Variance shadow maps, I3D 2006
+template <real T>
+[[nodiscard]] constexpr T decode_vsm_hardware(glm::vec<2, T> held, T receiver, T min_variance, T amount, T far = T(1)) {
+    if (!detail::is_depth(receiver)) return T(0);
+    const T variance = glm::max(held.y * held.y * T(0.25), min_variance);
+    return chebyshev_hardware(variance, forward_depth(receiver, far) - held.x, amount);
+}
+
+/// @param m           mean of encode_evsm2's texels; no NaN
+/// @param receiver    depth, biased; outside [0, 1] the nearer end counts; NaN, and from 2^20 on on either side: in
+///                    shadow
+/// @param exponent    as of the texels, at most 55
+/// @param deviation   as of decode_evsm2, 0.005 or more
+/// @param amount      as of bleed_cut, 0 to 0.3
+/// @formula           chebyshev_hardware(max(m.y - m.x^2, (deviation w)^2), w - m.x, amount),
+///                    w = warp_depth(forward_depth(clamp(receiver, 0, 1)), exponent)
+/// @exactness         C, within 1/64 in a shader. exp2 of y is promised to 3 + 2 |y| ulp; with y's own rounding on
+///                    either side w is off by e = (5 + 4 exponent) 2^-23 of itself, and p by 0.65 e / deviation + e.
+///                    Moments fused or not: 2 (2^-24 / deviation^2 + 2^-21). The cut divides both by 1 - amount
+/// @cite              Lauritzen, McCool: Layered variance shadow maps, Graphics Interface 2008
+template <real T>
+[[nodiscard]] constexpr T decode_evsm2_hardware(glm::vec<2, T> m, T receiver, T exponent, T deviation, T amount,
+                                                T far = T(1)) {
+    if (!detail::is_depth(receiver)) return T(0);
+    const T w = warp_depth(forward_depth(glm::clamp(receiver, T(0), T(1)), far), exponent), least = deviation * w;
+    return chebyshev_hardware(glm::max(m.y - m.x * m.x, least * least), w - m.x, amount);
+}
+
+/// @param m           mean of encode_evsm4's texels; no NaN
+/// @param receiver    as of decode_evsm2_hardware, and so are exponents, deviations and amount
+/// @formula           the lesser of decode_evsm2_hardware's for either power
+/// @exactness         C, within 1/64 in a shader, as decode_evsm2_hardware
+template <real T>
+[[nodiscard]] constexpr T decode_evsm4_hardware(glm::vec<4, T> m, T receiver, glm::vec<2, T> exponents,
+                                                glm::vec<2, T> deviations, T amount, T far = T(1)) {
+    if (!detail::is_depth(receiver)) return T(0);
+    const T d = forward_depth(glm::clamp(receiver, T(0), T(1)), far);
+    const T w = warp_depth(d, exponents.x), n = T(0) - warp_depth(d, T(0) - exponents.y);
+    const T least_w = deviations.x * w, least_n = deviations.y * n;
+    const T a = chebyshev_hardware(glm::max(m.y - m.x * m.x, least_w * least_w), w - m.x, amount);
+    const T b = chebyshev_hardware(glm::max(m.w - m.z * m.z, least_n * least_n), n - m.z, amount);
+    return glm::min(a, b);
+}
+
+namespace glsl {
+
+inline constexpr snippet chebyshev_hardware{
+    .name = "chebyshev_hardware",
+    .summary = "most that a variance lets be lit, less the light that bleeds",
+    .exactness = tier::c,
+    .within = 1.0f / 524288.0f,
+    .source = R"GLSL(
+// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
+//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+UMBRAGE_HIGHP float umbrage_chebyshev_hardware(UMBRAGE_HIGHP float variance, UMBRAGE_HIGHP float distance,
+                                               UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float beyond = max(distance, 0.0);
+    UMBRAGE_HIGHP float p = variance / (variance + beyond * beyond);
+    return clamp((p - amount) / (1.0 - amount), 0.0, 1.0);
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_vsm_hardware{
+    .name = "decode_vsm_hardware",
+    .summary = "mean and deviation to visibility, the cheapest way",
+    .exactness = tier::c,
+    .within = 1.0f / 1024.0f,
+    .needs = list<&chebyshev_hardware, &forward_depth>,
+    .source = R"GLSL(
+// umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   held  mean and twice the standard deviation of depths, filtered;   receiver  depth, biased
+//   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
+UMBRAGE_HIGHP float umbrage_decode_vsm_hardware(UMBRAGE_HIGHP vec2 held, UMBRAGE_HIGHP float receiver,
+                                                UMBRAGE_HIGHP float min_variance, UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float variance = max(held.y * held.y * 0.25, min_variance);
+    UMBRAGE_HIGHP float distance = umbrage_forward_depth(receiver) - held.x;
+    UMBRAGE_HIGHP float lit = umbrage_chebyshev_hardware(variance, distance, amount);
+    return abs(receiver) < 1048576.0 ? lit : 0.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_evsm2_hardware{
+    .name = "decode_evsm2_hardware",
+    .summary = "mean of texels of two components to visibility, by the GPU's own exp2",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .needs = list<&chebyshev_hardware, &forward_depth>,
+    .source = R"GLSL(
+// umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
+UMBRAGE_HIGHP float umbrage_decode_evsm2_hardware(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                                  UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation,
+                                                  UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    UMBRAGE_HIGHP float w = exp2(exponent * (d * 2.0 - 1.0));
+    UMBRAGE_HIGHP float least = deviation * w;
+    UMBRAGE_HIGHP float variance = max(m.y - m.x * m.x, least * least);
+    UMBRAGE_HIGHP float lit = umbrage_chebyshev_hardware(variance, w - m.x, amount);
+    return abs(receiver) < 1048576.0 ? lit : 0.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet decode_evsm4_hardware{
+    .name = "decode_evsm4_hardware",
+    .summary = "mean of texels of four components to visibility, by the GPU's own exp2",
+    .exactness = tier::c,
+    .within = 1.0f / 64.0f,
+    .needs = list<&chebyshev_hardware, &forward_depth>,
+    .source = R"GLSL(
+// umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
+UMBRAGE_HIGHP float umbrage_decode_evsm4_hardware(UMBRAGE_HIGHP vec4 m, UMBRAGE_HIGHP float receiver,
+                                                  UMBRAGE_HIGHP vec2 exponents, UMBRAGE_HIGHP vec2 deviations,
+                                                  UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    UMBRAGE_HIGHP float w = exp2(exponents.x * d);
+    UMBRAGE_HIGHP float n = 0.0 - exp2((0.0 - exponents.y) * d);
+    UMBRAGE_HIGHP vec2 least = deviations * vec2(w, n);
+    UMBRAGE_HIGHP float growing = max(m.y - m.x * m.x, least.x * least.x);
+    UMBRAGE_HIGHP float falling = max(m.w - m.z * m.z, least.y * least.y);
+    UMBRAGE_HIGHP float a = umbrage_chebyshev_hardware(growing, w - m.x, amount);
+    UMBRAGE_HIGHP float b = umbrage_chebyshev_hardware(falling, n - m.z, amount);
+    return abs(receiver) < 1048576.0 ? min(a, b) : 0.0;
+}
+)GLSL",
+};
+
+inline constexpr auto decode_hardware_snippets =
+    list<&chebyshev_hardware, &decode_vsm_hardware, &decode_evsm2_hardware, &decode_evsm4_hardware>;
+
+}  // namespace glsl
+}  // namespace umbrage

@@ -1,0 +1,65 @@
+// umbrage 0.1.0, MIT License: decode_evsm2_hardware
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_CHEBYSHEV_HARDWARE
+#define UMBRAGE_HAS_CHEBYSHEV_HARDWARE
+// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
+//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+UMBRAGE_HIGHP float umbrage_chebyshev_hardware(UMBRAGE_HIGHP float variance, UMBRAGE_HIGHP float distance,
+                                               UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float beyond = max(distance, 0.0);
+    UMBRAGE_HIGHP float p = variance / (variance + beyond * beyond);
+    return clamp((p - amount) / (1.0 - amount), 0.0, 1.0);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FORWARD_DEPTH
+#define UMBRAGE_HAS_FORWARD_DEPTH
+// umbrage_forward_depth: depth that grows with distance, 1.0 - depth where the map's is reversed
+UMBRAGE_HIGHP float umbrage_forward_depth(UMBRAGE_HIGHP float depth) {
+    return umbrage_cleared_depth() < 0.5 ? 1.0 - depth : depth;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE_EVSM2_HARDWARE
+#define UMBRAGE_HAS_DECODE_EVSM2_HARDWARE
+// umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
+UMBRAGE_HIGHP float umbrage_decode_evsm2_hardware(UMBRAGE_HIGHP vec2 m, UMBRAGE_HIGHP float receiver,
+                                                  UMBRAGE_HIGHP float exponent, UMBRAGE_HIGHP float deviation,
+                                                  UMBRAGE_HIGHP float amount) {
+    UMBRAGE_HIGHP float d = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    UMBRAGE_HIGHP float w = exp2(exponent * (d * 2.0 - 1.0));
+    UMBRAGE_HIGHP float least = deviation * w;
+    UMBRAGE_HIGHP float variance = max(m.y - m.x * m.x, least * least);
+    UMBRAGE_HIGHP float lit = umbrage_chebyshev_hardware(variance, w - m.x, amount);
+    return abs(receiver) < 1048576.0 ? lit : 0.0;
+}
+#endif

@@ -1,0 +1,12 @@
+// umbrage 0.1.0, MIT License: chebyshev_hardware
+
+#ifndef UMBRAGE_HAS_CHEBYSHEV_HARDWARE
+#define UMBRAGE_HAS_CHEBYSHEV_HARDWARE
+// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
+//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+float umbrage_chebyshev_hardware(float variance, float distance, float amount) {
+    float beyond = max(distance, 0.0);
+    float p = variance / (variance + beyond * beyond);
+    return clamp((p - amount) / (1.0 - amount), 0.0, 1.0);
+}
+#endif

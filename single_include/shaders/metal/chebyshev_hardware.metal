@@ -1,0 +1,16 @@
+// umbrage 0.1.0, MIT License: chebyshev_hardware
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CHEBYSHEV_HARDWARE
+#define UMBRAGE_HAS_CHEBYSHEV_HARDWARE
+// umbrage_chebyshev_hardware: share of depths that may be as far as the receiver or farther, its least part cut
+//   variance  above 0.0;   distance  from mean to receiver, no NaN;   amount  that is cut, 0.0 to 0.5
+inline float umbrage_chebyshev_hardware(float variance, float distance, float amount) {
+    float beyond = metal::max(distance, 0.0);
+    float p = variance / (variance + beyond * beyond);
+    return metal::clamp((p - amount) / (1.0 - amount), 0.0, 1.0);
+}
+#endif

@@ -1,0 +1,14 @@
+// umbrage 0.1.0, MIT License: decode_evsm2_hardware
+// Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, forward_depth.wgsl
+
+// umbrage_decode_evsm2_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponent  as of the texels
+//   deviation  least standard deviation, as a part of the receiver's power;   amount  that is cut, 0.0 to 0.3
+fn umbrage_decode_evsm2_hardware(m: vec2f, receiver: f32, exponent: f32, deviation: f32, amount: f32) -> f32 {
+    let d: f32 = umbrage_forward_depth(clamp(receiver, 0.0, 1.0));
+    let w: f32 = exp2(exponent * (d * 2.0 - 1.0));
+    let least: f32 = deviation * w;
+    let variance: f32 = max(m.y - m.x * m.x, least * least);
+    let lit: f32 = umbrage_chebyshev_hardware(variance, w - m.x, amount);
+    return select(0.0, lit, abs(receiver) < 1048576.0);
+}

@@ -1,0 +1,17 @@
+// umbrage 0.1.0, MIT License: decode_evsm4_hardware
+// Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, forward_depth.wgsl
+
+// umbrage_decode_evsm4_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   m  mean of texels;   receiver  depth, biased;   exponents  as of the texels
+//   deviations  least standard deviations, as parts of the receiver's powers;   amount  that is cut, 0.0 to 0.3
+fn umbrage_decode_evsm4_hardware(m: vec4f, receiver: f32, exponents: vec2f, deviations: vec2f, amount: f32) -> f32 {
+    let d: f32 = umbrage_forward_depth(clamp(receiver, 0.0, 1.0)) * 2.0 - 1.0;
+    let w: f32 = exp2(exponents.x * d);
+    let n: f32 = 0.0 - exp2((0.0 - exponents.y) * d);
+    let least: vec2f = deviations * vec2f(w, n);
+    let growing: f32 = max(m.y - m.x * m.x, least.x * least.x);
+    let falling: f32 = max(m.w - m.z * m.z, least.y * least.y);
+    let a: f32 = umbrage_chebyshev_hardware(growing, w - m.x, amount);
+    let b: f32 = umbrage_chebyshev_hardware(falling, n - m.z, amount);
+    return select(0.0, min(a, b), abs(receiver) < 1048576.0);
+}

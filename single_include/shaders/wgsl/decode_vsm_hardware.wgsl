@@ -1,0 +1,12 @@
+// umbrage 0.1.0, MIT License: decode_vsm_hardware
+// Paste along: chebyshev_hardware.wgsl, cleared_depth.wgsl, forward_depth.wgsl
+
+// umbrage_decode_vsm_hardware: visibility of a receiver, less the light that bleeds; 1.0 is lit
+//   held  mean and twice the standard deviation of depths, filtered;   receiver  depth, biased
+//   min_variance  1e-7 or more;   amount  that is cut, 0.0 to 0.5
+fn umbrage_decode_vsm_hardware(held: vec2f, receiver: f32, min_variance: f32, amount: f32) -> f32 {
+    let variance: f32 = max(held.y * held.y * 0.25, min_variance);
+    let distance: f32 = umbrage_forward_depth(receiver) - held.x;
+    let lit: f32 = umbrage_chebyshev_hardware(variance, distance, amount);
+    return select(0.0, lit, abs(receiver) < 1048576.0);
+}
