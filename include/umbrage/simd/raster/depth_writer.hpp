@@ -102,6 +102,7 @@ private:
                         high = up[k] < 0 && crossed < high ? crossed : high;
                     }
                     first = static_cast<int>(low + 0.99f), last = std::min(static_cast<int>(high + 1.01f), height);
+                    if (first >= last) continue;  // and no step to a first row far beyond the tile
                 }
                 // At the image's borders other texels, as many, which get the same bits again.
                 const int within = std::min(std::max(x, 0), width_ - Lanes), moved = within - x;
