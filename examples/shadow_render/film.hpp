@@ -74,13 +74,13 @@ void for_each_surface(const options& o, const example::scene& scene, const examp
 
 constexpr glm::vec3 mark(0.9f, 0.1f, 0.1f);  ///< red
 
-/// What the camera sees, with marks where a surface has another light than in `then`.
+/// What the camera sees, with marks where a surface has another light than in `then`, as far as bytes tell.
 [[nodiscard]] inline picture photograph(const options& o, const example::scene& scene, const example::camera& camera,
                                         glm::vec3 to_light, const film_look_up& lit, const film_look_up& then = {}) {
     picture out({o.width, o.height}, example::to_srgb(background));
     for_each_surface(o, scene, camera, [&](glm::ivec2 p, const example::surface& at) {
         const umbrage::placed_point in = lit(at);
-        const bool other = then && then(at).visibility != in.visibility;
+        const bool other = then && std::abs(then(at).visibility - in.visibility) >= 1.0 / 256;
         out[p] =
             other ? umbrage::store_unorm8(mark)
                   : example::to_srgb(umbrage::diffuse_ambient(at.colour, ambient, glm::dot(at.normal, to_light),
