@@ -4,7 +4,7 @@
 #     make gallery   every system, encoding, bias and filter on one page: build/gallery/index.html
 #     make test    builds and runs every test
 #     make unit T=filter/pcf/box   builds and runs one header's unit tests; without T all of them
-#     make prove   every float and every code, on every implementation here: an hour and more on two cores
+#     make prove   every float and every code, on every implementation here: some hours on two cores
 #     make bench   ours against memcpy, GLM code, llvmpipe, Embree and OpenCV: a table, and plots in build/plots
 #     make bench-compare A=old.json B=new.json   tells two runs of it apart, or several: A="1.json 2.json" B="3.json 4.json"
 #     make bench-packing   depth packing of three.js, Babylon.js and PlayCanvas beside ours
