@@ -18772,7 +18772,7 @@ struct collection {
 
     constexpr void add(const snippet* s) {
         // By name: where null may be an address (as GCC's -fsanitize=undefined has it), addresses are no constants.
-        std::uint32_t hash = 2166136261;
+        std::uint32_t hash = 2166136261;  // FNV-1a
         for (char letter : s->name) hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619;
         for (std::size_t i = 0; i < size; ++i)
             if (hashes[i] == hash && members[i]->name == s->name) return;

@@ -239,7 +239,7 @@ TEST_CASE("visibility: windows of one's own, of all sizes, discs of all radii, a
     for (const umbrage::filters::window& filter : umbrage::filters::window::values)
         check_coherent(umbrage::depth32f{}, filter, {600, 61});
     for (umbrage::filters::rotated_disc filter : umbrage::filters::rotated_disc::values)
-        for (const float radius : {0.0f, 3.2f, 5.3f, 300.0f}) {
+        for (const float radius : {0.0f, 0.4f, 3.2f, 5.3f, 300.0f}) {
             filter.radius_texels = radius;
             check_coherent(umbrage::depth32f{}, filter, {600, 61});
         }
