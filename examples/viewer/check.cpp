@@ -103,7 +103,7 @@ TEST_CASE("refusals: one line and an exit code") {
     fails("--headless --system dx_sdk --es2", 2, "needs a float map");
     fails("--headless --es2 --encoding float-bits", 2, "float_bits");
     fails("--headless --es2 --filter vsm", 2, "vsm");
-    fails("--headless --filter summed_variance", 2, "--filter");
+    fails("--headless --es2 --filter summed_variance", 2, "summed_variance");
     fails("--headless --light-size 5", 2, "--light-size");
     fails("--headless --system nothing", 2, "nothing");
     fails("--headless --system outdoor --es2", 2, "OpenGL 3.3");

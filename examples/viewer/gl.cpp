@@ -95,6 +95,11 @@ handle<texture_kind> make_table(glm::ivec2 size, const void* rgba) {
     return texture;
 }
 
+void upload_integers(glm::ivec2 size, const void* rgba) {
+    nearest_texel();
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16UI, size.x, size.y, 0, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT, rgba);
+}
+
 void check_errors(const char* after) {
     if (const GLenum error = glGetError())
         throw std::runtime_error("OpenGL error " + std::to_string(error) + " after " + after);

@@ -11,6 +11,8 @@
 #include <umbrage/depth/kinds.hpp>
 #include <umbrage/depth/rg_table.hpp>
 #include <umbrage/filter/prefiltered/prefilters.hpp>
+#include <umbrage/images/moment_table.hpp>
+#include <umbrage/images/variance_table.hpp>
 
 #include <biases.hpp>
 #include <filters.hpp>
@@ -105,7 +107,24 @@ parameters parameters_of(const Prefilter& of) {
 
 }  // namespace
 
+std::optional<table> table_of(const shadow_system& s) {
+    const int radius = static_cast<int>(s.radius.value_or(2));
+    const std::string arguments = ", " + text(static_cast<float>(radius)) + ", ";
+    if (s.filter == glsl::summed_variance.name) {
+        const umbrage::variance_table of{.bits = 12, .radius = radius};
+        return table{[=](auto map) { return umbrage::make_variance_table(map, of); }, &glsl::summed_variance,
+                     arguments + text(static_cast<float>(1 << of.bits))};
+    }
+    if (s.filter == glsl::summed_moments.name) {
+        const umbrage::moment_table of{.radius = radius};
+        return table{[=](auto map) { return umbrage::make_moment_table(map, of); }, &glsl::summed_moments,
+                     arguments + text(umbrage::msm_bias_16)};
+    }
+    return std::nullopt;
+}
+
 std::optional<prefilter> prefilter_of(const shadow_system& s) {
+    if (table_of(s)) return prefilter{{}, "vec4(depth, 0.0, 0.0, 0.0)", 1};  // summed elsewhere
     std::optional<prefilter> out;
     umbrage::prefilters::all::with(s.filter, [&]<class Prefilter>(const Prefilter& of) {
         constexpr std::array zeros{"", ", 0.0, 0.0, 0.0", ", 0.0, 0.0", "", ""};
@@ -141,6 +160,11 @@ filter filter_of(const shadow_system& s) {
         arguments += parameters_of(of).look_up;
         map = "moments";
     });
+    if (const auto table = table_of(s)) {
+        snippet = table->look_up;
+        arguments += table->arguments;
+        map = "moments";
+    }
     example::with_filter(s.filter, s.radius, [&](const auto& of) {
         snippet = of.snippet;
         if constexpr (requires { of.radius_texels; }) {
@@ -152,7 +176,7 @@ filter filter_of(const shadow_system& s) {
     uses.push_back(*snippet);
     if (snippet == &glsl::four_tap) arguments = "tap(0), tap(1), tap(2), tap(3), receiver";
     if (snippet == &glsl::pcf_2x2_dx_sdk) arguments = moved ? "p.xy, depth, depth - biased" : "p.xy, depth, epsilon";
-    return {uses, "umbrage_" + std::string(snippet->name) + "(" + map + ", map_size, " + arguments + ")"};
+    return {uses, "umbrage_" + std::string(snippet->name) + "(" + map + ", " + map + "_size, " + arguments + ")"};
 }
 
 std::string receiver_of(const shadow_system& s) {

@@ -3,10 +3,14 @@
 // The parts of a system as GLSL: how its map is written and read, which filter and which bias it has.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <glm/gtc/type_precision.hpp>
+
+#include <umbrage/image.hpp>
 #include <umbrage/shader/bind.hpp>
 #include <umbrage/shader/glsl.hpp>
 
@@ -59,6 +63,15 @@ struct prefilter {
     int taps;  ///< of the blur: 1, 3, 5 or 7
 };
 [[nodiscard]] std::optional<prefilter> prefilter_of(const example::shadow_system& s);
+
+/// A map as a summed-area table, of even depths: how it is made and looked up, by a snippet called with `arguments` after
+/// the receiver.
+struct table {
+    std::function<umbrage::image<glm::u16vec4>(umbrage::image_view<const float>)> make;
+    const glsl::snippet* look_up;
+    std::string arguments;
+};
+[[nodiscard]] std::optional<table> table_of(const example::shadow_system& s);
 
 /// The side that is compared with the map, an expression of `depth`, biased.
 [[nodiscard]] std::string receiver_of(const example::shadow_system& s);

@@ -106,6 +106,10 @@ stages camera_stages(const shadow_system& s, version v, bool mask) {
     const filter filter = filter_of(s);
     const bias bias = bias_of(s, how.map);
     const bool projects = compares_projected(s), ahead = example::filters_ahead(s.filter);
+    const bool sums = table_of(s).has_value();
+    const glsl::binding map = !ahead ? how.map
+                              : sums ? glsl::binding{.texture = glsl::texture::integer}
+                                     : glsl::binding{};
     const auto compared = [&](const char* depth) { return ahead ? even(s, depth) : projected(s, depth); };
     const std::string lit = s.shading == example::shading_kind::diffuse_ambient
                                 ? "umbrage_diffuse_ambient(albedo, ambient, n_dot_l, visibility)"
@@ -134,7 +138,7 @@ void main() {
                                          filter.uses,
                                          {glsl::receiver_ps14, glsl::shadow_coordinate, glsl::project_coordinate,
                                           glsl::texels_to_world, glsl::biased, glsl::spot_cone, glsl::diffuse_ambient}},
-                                        projects ? std::nullopt : std::optional(ahead ? glsl::binding{} : how.map)),
+                                        projects ? std::nullopt : std::optional(map)),
                                  R"GLSL(
 varying vec3 world, world_normal, world_face;
 varying vec4 surface_colour;  // alpha: 1 on the floor
@@ -142,10 +146,11 @@ uniform vec3 eye, light_direction;
 uniform vec4 light_position;  // w: 1 for a spot, 0 for a directional light
 uniform float cos_outer, reach, constant, epsilon, ambient;
 uniform mat4 world_to_texels, plane_matrix, taps[4];
-uniform sampler2D map, table, moments;
-uniform vec2 map_size, units;
+uniform sampler2D map, table;
+uniform vec2 map_size, moments_size, units;
 uniform vec3 softness;
-)GLSL" + map_depth(s) + R"GLSL(
+uniform )GLSL" + std::string(sums ? "usampler2D" : "sampler2D") +
+                                     " moments;\n" + map_depth(s) + R"GLSL(
 vec3 unit(vec3 a, vec3 otherwise) { return length(a) > 0.0 ? a / length(a) : otherwise; }
 vec3 towards(vec3 a, vec3 side) { return dot(a, side) < 0.0 ? -a : a; }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <umbrage/depth/rg_table.hpp>
@@ -145,7 +146,7 @@ void renderer::depth_pass(const session& s, const example::light& l) {
     draw_mesh();
 }
 
-/// Leaves the map bound, and beside it the one of moments.
+/// Leaves the map bound, and beside it the one of moments or sums.
 void renderer::filter_ahead(const session& s, const example::light& l) {
     constexpr glm::vec4 everywhere{-1, 1, 2, 2};
     bind(2, 0);
@@ -169,6 +170,15 @@ void renderer::filter_ahead(const session& s, const example::light& l) {
         draw_into(*moments_, blur.set("along", glm::vec2(1, 0)));
     }
     bind(2, moments_->texels);
+    moments_size_ = map_->size;
+    if (const auto table = table_of(s.system)) {  // by image functions, from the depths as they came out
+        umbrage::image<float> depth(map_->size);
+        glReadPixels(0, 0, map_->size.x, map_->size.y, GL_RED, GL_FLOAT, depth.texels().data());
+        const umbrage::image<glm::u16vec4> sums = table->make(std::as_const(depth).view());
+        bind(2, sums_);
+        upload_integers(sums.size(), sums.texels().data());
+        moments_size_ = sums.size();
+    }
 }
 
 void renderer::camera_pass(const session& s, const example::light& l, glm::ivec2 size) {
@@ -197,6 +207,7 @@ void renderer::camera_pass(const session& s, const example::light& l, glm::ivec2
         .set("map", 0)
         .set("moments", 2)
         .set("map_size", glm::vec2(map_->size))
+        .set("moments_size", glm::vec2(moments_size_))
         .set("table", 1);
     draw_mesh();
 }

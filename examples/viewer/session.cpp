@@ -6,8 +6,6 @@
 #include <cmath>
 #include <sstream>
 
-#include <umbrage/filter/prefiltered/prefilters.hpp>
-
 #include <choices.hpp>
 #include <command_line.hpp>
 #include <names.hpp>
@@ -69,7 +67,7 @@ const std::vector<std::string>& filter_names() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all = example::filter_names();
         all.insert(all.end(), example::hardening_names().begin(), example::hardening_names().end());
-        umbrage::prefilters::all::for_each([&](const auto& filter) { all.emplace_back(filter.name); });
+        all.insert(all.end(), example::prefilter_names().begin(), example::prefilter_names().end());
         return all;
     }();
     return names;

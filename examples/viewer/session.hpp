@@ -61,7 +61,6 @@ inline constexpr example::shadow_system outdoor_system{
 /// Scenes for it.
 [[nodiscard]] const std::vector<std::string>& ground_names();
 
-/// All but the one that takes a summed-area table.
 [[nodiscard]] const std::vector<std::string>& filter_names();
 
 /// Whether a filter, by its name, takes no more than a map and a place in it.
