@@ -12015,6 +12015,13 @@ inline void sum_two_lanes(const plain_lanes<std::int32_t, Count>& first, const p
     }
 }
 
+/// Four masks of eight lanes as bits: bit 4 i + k is lane k of mask i, bit 16 + 4 i + k its lane 4 + k.
+inline std::uint32_t mask_bits(const plain_lanes<std::int32_t, 8>* masks) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < 32; ++i) bits |= static_cast<std::uint32_t>(masks[i / 4 % 4][i / 16 * 4 + i % 4] & 1) << i;
+    return bits;
+}
+
 /// Adds the weight to the lanes of a mask.
 template <int Count>
 inline void add_where(const plain_lanes<std::int32_t, Count>& mask, float weight, plain_lanes<float, Count>& sum) {
@@ -12104,6 +12111,30 @@ UMBRAGE_INLINE inline void sum_four_lanes(const Four& a, const Four& b, const Fo
     shuffle<2, 3, 6, 7>(first, second, odd);
     sums = even + odd;
 }
+
+#if defined(__x86_64__) && !defined(__clang__)
+// Inlined into what is compiled for AVX2; dispatch.hpp has made its builtins known.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"
+UMBRAGE_INLINE inline std::uint32_t mask_bits(const lanes_of<std::int32_t, 8>* masks) {
+    const auto first = __builtin_ia32_packssdw256(masks[0], masks[1]);  // the halves of registers stay apart
+    const auto second = __builtin_ia32_packssdw256(masks[2], masks[3]);
+    return static_cast<std::uint32_t>(__builtin_ia32_pmovmskb256(__builtin_ia32_packsswb256(first, second)));
+}
+#pragma GCC diagnostic pop
+#elif defined(__GNUC__) || defined(__clang__)
+UMBRAGE_INLINE inline std::uint32_t mask_bits(const lanes_of<std::int32_t, 8>* masks) {
+    using bits = lanes_of<std::int32_t, 8>;
+    const bits rows = (masks[0] & 1) + (masks[1] & 16) + (masks[2] & 256) + (masks[3] & 4096);
+    const bits placed = rows << bits{0, 1, 2, 3, 16, 17, 18, 19};
+    lanes_of<std::int32_t, 4> low, high;
+    std::memcpy(&low, &placed, sizeof low);
+    std::memcpy(&high, reinterpret_cast<const char*>(&placed) + sizeof low, sizeof high);
+    low += high;
+    return static_cast<std::uint32_t>(low[0]) + static_cast<std::uint32_t>(low[1]) +
+           static_cast<std::uint32_t>(low[2]) + static_cast<std::uint32_t>(low[3]);
+}
+#endif
 
 /// The nearer depth of each lane, but what is there where it is a NaN, or where `outside` is negative.
 /// @param depth   no NaN, not 0
@@ -12890,9 +12921,9 @@ struct disc_blocks {
 private:
     static constexpr int near_before = 3, near_rows = 7, near_columns = 8;
     struct near_texels {
-        alignas(64) std::int32_t offsets[block];  ///< of the first
-        alignas(64) std::uint32_t from[block];    ///< there to the receiver, packed
-        alignas(64) std::uint32_t left[block], right[block], lit[block];
+        alignas(64) std::int32_t offsets[block];                           ///< of the first
+        alignas(64) std::uint32_t from[block];                             ///< there to the receiver, packed
+        alignas(64) std::uint32_t upper[block], lower[block], lit[block];  ///< bits of four rows each
     };
 
     /// @return   whether all points fall on them, and all of them lie in the map
@@ -12914,54 +12945,41 @@ private:
 
     template <int Lanes>
     UMBRAGE_INLINE void count_near(const placed& at, near_texels& texels, float* visibility) const {
-        for (int i = 0; i < block; i += 4) {
-            lanes_of<std::int32_t, 4> left[4], right[4], words;
-#pragma GCC unroll 4
-            for (int k = 0; k < 4; ++k)
-                compare_near<near_columns>(at.z[i + k], texels.offsets[i + k], left[k], right[k]);
-            sum_four_lanes(left[0], left[1], left[2], left[3], words);
-            store_lanes(words, texels.left + i);
-            sum_four_lanes(right[0], right[1], right[2], right[3], words);
-            store_lanes(words, texels.right + i);
-        }
+        for (int i = 0; i < block; ++i) compare_near(at.z[i], texels.offsets[i], texels.upper[i], texels.lower[i]);
         const auto& row = taps.of[static_cast<std::size_t>(at.row)];
         for (int i = 0; i < block; i += Lanes) {
-            lanes_of<std::uint32_t, Lanes> from, left, either, tap, lit{};
+            lanes_of<std::uint32_t, Lanes> from, upper, lower, tap, lit{};
             load_lanes(texels.from + i, from);
-            load_lanes(texels.left + i, left);
-            load_lanes(texels.right + i, either);
-            either ^= left;
+            load_lanes(texels.upper + i, upper);
+            load_lanes(texels.lower + i, lower);
+            // Bit 4 y + x of columns 0 to 3, and of 4 to 7: there are seven rows, none is lost.
+            const auto left = (upper & 0xFFFF) | lower << 16;
+            const auto right = (upper >> 16 | (lower & 0xFFFF0000)) << 4;
             for (int p = 0; p < points; ++p) {
                 load_lanes(row[static_cast<std::size_t>(p)].packed + i, tap);
                 tap += from;
-                const auto on_right = reinterpret_cast<lanes_of<std::int32_t, Lanes>>(tap) >> 31;
-                const auto word = left ^ (either & reinterpret_cast<lanes_of<std::uint32_t, Lanes>>(on_right));
-                lit += word >> ((tap >> 26 & 24) + (tap >> 8 & 7)) & 1;
+                const auto on_right = reinterpret_cast<lanes_of<std::int32_t, Lanes>>(tap) < 0;
+                lit += (on_right ? right : left) >> ((tap >> 6 & 28) + (tap >> 29)) & 1;
             }
             store_lanes(lit, texels.lit + i);
         }
         take_share(at, texels.lit, visibility);
     }
 
-    /// Bit y of byte x is 1 where the texel in column x and row y is lit, of the left four columns and of the others.
-    /// A column is a lane, and its other bytes are 0.
-    template <int Columns>
-    UMBRAGE_INLINE void compare_near(float receiver, std::int32_t offset, lanes_of<std::int32_t, 4>& left,
-                                     lanes_of<std::int32_t, 4>& right) const {
+    /// Which texels are lit, as mask_bits of rows 0 to 3 and of 4 to 6.
+    UMBRAGE_INLINE void compare_near(float receiver, std::int32_t offset, std::uint32_t& upper,
+                                     std::uint32_t& lower) const {
         const texel_bytes memory(map);
-        const std::byte* from = memory.data + offset + near_rows * std::ptrdiff_t(memory.stride);
-        lanes_of<std::int32_t, Columns> bits{}, lit;
-        lanes_of<float, Columns> texels;
+        const std::byte* from = memory.data + offset;
+        lanes_of<std::int32_t, near_columns> lit[8]{};
+        lanes_of<float, near_columns> texels;
 #pragma GCC unroll 7
-        for (int y = 0; y < near_rows; ++y) {
-            from -= memory.stride;
+        for (int y = 0; y < near_rows; ++y, from += memory.stride) {
             load_lanes(from, texels);
-            lit_lanes<Columns, test::forward>(receiver, texels, lit);
-            bits = bits + bits - lit;
+            lit_lanes<near_columns, test::forward>(receiver, texels, lit[y]);
         }
-        bits = bits << lanes_of<std::int32_t, Columns>{0, 8, 16, 24, 0, 8, 16, 24};
-        std::memcpy(&left, &bits, sizeof left);
-        std::memcpy(&right, reinterpret_cast<const char*>(&bits) + sizeof left, sizeof right);
+        upper = mask_bits(lit);
+        lower = mask_bits(lit + 4);
     }
 
     UMBRAGE_INLINE void count_all(const placed& at, float* visibility) const {

@@ -15,6 +15,7 @@
 
 #include <umbrage/config.hpp>
 #include <umbrage/simd/bits.hpp>
+#include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
 UMBRAGE_STRICT_MATH
@@ -91,6 +92,13 @@ inline void sum_two_lanes(const plain_lanes<std::int32_t, Count>& first, const p
         sums[0] += first[i];
         sums[1] += second[i];
     }
+}
+
+/// Four masks of eight lanes as bits: bit 4 i + k is lane k of mask i, bit 16 + 4 i + k its lane 4 + k.
+inline std::uint32_t mask_bits(const plain_lanes<std::int32_t, 8>* masks) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < 32; ++i) bits |= static_cast<std::uint32_t>(masks[i / 4 % 4][i / 16 * 4 + i % 4] & 1) << i;
+    return bits;
 }
 
 /// Adds the weight to the lanes of a mask.
@@ -182,6 +190,30 @@ UMBRAGE_INLINE inline void sum_four_lanes(const Four& a, const Four& b, const Fo
     shuffle<2, 3, 6, 7>(first, second, odd);
     sums = even + odd;
 }
+
+#if defined(__x86_64__) && !defined(__clang__)
+// Inlined into what is compiled for AVX2; dispatch.hpp has made its builtins known.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"
+UMBRAGE_INLINE inline std::uint32_t mask_bits(const lanes_of<std::int32_t, 8>* masks) {
+    const auto first = __builtin_ia32_packssdw256(masks[0], masks[1]);  // the halves of registers stay apart
+    const auto second = __builtin_ia32_packssdw256(masks[2], masks[3]);
+    return static_cast<std::uint32_t>(__builtin_ia32_pmovmskb256(__builtin_ia32_packsswb256(first, second)));
+}
+#pragma GCC diagnostic pop
+#elif defined(__GNUC__) || defined(__clang__)
+UMBRAGE_INLINE inline std::uint32_t mask_bits(const lanes_of<std::int32_t, 8>* masks) {
+    using bits = lanes_of<std::int32_t, 8>;
+    const bits rows = (masks[0] & 1) + (masks[1] & 16) + (masks[2] & 256) + (masks[3] & 4096);
+    const bits placed = rows << bits{0, 1, 2, 3, 16, 17, 18, 19};
+    lanes_of<std::int32_t, 4> low, high;
+    std::memcpy(&low, &placed, sizeof low);
+    std::memcpy(&high, reinterpret_cast<const char*>(&placed) + sizeof low, sizeof high);
+    low += high;
+    return static_cast<std::uint32_t>(low[0]) + static_cast<std::uint32_t>(low[1]) +
+           static_cast<std::uint32_t>(low[2]) + static_cast<std::uint32_t>(low[3]);
+}
+#endif
 
 /// The nearer depth of each lane, but what is there where it is a NaN, or where `outside` is negative.
 /// @param depth   no NaN, not 0

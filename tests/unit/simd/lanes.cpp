@@ -11,6 +11,8 @@
 #include <limits>
 #include <type_traits>
 
+#include <umbrage/simd/dispatch.hpp>
+
 using namespace umbrage::detail;
 
 namespace {
@@ -86,6 +88,24 @@ TEST_CASE("lanes: sums of two registers") {
     check_sum_two<lanes_of, 8>();
     check_sum_two<plain_lanes, 4>();
     check_sum_two<plain_lanes, 8>();
+}
+
+TEST_CASE("lanes: masks become bits, four lanes of four masks and then the others") {
+    std::int32_t masks[4][8];
+    plain_lanes<std::int32_t, 8> plain[4];
+    for (int bit = 0; bit < 32; ++bit) {
+        for (int i = 0; i < 32; ++i) masks[i / 8][i % 8] = -((i / 8) * 4 + (i % 8 / 4) * 16 + i % 4 == bit);
+        std::memcpy(plain, masks, sizeof plain);
+        CHECK(mask_bits(plain) == 1u << bit);
+        if (best_isa() == isa::base) continue;
+        on_best_isa([&](auto set) UMBRAGE_INLINE {
+            if constexpr (set != isa::base) {
+                lanes_of<std::int32_t, 8> lanes[4];
+                std::memcpy(lanes, masks, sizeof lanes);
+                CHECK(mask_bits(lanes) == 1u << bit);
+            }
+        });
+    }
 }
 
 TEST_CASE("lanes: arithmetic of plain lanes is the language's, lane by lane") {
