@@ -12059,6 +12059,15 @@ UMBRAGE_INLINE inline void count_lanes(lanes_of<T, Count>& v) {
     (std::make_integer_sequence<int, Count>{});
 }
 
+/// The value in all lanes: spelled out, GCC loads and spreads it at once.
+template <int Count>
+UMBRAGE_INLINE inline void fill_lanes(float value, lanes_of<float, Count>& v) {
+    [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
+        v = lanes_of<float, Count>{(static_cast<void>(I), value)...};
+    }
+    (std::make_integer_sequence<int, Count>{});
+}
+
 /// The lanes of `low`, then those of `high`, each converted to half as many bits.
 template <class T, int Count, class Half>
 UMBRAGE_INLINE inline void narrow_lanes(const Half& low, const Half& high, lanes_of<T, Count>& v) {
@@ -12081,8 +12090,10 @@ UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count
 template <int Count>
 UMBRAGE_INLINE inline void add_where(const lanes_of<std::int32_t, Count>& mask, float weight,
                                      lanes_of<float, Count>& sum) {
-    const lanes_of<std::int32_t, Count> weights = mask & detail::bit_cast<std::int32_t>(weight);
-    sum += reinterpret_cast<lanes_of<float, Count>>(weights);
+    lanes_of<float, Count> weights;
+    fill_lanes<Count>(weight, weights);
+    const auto taken = mask & reinterpret_cast<lanes_of<std::int32_t, Count>>(weights);
+    sum += reinterpret_cast<lanes_of<float, Count>>(taken);
 }
 
 template <int Count>
