@@ -64,8 +64,8 @@ struct prefilter {
 };
 [[nodiscard]] std::optional<prefilter> prefilter_of(const example::shadow_system& s);
 
-/// A map as a summed-area table, of even depths: how it is made and looked up, by a snippet called with `arguments` after
-/// the receiver.
+/// A map as a summed-area table, of even depths: how it is made, and looked up by a snippet that is called with
+/// `arguments` after the receiver.
 struct table {
     std::function<umbrage::image<glm::u16vec4>(umbrage::image_view<const float>)> make;
     const glsl::snippet* look_up;

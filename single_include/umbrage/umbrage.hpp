@@ -12059,15 +12059,6 @@ UMBRAGE_INLINE inline void count_lanes(lanes_of<T, Count>& v) {
     (std::make_integer_sequence<int, Count>{});
 }
 
-/// The value in all lanes: spelled out, GCC loads and spreads it at once.
-template <int Count>
-UMBRAGE_INLINE inline void fill_lanes(float value, lanes_of<float, Count>& v) {
-    [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
-        v = lanes_of<float, Count>{(static_cast<void>(I), value)...};
-    }
-    (std::make_integer_sequence<int, Count>{});
-}
-
 /// The lanes of `low`, then those of `high`, each converted to half as many bits.
 template <class T, int Count, class Half>
 UMBRAGE_INLINE inline void narrow_lanes(const Half& low, const Half& high, lanes_of<T, Count>& v) {
@@ -12090,8 +12081,11 @@ UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count
 template <int Count>
 UMBRAGE_INLINE inline void add_where(const lanes_of<std::int32_t, Count>& mask, float weight,
                                      lanes_of<float, Count>& sum) {
-    lanes_of<float, Count> weights;
-    fill_lanes<Count>(weight, weights);
+    lanes_of<float, Count> weights;  // spelled out, GCC loads and spreads it at once
+    [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
+        weights = lanes_of<float, Count>{(static_cast<void>(I), weight)...};
+    }
+    (std::make_integer_sequence<int, Count>{});
     const auto taken = mask & reinterpret_cast<lanes_of<std::int32_t, Count>>(weights);
     sum += reinterpret_cast<lanes_of<float, Count>>(taken);
 }
@@ -12138,12 +12132,10 @@ UMBRAGE_INLINE inline std::uint32_t mask_bits(const lanes_of<std::int32_t, 8>* m
     using bits = lanes_of<std::int32_t, 8>;
     const bits rows = (masks[0] & 1) + (masks[1] & 16) + (masks[2] & 256) + (masks[3] & 4096);
     const bits placed = rows << bits{0, 1, 2, 3, 16, 17, 18, 19};
-    lanes_of<std::int32_t, 4> low, high;
-    std::memcpy(&low, &placed, sizeof low);
-    std::memcpy(&high, reinterpret_cast<const char*>(&placed) + sizeof low, sizeof high);
-    low += high;
-    return static_cast<std::uint32_t>(low[0]) + static_cast<std::uint32_t>(low[1]) +
-           static_cast<std::uint32_t>(low[2]) + static_cast<std::uint32_t>(low[3]);
+    lanes_of<std::int32_t, 4> halves[2];
+    std::memcpy(halves, &placed, sizeof halves);
+    const auto all = halves[0] | halves[1];
+    return static_cast<std::uint32_t>(all[0] | all[1] | all[2] | all[3]);
 }
 #endif
 

@@ -3,8 +3,7 @@
 // Every binary32 value and every code through every encoding, every filter over planes of every tilt, on all cores.
 // Prints a table, writes it as TSV into the file that the argument names, and fails when anything in it does.
 //
-//     prove_cpp prove.tsv
-//     prove_cpp discs.tsv acne_free_disc_bias   that primitive's lines alone
+//     prove_cpp prove.tsv    or that of one primitive alone: prove_cpp discs.tsv acne_free_disc_bias
 #include <atomic>
 #include <cstdio>
 #include <fstream>
@@ -42,8 +41,7 @@ struct line {
     std::string kind;
     count first, last;
     std::function<seen(count first, count last)> run;
-    count disorder = 0;     ///< as stated: any other number is a failure
-    count piece = 1 << 22;  ///< inputs that a thread takes at once
+    count disorder = 0;  ///< as stated: any other number is a failure
     seen result{};
 
     [[nodiscard]] count failures() const { return result.failures + (result.disorder != disorder); }
@@ -165,10 +163,7 @@ line acne_under(const Filter& filter, umbrage::depth_direction direction) {
     const char* const way = direction == umbrage::depth_direction::forward ? "" : ", reversed";
     std::snprintf(kind, sizeof kind, "%s, reach %g%s", filter.name.data(), double(filter.reach()), way);
     constexpr bool turned = requires { filter.points; };
-    return {turned ? umbrage::glsl::acne_free_disc_bias : umbrage::glsl::acne_free_bias,
-            kind,
-            0,
-            proof::plane_count,
+    return {turned ? umbrage::glsl::acne_free_disc_bias : umbrage::glsl::acne_free_bias, kind, 0, proof::plane_count,
             [=, erased = proof::any_filter(filter, direction)](count first, count last) {
                 seen s;
                 for (count n = first; n < last; ++n) {
@@ -180,9 +175,7 @@ line acne_under(const Filter& filter, umbrage::depth_direction direction) {
                     });
                 }
                 return s;
-            },
-            0,
-            4};
+            }};
 }
 
 /// Random scenes, lit by every kind of light and fit, looked up, against rays.
@@ -251,9 +244,11 @@ void run(std::vector<line>& table) {
         count first, last;
     };
     std::vector<piece> pieces;
-    for (line& l : table)
-        for (count first = l.first; first < l.last; first += l.piece)
-            pieces.push_back({&l, first, std::min(first + l.piece, l.last)});
+    for (line& l : table) {
+        const count size = std::clamp<count>((l.last - l.first) / 64, 1, 1 << 22);
+        for (count first = l.first; first < l.last; first += size)
+            pieces.push_back({&l, first, std::min(first + size, l.last)});
+    }
 
     std::optional<boost::timer::progress_display> bar;
     if (isatty(STDERR_FILENO)) bar.emplace(pieces.size(), std::cerr, "", "", "");
@@ -275,10 +270,7 @@ void run(std::vector<line>& table) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2 && argc != 3) {
-        std::cerr << "usage: prove_cpp TABLE.tsv [PRIMITIVE]\n";
-        return 2;
-    }
+    if (argc != 2 && argc != 3) return std::cerr << "usage: prove_cpp TABLE.tsv [PRIMITIVE]\n", 2;
     std::ofstream tsv(argv[1]);
     if (!tsv) {
         std::cerr << "prove_cpp: cannot write " << argv[1] << '\n';
