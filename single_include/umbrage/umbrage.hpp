@@ -12081,13 +12081,8 @@ UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count
 template <int Count>
 UMBRAGE_INLINE inline void add_where(const lanes_of<std::int32_t, Count>& mask, float weight,
                                      lanes_of<float, Count>& sum) {
-    lanes_of<float, Count> weights;  // spelled out, GCC loads and spreads it at once
-    [&]<int... I>(std::integer_sequence<int, I...>) UMBRAGE_INLINE {
-        weights = lanes_of<float, Count>{(static_cast<void>(I), weight)...};
-    }
-    (std::make_integer_sequence<int, Count>{});
-    const auto taken = mask & reinterpret_cast<lanes_of<std::int32_t, Count>>(weights);
-    sum += reinterpret_cast<lanes_of<float, Count>>(taken);
+    const lanes_of<std::int32_t, Count> weights = mask & detail::bit_cast<std::int32_t>(weight);
+    sum += reinterpret_cast<lanes_of<float, Count>>(weights);
 }
 
 template <int Count>
