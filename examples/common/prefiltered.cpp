@@ -98,7 +98,7 @@ std::optional<float> soft_reach(std::string_view name, float widest) {
 
 look_up prefiltered(std::string_view name, umbrage::image_view<const float> map, int radius, progress& progress) {
     if (name == of_variance) {
-        const umbrage::variance_table of{.bits = 12, .radius = radius};
+        const umbrage::variance_table of{.bits = variance_bits, .radius = radius};
         return of_table(umbrage::make_variance_table(map, of, progress.bands()), of, progress);
     }
     if (name == of_moments) {

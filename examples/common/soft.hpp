@@ -30,6 +30,9 @@ using look_up = std::function<void(const umbrage::receiver_planes&, umbrage::ima
 /// Those of umbrage::prefilters, and those of summed-area tables.
 [[nodiscard]] const std::vector<std::string>& prefilter_names();
 
+/// Of the depths that a summed-area table of variances holds.
+inline constexpr int variance_bits = 12;
+
 /// Whether a name is one of those.
 [[nodiscard]] bool hardens(std::string_view filter);
 [[nodiscard]] bool filters_ahead(std::string_view filter);

@@ -107,24 +107,24 @@ parameters parameters_of(const Prefilter& of) {
 
 }  // namespace
 
-std::optional<table> table_of(const shadow_system& s) {
+std::optional<summed_table> summed_table_of(const shadow_system& s) {
     const int radius = static_cast<int>(s.radius.value_or(2));
     const std::string arguments = ", " + text(static_cast<float>(radius)) + ", ";
     if (s.filter == glsl::summed_variance.name) {
-        const umbrage::variance_table of{.bits = 12, .radius = radius};
-        return table{[=](auto map) { return umbrage::make_variance_table(map, of); }, &glsl::summed_variance,
-                     arguments + text(static_cast<float>(1 << of.bits))};
+        const umbrage::variance_table of{.bits = example::variance_bits, .radius = radius};
+        return summed_table{[=](auto map) { return umbrage::make_variance_table(map, of); }, &glsl::summed_variance,
+                            arguments + text(static_cast<float>(1 << of.bits))};
     }
     if (s.filter == glsl::summed_moments.name) {
         const umbrage::moment_table of{.radius = radius};
-        return table{[=](auto map) { return umbrage::make_moment_table(map, of); }, &glsl::summed_moments,
-                     arguments + text(umbrage::msm_bias_16)};
+        return summed_table{[=](auto map) { return umbrage::make_moment_table(map, of); }, &glsl::summed_moments,
+                            arguments + text(umbrage::msm_bias_16)};
     }
     return std::nullopt;
 }
 
 std::optional<prefilter> prefilter_of(const shadow_system& s) {
-    if (table_of(s)) return prefilter{{}, "vec4(depth, 0.0, 0.0, 0.0)", 1};  // summed elsewhere
+    if (summed_table_of(s)) return prefilter{{}, "vec4(depth, 0.0, 0.0, 0.0)", 1};  // the renderer sums them
     std::optional<prefilter> out;
     umbrage::prefilters::all::with(s.filter, [&]<class Prefilter>(const Prefilter& of) {
         constexpr std::array zeros{"", ", 0.0, 0.0, 0.0", ", 0.0, 0.0", "", ""};
@@ -160,7 +160,7 @@ filter filter_of(const shadow_system& s) {
         arguments += parameters_of(of).look_up;
         map = "moments";
     });
-    if (const auto table = table_of(s)) {
+    if (const auto table = summed_table_of(s)) {
         snippet = table->look_up;
         arguments += table->arguments;
         map = "moments";

@@ -66,12 +66,12 @@ struct prefilter {
 
 /// A map as a summed-area table, of even depths: how it is made, and looked up by a snippet that is called with
 /// `arguments` after the receiver.
-struct table {
+struct summed_table {
     std::function<umbrage::image<glm::u16vec4>(umbrage::image_view<const float>)> make;
     const glsl::snippet* look_up;
     std::string arguments;
 };
-[[nodiscard]] std::optional<table> table_of(const example::shadow_system& s);
+[[nodiscard]] std::optional<summed_table> summed_table_of(const example::shadow_system& s);
 
 /// The side that is compared with the map, an expression of `depth`, biased.
 [[nodiscard]] std::string receiver_of(const example::shadow_system& s);

@@ -106,7 +106,7 @@ stages camera_stages(const shadow_system& s, version v, bool mask) {
     const filter filter = filter_of(s);
     const bias bias = bias_of(s, how.map);
     const bool projects = compares_projected(s), ahead = example::filters_ahead(s.filter);
-    const bool sums = table_of(s).has_value();
+    const bool sums = summed_table_of(s).has_value();
     const glsl::binding map = !ahead ? how.map
                               : sums ? glsl::binding{.texture = glsl::texture::integer}
                                      : glsl::binding{};

@@ -171,7 +171,7 @@ void renderer::filter_ahead(const session& s, const example::light& l) {
     }
     bind(2, moments_->texels);
     moments_size_ = map_->size;
-    if (const auto table = table_of(s.system)) {  // by image functions, from the depths as they came out
+    if (const auto table = summed_table_of(s.system)) {  // by image functions, from the depths as they came out
         umbrage::image<float> depth(map_->size);
         glReadPixels(0, 0, map_->size.x, map_->size.y, GL_RED, GL_FLOAT, depth.texels().data());
         const umbrage::image<glm::u16vec4> sums = table->make(std::as_const(depth).view());
