@@ -11957,12 +11957,17 @@ struct plain_lanes {
         for (int i = 0; i < Count; ++i) at[i] -= b.at[i];
         return *this;
     }
+    plain_lanes& operator*=(const plain_lanes& b) {
+        for (int i = 0; i < Count; ++i) at[i] *= b.at[i];
+        return *this;
+    }
     plain_lanes& operator&=(const plain_lanes& b) {
         for (int i = 0; i < Count; ++i) at[i] &= b.at[i];
         return *this;
     }
     friend plain_lanes operator+(plain_lanes a, const plain_lanes& b) { return a += b; }
     friend plain_lanes operator-(plain_lanes a, const plain_lanes& b) { return a -= b; }
+    friend plain_lanes operator*(plain_lanes a, const plain_lanes& b) { return a *= b; }
     friend plain_lanes operator&(plain_lanes a, const plain_lanes& b) { return a &= b; }
 };
 
@@ -11994,7 +11999,8 @@ UMBRAGE_INLINE inline void store_lanes(const Lanes& v, void* to) {
 
 /// Lane i of the result is lane From[i] of a, then b, counted through; lanes of 32 bits.
 template <int... From, class T, int Count>
-inline void shuffle(const plain_lanes<T, Count>& a, const plain_lanes<T, Count>& b, plain_lanes<T, Count>& result) {
+inline void shuffle(const plain_lanes<T, Count>& a, const plain_lanes<T, Count>& b,
+                    plain_lanes<T, int(sizeof...(From))>& result) {
     result = {{(From < Count ? a[From % Count] : b[From % Count])...}};
 }
 
@@ -12028,6 +12034,12 @@ inline void add_where(const plain_lanes<std::int32_t, Count>& mask, float weight
     for (int i = 0; i < Count; ++i) sum[i] += masked(weight, mask[i]);
 }
 
+/// Zero in the lanes that a mask leaves out.
+template <int Count>
+inline void keep_where(const plain_lanes<std::int32_t, Count>& mask, plain_lanes<float, Count>& v) {
+    for (int i = 0; i < Count; ++i) v[i] = masked(v[i], mask[i]);
+}
+
 /// Adds products to a register of four, lane by lane and round about; none rounds.
 template <int Count>
 inline void add_products(const plain_lanes<float, Count>& a, const plain_lanes<float, Count>& b,
@@ -12043,13 +12055,9 @@ inline void sum_four_lanes(const plain_lanes<T, 4>& a, const plain_lanes<T, 4>& 
 }
 
 #if defined(__GNUC__) || defined(__clang__)
-template <int... From, class Lanes>
-UMBRAGE_INLINE inline void shuffle(const Lanes& a, const Lanes& b, Lanes& result) {
-#if defined(__clang__)
+template <int... From, class Lanes, class Result>
+UMBRAGE_INLINE inline void shuffle(const Lanes& a, const Lanes& b, Result& result) {
     result = __builtin_shufflevector(a, b, From...);
-#else
-    result = __builtin_shuffle(a, b, lanes_of<std::int32_t, sizeof...(From)>{From...});
-#endif
 }
 
 /// 0, 1, 2 ...
@@ -12083,6 +12091,11 @@ UMBRAGE_INLINE inline void add_where(const lanes_of<std::int32_t, Count>& mask, 
                                      lanes_of<float, Count>& sum) {
     const lanes_of<std::int32_t, Count> weights = mask & detail::bit_cast<std::int32_t>(weight);
     sum += reinterpret_cast<lanes_of<float, Count>>(weights);
+}
+
+template <int Count>
+UMBRAGE_INLINE inline void keep_where(const lanes_of<std::int32_t, Count>& mask, lanes_of<float, Count>& v) {
+    v = reinterpret_cast<lanes_of<float, Count>>(mask & reinterpret_cast<lanes_of<std::int32_t, Count>>(v));
 }
 
 template <int Count>
@@ -12133,23 +12146,6 @@ UMBRAGE_INLINE inline std::uint32_t mask_bits(const lanes_of<std::int32_t, 8>* m
     return static_cast<std::uint32_t>(all[0] | all[1] | all[2] | all[3]);
 }
 #endif
-
-/// The nearer depth of each lane, but what is there where it is a NaN, or where `outside` is negative.
-/// @param depth   no NaN, not 0
-template <bool Forward, int Count>
-UMBRAGE_INLINE inline void take_nearer(const lanes_of<float, Count>& depth,
-                                       const lanes_of<std::int32_t, Count>& outside, lanes_of<float, Count>& there) {
-    using ints = lanes_of<std::int32_t, Count>;
-    const ints bits = reinterpret_cast<ints>(depth), mask = outside >> 31;
-    if constexpr (finite_math_only) {
-        const ints old = reinterpret_cast<ints>(there);
-        const ints kept = mask | ((old & 0x7FFFFFFF) > 0x7F800000) | (Forward ? depth > there : depth < there);
-        there = reinterpret_cast<lanes_of<float, Count>>((bits & ~kept) | (old & kept));
-    } else {
-        const auto seen = reinterpret_cast<lanes_of<float, Count>>(bits | mask);  // or a NaN, which is not nearer
-        there = (Forward ? seen < there : seen > there) ? seen : there;
-    }
-}
 
 template <int Count>
 UMBRAGE_INLINE inline void sum_two_lanes(const lanes_of<std::int32_t, Count>& first,
@@ -13363,7 +13359,8 @@ private:
     UMBRAGE_INLINE void weigh_all(const placed& at, int count, float* visibility) const {
         alignas(64) float sums[block]{};
         if (map.size.x >= loaded() && map.size.y >= row.touched()) {
-            if (row.touched() <= 4) weigh_inside<4, 1>(at, count, sums);
+            if (Lanes == 8 && row.touched() == 4) weigh_inside<4, 1, 4>(at, count, sums);
+            else if (row.touched() <= 4) weigh_inside<4, 1>(at, count, sums);
             else if (row.touched() <= 8) weigh_inside<Lanes, 8 / Lanes>(at, count, sums);
             else weigh_inside<Lanes, 16 / Lanes>(at, count, sums);
         }
@@ -13378,13 +13375,40 @@ private:
         }
     }
 
+    /// Four rows of four texels, two in a register.
+    UMBRAGE_INLINE void weigh_four_rows(const std::byte* texels, std::ptrdiff_t stride, float receiver,
+                                        const float* rows, const float* columns, lanes_of<float, 4>& sum) const {
+        lanes_of<float, 4> upper, lower, weights_of_rows;
+        lanes_of<float, 8> two_rows, first, second;
+        lanes_of<std::int32_t, 8> mask;
+        const auto keep_lit = [&](const std::byte* from, lanes_of<float, 8>& weight) UMBRAGE_INLINE {
+            load_lanes(from, upper);
+            load_lanes(from + stride, lower);
+            shuffle<0, 1, 2, 3, 4, 5, 6, 7>(upper, lower, two_rows);
+            lit_lanes<8, test::forward>(receiver, two_rows, mask);
+            keep_where<8>(mask, weight);
+        };
+        load_lanes(rows, weights_of_rows);
+        shuffle<0, 0, 0, 0, 1, 1, 1, 1>(weights_of_rows, weights_of_rows, first);
+        shuffle<2, 2, 2, 2, 3, 3, 3, 3>(weights_of_rows, weights_of_rows, second);
+        keep_lit(texels, first);
+        keep_lit(texels + 2 * stride, second);
+        first += second;
+        shuffle<0, 1, 2, 3>(first, first, upper);
+        shuffle<4, 5, 6, 7>(first, first, lower);
+        load_lanes(columns, sum);
+        sum = (upper + lower) * sum;
+    }
+
     /// All of them: those that are not inside weigh the map's first texels.
-    template <int Lanes, int Registers>
+    template <int Lanes, int Registers, int Rows = 0>
     UMBRAGE_INLINE void weigh_inside(const placed& at, int count, float* sums) const {
         const texel_bytes memory(map);
         const int touched = row.touched();
         const auto weigh = [&](int i, lanes_of<float, 4>& sum) UMBRAGE_INLINE {
-            const float* rows = weights.of[at.moved_y[i]];
+            const float *rows = weights.of[at.moved_y[i]], *columns = weights.of[at.moved_x[i]];
+            if constexpr (Rows == 4)
+                return weigh_four_rows(memory.data + at.offsets[i], memory.stride, at.z[i], rows, columns, sum);
             sum = lanes_of<float, 4>{};
 #pragma GCC unroll 4
             for (int r = 0; r < Registers; ++r) {
@@ -13397,7 +13421,7 @@ private:
                     add_where<Lanes>(mask, rows[j], lit);
                     from += memory.stride;
                 }
-                load_lanes(weights.of[at.moved_x[i]] + r * Lanes, texels);
+                load_lanes(columns + r * Lanes, texels);
                 add_products<Lanes>(lit, texels, sum);
             }
         };
@@ -14686,6 +14710,20 @@ private:
 
     static constexpr int tile_columns = 64, tile_rows = 32, few_rows = 16;
 
+    /// The nearer depth of each lane, but what is there where it is a NaN, or where `outside` is negative.
+    /// @param depth   no NaN, not 0
+    UMBRAGE_INLINE static void take_nearer(const floats& depth, const ints& outside, floats& there) {
+        const ints bits = reinterpret_cast<ints>(depth), mask = outside >> 31;
+        if constexpr (finite_math_only) {
+            const ints old = reinterpret_cast<ints>(there);
+            const ints kept = mask | ((old & 0x7FFFFFFF) > 0x7F800000) | (Forward ? depth > there : depth < there);
+            there = reinterpret_cast<floats>((bits & ~kept) | (old & kept));
+        } else {
+            const auto seen = reinterpret_cast<floats>(bits | mask);  // or a NaN, which is not nearer
+            there = (Forward ? seen < there : seen > there) ? seen : there;
+        }
+    }
+
     /// Texel by texel.
     void draw_rows(const triangles& batch, int i, const depth_plane& plane) const {
         batch.for_each_row(i, [&](int y, int first, int last) {
@@ -14754,7 +14792,7 @@ private:
                     here = here < lowest ? lowest : here;
                     here = here > highest ? highest : here;
                     load_lanes(at, there);
-                    take_nearer<Forward, Lanes>(reinterpret_cast<floats>(here), f0 | f1 | f2, there);
+                    take_nearer(reinterpret_cast<floats>(here), f0 | f1 | f2, there);
                     store_lanes(there, at);
                     f0 += up0, f1 += up1, f2 += up2;
                     z_low += dy, z_high += dy;

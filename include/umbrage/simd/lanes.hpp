@@ -36,12 +36,17 @@ struct plain_lanes {
         for (int i = 0; i < Count; ++i) at[i] -= b.at[i];
         return *this;
     }
+    plain_lanes& operator*=(const plain_lanes& b) {
+        for (int i = 0; i < Count; ++i) at[i] *= b.at[i];
+        return *this;
+    }
     plain_lanes& operator&=(const plain_lanes& b) {
         for (int i = 0; i < Count; ++i) at[i] &= b.at[i];
         return *this;
     }
     friend plain_lanes operator+(plain_lanes a, const plain_lanes& b) { return a += b; }
     friend plain_lanes operator-(plain_lanes a, const plain_lanes& b) { return a -= b; }
+    friend plain_lanes operator*(plain_lanes a, const plain_lanes& b) { return a *= b; }
     friend plain_lanes operator&(plain_lanes a, const plain_lanes& b) { return a &= b; }
 };
 
@@ -73,7 +78,8 @@ UMBRAGE_INLINE inline void store_lanes(const Lanes& v, void* to) {
 
 /// Lane i of the result is lane From[i] of a, then b, counted through; lanes of 32 bits.
 template <int... From, class T, int Count>
-inline void shuffle(const plain_lanes<T, Count>& a, const plain_lanes<T, Count>& b, plain_lanes<T, Count>& result) {
+inline void shuffle(const plain_lanes<T, Count>& a, const plain_lanes<T, Count>& b,
+                    plain_lanes<T, int(sizeof...(From))>& result) {
     result = {{(From < Count ? a[From % Count] : b[From % Count])...}};
 }
 
@@ -107,6 +113,12 @@ inline void add_where(const plain_lanes<std::int32_t, Count>& mask, float weight
     for (int i = 0; i < Count; ++i) sum[i] += masked(weight, mask[i]);
 }
 
+/// Zero in the lanes that a mask leaves out.
+template <int Count>
+inline void keep_where(const plain_lanes<std::int32_t, Count>& mask, plain_lanes<float, Count>& v) {
+    for (int i = 0; i < Count; ++i) v[i] = masked(v[i], mask[i]);
+}
+
 /// Adds products to a register of four, lane by lane and round about; none rounds.
 template <int Count>
 inline void add_products(const plain_lanes<float, Count>& a, const plain_lanes<float, Count>& b,
@@ -122,13 +134,9 @@ inline void sum_four_lanes(const plain_lanes<T, 4>& a, const plain_lanes<T, 4>& 
 }
 
 #if defined(__GNUC__) || defined(__clang__)
-template <int... From, class Lanes>
-UMBRAGE_INLINE inline void shuffle(const Lanes& a, const Lanes& b, Lanes& result) {
-#if defined(__clang__)
+template <int... From, class Lanes, class Result>
+UMBRAGE_INLINE inline void shuffle(const Lanes& a, const Lanes& b, Result& result) {
     result = __builtin_shufflevector(a, b, From...);
-#else
-    result = __builtin_shuffle(a, b, lanes_of<std::int32_t, sizeof...(From)>{From...});
-#endif
 }
 
 /// 0, 1, 2 ...
@@ -162,6 +170,11 @@ UMBRAGE_INLINE inline void add_where(const lanes_of<std::int32_t, Count>& mask, 
                                      lanes_of<float, Count>& sum) {
     const lanes_of<std::int32_t, Count> weights = mask & detail::bit_cast<std::int32_t>(weight);
     sum += reinterpret_cast<lanes_of<float, Count>>(weights);
+}
+
+template <int Count>
+UMBRAGE_INLINE inline void keep_where(const lanes_of<std::int32_t, Count>& mask, lanes_of<float, Count>& v) {
+    v = reinterpret_cast<lanes_of<float, Count>>(mask & reinterpret_cast<lanes_of<std::int32_t, Count>>(v));
 }
 
 template <int Count>
@@ -212,23 +225,6 @@ UMBRAGE_INLINE inline std::uint32_t mask_bits(const lanes_of<std::int32_t, 8>* m
     return static_cast<std::uint32_t>(all[0] | all[1] | all[2] | all[3]);
 }
 #endif
-
-/// The nearer depth of each lane, but what is there where it is a NaN, or where `outside` is negative.
-/// @param depth   no NaN, not 0
-template <bool Forward, int Count>
-UMBRAGE_INLINE inline void take_nearer(const lanes_of<float, Count>& depth,
-                                       const lanes_of<std::int32_t, Count>& outside, lanes_of<float, Count>& there) {
-    using ints = lanes_of<std::int32_t, Count>;
-    const ints bits = reinterpret_cast<ints>(depth), mask = outside >> 31;
-    if constexpr (finite_math_only) {
-        const ints old = reinterpret_cast<ints>(there);
-        const ints kept = mask | ((old & 0x7FFFFFFF) > 0x7F800000) | (Forward ? depth > there : depth < there);
-        there = reinterpret_cast<lanes_of<float, Count>>((bits & ~kept) | (old & kept));
-    } else {
-        const auto seen = reinterpret_cast<lanes_of<float, Count>>(bits | mask);  // or a NaN, which is not nearer
-        there = (Forward ? seen < there : seen > there) ? seen : there;
-    }
-}
 
 template <int Count>
 UMBRAGE_INLINE inline void sum_two_lanes(const lanes_of<std::int32_t, Count>& first,

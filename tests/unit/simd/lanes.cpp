@@ -64,6 +64,24 @@ void check_sum_two() {
     CHECK(sums[1] == Count * (Count - 1) / 2);
 }
 
+template <template <class, int> class Lanes>
+void check_keep() {
+    Lanes<float, 4> low, high;
+    Lanes<float, 8> all;
+    Lanes<std::int32_t, 8> mask;
+    for (int i = 0; i < 4; ++i) low[i] = float(i), high[i] = float(4 + i);
+    shuffle<0, 1, 2, 3, 4, 5, 6, 7>(low, high, all);
+    for (int i = 0; i < 8; ++i) CHECK(float(all[i]) == float(i));
+    for (int i = 0; i < 8; ++i) mask[i] = -(i % 3 == 0);
+    keep_where<8>(mask, all);
+    for (int i = 0; i < 8; ++i) CHECK(float(all[i]) == (i % 3 == 0 ? float(i) : 0.0f));
+    shuffle<6, 6, 3, 0>(all, all, low);
+    CHECK(float(low[0]) == 6.0f);
+    CHECK(float(low[1]) == 6.0f);
+    CHECK(float(low[2]) == 3.0f);
+    CHECK(float(low[3]) == 0.0f);
+}
+
 }  // namespace
 
 TEST_CASE("lanes: a running sum, and its last in all lanes") {
@@ -90,6 +108,11 @@ TEST_CASE("lanes: sums of two registers") {
     check_sum_two<plain_lanes, 8>();
 }
 
+TEST_CASE("lanes: what a mask leaves out is zero, and shuffles give as many lanes as they name") {
+    check_keep<lanes_of>();
+    check_keep<plain_lanes>();
+}
+
 TEST_CASE("lanes: masks become bits, four lanes of four masks and then the others") {
     std::int32_t masks[4][8];
     plain_lanes<std::int32_t, 8> plain[4];
@@ -113,6 +136,7 @@ TEST_CASE("lanes: arithmetic of plain lanes is the language's, lane by lane") {
     for (int i = 0; i < 4; ++i) {
         CHECK((a + b)[i] == a[i] + b[i]);
         CHECK((a - b)[i] == a[i] - b[i]);
+        CHECK((a * b)[i] == a[i] * b[i]);
         CHECK((a & b)[i] == (a[i] & b[i]));
     }
 }

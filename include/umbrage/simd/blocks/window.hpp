@@ -84,7 +84,8 @@ private:
     UMBRAGE_INLINE void weigh_all(const placed& at, int count, float* visibility) const {
         alignas(64) float sums[block]{};
         if (map.size.x >= loaded() && map.size.y >= row.touched()) {
-            if (row.touched() <= 4) weigh_inside<4, 1>(at, count, sums);
+            if (Lanes == 8 && row.touched() == 4) weigh_inside<4, 1, 4>(at, count, sums);
+            else if (row.touched() <= 4) weigh_inside<4, 1>(at, count, sums);
             else if (row.touched() <= 8) weigh_inside<Lanes, 8 / Lanes>(at, count, sums);
             else weigh_inside<Lanes, 16 / Lanes>(at, count, sums);
         }
@@ -99,13 +100,40 @@ private:
         }
     }
 
+    /// Four rows of four texels, two in a register.
+    UMBRAGE_INLINE void weigh_four_rows(const std::byte* texels, std::ptrdiff_t stride, float receiver,
+                                        const float* rows, const float* columns, lanes_of<float, 4>& sum) const {
+        lanes_of<float, 4> upper, lower, weights_of_rows;
+        lanes_of<float, 8> two_rows, first, second;
+        lanes_of<std::int32_t, 8> mask;
+        const auto keep_lit = [&](const std::byte* from, lanes_of<float, 8>& weight) UMBRAGE_INLINE {
+            load_lanes(from, upper);
+            load_lanes(from + stride, lower);
+            shuffle<0, 1, 2, 3, 4, 5, 6, 7>(upper, lower, two_rows);
+            lit_lanes<8, test::forward>(receiver, two_rows, mask);
+            keep_where<8>(mask, weight);
+        };
+        load_lanes(rows, weights_of_rows);
+        shuffle<0, 0, 0, 0, 1, 1, 1, 1>(weights_of_rows, weights_of_rows, first);
+        shuffle<2, 2, 2, 2, 3, 3, 3, 3>(weights_of_rows, weights_of_rows, second);
+        keep_lit(texels, first);
+        keep_lit(texels + 2 * stride, second);
+        first += second;
+        shuffle<0, 1, 2, 3>(first, first, upper);
+        shuffle<4, 5, 6, 7>(first, first, lower);
+        load_lanes(columns, sum);
+        sum = (upper + lower) * sum;
+    }
+
     /// All of them: those that are not inside weigh the map's first texels.
-    template <int Lanes, int Registers>
+    template <int Lanes, int Registers, int Rows = 0>
     UMBRAGE_INLINE void weigh_inside(const placed& at, int count, float* sums) const {
         const texel_bytes memory(map);
         const int touched = row.touched();
         const auto weigh = [&](int i, lanes_of<float, 4>& sum) UMBRAGE_INLINE {
-            const float* rows = weights.of[at.moved_y[i]];
+            const float *rows = weights.of[at.moved_y[i]], *columns = weights.of[at.moved_x[i]];
+            if constexpr (Rows == 4)
+                return weigh_four_rows(memory.data + at.offsets[i], memory.stride, at.z[i], rows, columns, sum);
             sum = lanes_of<float, 4>{};
 #pragma GCC unroll 4
             for (int r = 0; r < Registers; ++r) {
@@ -118,7 +146,7 @@ private:
                     add_where<Lanes>(mask, rows[j], lit);
                     from += memory.stride;
                 }
-                load_lanes(weights.of[at.moved_x[i]] + r * Lanes, texels);
+                load_lanes(columns + r * Lanes, texels);
                 add_products<Lanes>(lit, texels, sum);
             }
         };

@@ -55,6 +55,20 @@ private:
 
     static constexpr int tile_columns = 64, tile_rows = 32, few_rows = 16;
 
+    /// The nearer depth of each lane, but what is there where it is a NaN, or where `outside` is negative.
+    /// @param depth   no NaN, not 0
+    UMBRAGE_INLINE static void take_nearer(const floats& depth, const ints& outside, floats& there) {
+        const ints bits = reinterpret_cast<ints>(depth), mask = outside >> 31;
+        if constexpr (finite_math_only) {
+            const ints old = reinterpret_cast<ints>(there);
+            const ints kept = mask | ((old & 0x7FFFFFFF) > 0x7F800000) | (Forward ? depth > there : depth < there);
+            there = reinterpret_cast<floats>((bits & ~kept) | (old & kept));
+        } else {
+            const auto seen = reinterpret_cast<floats>(bits | mask);  // or a NaN, which is not nearer
+            there = (Forward ? seen < there : seen > there) ? seen : there;
+        }
+    }
+
     /// Texel by texel.
     void draw_rows(const triangles& batch, int i, const depth_plane& plane) const {
         batch.for_each_row(i, [&](int y, int first, int last) {
@@ -123,7 +137,7 @@ private:
                     here = here < lowest ? lowest : here;
                     here = here > highest ? highest : here;
                     load_lanes(at, there);
-                    take_nearer<Forward, Lanes>(reinterpret_cast<floats>(here), f0 | f1 | f2, there);
+                    take_nearer(reinterpret_cast<floats>(here), f0 | f1 | f2, there);
                     store_lanes(there, at);
                     f0 += up0, f1 += up1, f2 += up2;
                     z_low += dy, z_high += dy;
