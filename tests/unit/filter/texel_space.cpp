@@ -6,6 +6,7 @@
 #include <umbrage/depth/encodings.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
+#include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 
 #include "maps.hpp"

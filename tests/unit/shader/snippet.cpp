@@ -25,8 +25,8 @@ TEST_CASE("fill: keys become decimal digits") {
 
 TEST_CASE("directive: every dialect has one, Vulkan's is that of 450") {
     std::set<std::string_view> directives;
-    for (version v : versions) directives.insert(directive(v));
-    CHECK(directives.size() == versions.size() - 1);
+    for (glsl::version v : glsl::versions) directives.insert(directive(v));
+    CHECK(directives.size() == glsl::versions.size() - 1);
     CHECK_FALSE(directives.contains(""));
 }
 

@@ -15,8 +15,9 @@ namespace {
 
 using namespace paths;
 
-/// Any map's texel as its depth: what is compiled for it need not be compiled for each encoding.
-using any_fetch = std::function<float(glm::ivec2)>;
+/// Any map's texel as its depth: filters are compiled for no other fetch, here as in visibility().
+using any_fetch = umbrage::detail::erased_fetch;
+using umbrage::detail::erase;
 
 using any_receivers = std::function<glm::vec3(glm::ivec2)>;
 
@@ -115,11 +116,13 @@ void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
         }
     const scattered of(map_size, v, [&](float d) { return encoding.decode(encoding.encode(d)); });
     const any_filter alone(filter);
-    const any_fetch fetch = umbrage::decoded(umbrage::image_view<const typename Encoding::texel>(map.view()), encoding);
-    const any_fetch bordered = [&](glm::ivec2 texel) {
+    const umbrage::image_view<const typename Encoding::texel> texels = map.view();
+    const auto clamped_map = umbrage::decoded(texels, encoding);
+    const auto bordered_map = [&](glm::ivec2 texel) {
         const bool inside = texel.x >= 0 && texel.y >= 0 && texel.x < map_size.x && texel.y < map_size.y;
-        return inside ? encoding.decode(map.view()[texel]) : alone.far;
+        return inside ? encoding.decode(texels[texel]) : alone.far;
     };
+    const any_fetch fetch = erase(clamped_map), bordered = erase(bordered_map);
     const one_by_one clamped(alone, fetch, of.receivers);
     const auto against = [&](const one_by_one& wanted, const auto& receivers, bands parallel,
                              umbrage::outside_map outside = umbrage::outside_map::clamped) {
@@ -162,8 +165,8 @@ void check_coherent(Encoding encoding, Filter filter, glm::ivec2 map_size, glm::
     image<typename Encoding::texel> map(map_size);
     for (auto& texel : map.texels()) texel = encoding.encode(0.3f + 0.4f * v.unit());
     const image<glm::vec3> receivers = in_a_row({192, 24}, map_size, start, step);
-    const any_fetch fetch = umbrage::decoded(std::as_const(map).view(), encoding);
-    check_each_path(one_by_one(any_filter(filter), fetch, receivers),
+    const auto fetch = umbrage::decoded(std::as_const(map).view(), encoding);
+    check_each_path(one_by_one(any_filter(filter), erase(fetch), receivers),
                     [&](image<float>& out) { umbrage::visibility(map, encoding, receivers, filter, out, bands{3}); });
 }
 
