@@ -3,20 +3,16 @@
 // The picture: diffuse and ambient light on what the camera sees.
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
-#include <glm/geometric.hpp>
 #include <glm/gtc/type_precision.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <umbrage/image.hpp>
-#include <umbrage/shade/lighting.hpp>
 
 #include <srgb.hpp>
-#include <surface.hpp>
 
 #include "view.hpp"
 
@@ -36,24 +32,7 @@ template <class T, class Sample>
 }
 
 /// A row of samples: linear light.
-inline void shade_row(const view& v, const umbrage::image<float>& visibility, int y, glm::vec3* out) {
-    std::fill_n(out, v.seen.size().x, background);
-    example::for_each_run(v.seen, y, [&](int first, int last, std::uint32_t triangle) {
-        const example::seen_triangle on = v.triangle(triangle);
-        const float* const lit = visibility.view().row(y);
-        for (int x = first; x < last; x += lanes) {
-            example::vectors weights, at, normals, colours;
-            float reach[lanes], n_dot_l[lanes];
-            on.locate({x, y}, weights, at);
-            on.paint(weights, at, colours);
-            for (int i = 0; i < lanes; ++i) normals.set(i, on.normal(weights[i], on.face_normal(at[i])));
-            for (int i = 0; i < lanes; ++i) n_dot_l[i] = glm::dot(normals[i], v.lamp.to_light(at[i]));
-            for (int i = 0; i < lanes; ++i) reach[i] = v.lamp.cone(at[i]);
-            for (int i = 0; i < std::min(lanes, last - x); ++i)
-                out[x + i] = umbrage::diffuse_ambient(colours[i], ambient, n_dot_l[i], lit[x + i] * reach[i]);
-        }
-    });
-}
+void shade_row(const view& v, const umbrage::image<float>& visibility, int y, glm::vec3* out);
 
 /// Diffuse plus ambient light, inside the cone.
 /// @param parallel  as the library's functions take it
