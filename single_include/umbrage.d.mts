@@ -373,6 +373,8 @@ export const cube_lit: Snippet;
 export const pcf_2x2_cube: Snippet;
 /** comparisons around a point, weighted */
 export const lit_filtered: Snippet;
+/** comparisons around a point of the map, weighted */
+export const lit_at: Snippet;
 /** 2x2 by a comparison sampler with a linear filter */
 export const pcf_2x2_hardware: Snippet;
 /** window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter */
@@ -381,6 +383,12 @@ export const window_hardware3: Snippet;
 export const window_hardware5: Snippet;
 /** window of 7 x 7 by 16 of them */
 export const window_hardware7: Snippet;
+/** disc of 8 points by a comparison sampler with a linear filter */
+export const disc_hardware8: Snippet;
+/** disc of 16 points by one */
+export const disc_hardware16: Snippet;
+/** disc of 32 points by one */
+export const disc_hardware32: Snippet;
 /** visibility where bounds of a filter's texels suffice */
 export const bounds_lit: Snippet;
 /** a depth as 16 bits of distance from the near plane */
@@ -401,6 +409,18 @@ export const pcss8: Snippet;
 export const pcss16: Snippet;
 /** percentage-closer soft shadows, 32 points twice */
 export const pcss32: Snippet;
+/** stored depth at a point of the map */
+export const depth_at: Snippet;
+/** whether what a point of the map holds lies before a receiver, and its depth */
+export const blocker_at: Snippet;
+/** radius of a penumbra from the mean depth of blockers */
+export const pcss_radius: Snippet;
+/** what lies before a receiver at 8 points of a disc, by a sampler of the nearest texel */
+export const blockers_hardware8: Snippet;
+/** the same at 16 points */
+export const blockers_hardware16: Snippet;
+/** the same at 32 points */
+export const blockers_hardware32: Snippet;
 /** a disc's share in shadow, steepened */
 export const hardened8: Snippet;
 /** a disc's share in shadow, steepened */

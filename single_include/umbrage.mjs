@@ -40,6 +40,8 @@ function as_bound(item) {
 }
 
 const has_region = map => map.texture === 'atlas' || map.origin !== '';
+const is_whole = map => !has_region(map) && !map.outside_lit;
+const gathers = map => !['cube', 'cube_faces', 'integer'].includes(map.texture);
 const compares = map => map.texture === 'shadow' || map.texture === 'shadow_array';
 
 /** The function that a map has in place of a hook's own text; other snippets as they are. */
@@ -60,13 +62,16 @@ function chosen(s, map) {
             if (map.outside_lit) return hooks['lit_2x2, gathered and bordered'];
             return hooks[has_region(map) ? 'lit_2x2, gathered in a region' : 'lit_2x2, gathered'];
         case 'gather_lit':
-            if (['cube', 'cube_faces', 'integer'].includes(map.texture))
+            if (!gathers(map))
                 throw new Error('umbrage: bind: no gather from a cube or from whole numbers');
             if (compares(map)) return hooks['gather_lit, compared'];
             if (map.channels > 2) throw new Error('umbrage: bind: a gather of more than two channels');
             return hooks[map.channels === 2 ? 'gather_lit, two channels' : 'gather_lit, one channel'];
         case 'lit_filtered':
             return compares(map) ? hooks[`${s.role}, ${map.outside_lit ? 'bordered' : 'clamped'}`] : s;
+        case 'lit_at': return compares(map) && is_whole(map) ? hooks['lit_at, sampled'] : s;
+        case 'depth_at':
+            return map.gather && gathers(map) && !compares(map) && is_whole(map) ? hooks['depth_at, sampled'] : s;
         default: return s;
     }
 }
@@ -120,6 +125,8 @@ function for_map(text, s, item, words) {
             case 'UMBRAGE_GATHER_RED': return of_texture(words.gather_red);
             case 'UMBRAGE_GATHER_GREEN': return of_texture(words.gather_green);
             case 'UMBRAGE_GATHER_LIT': return of_texture(words.gather_lit);
+            case 'UMBRAGE_UV': return of_texture('at / UMBRAGE_TEXTURE_SIZE');
+            case 'UMBRAGE_SAMPLED': return of_texture(words.sampled);
             case 'UMBRAGE_LIT_FILTERED': return of_texture(words.lit_filtered);
             default: return word;
         }
@@ -253,16 +260,16 @@ const languages = {
         macros: true,
         scaled_macro: "\n// depths here are on a scale of their own, on which 1.0 is not the far plane\n#ifndef UMBRAGE_BEYOND_FAR\n#define UMBRAGE_BEYOND_FAR(receiver) false\n#endif\n",
         textures: {
-            texture_2d: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
-            atlas: { parameters: "UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 origin", arguments: "map, origin", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
-            array: { parameters: "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)", lit: "", gather_red: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)", gather_green: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
-            cube: { parameters: "UMBRAGE_HIGHP samplerCube map, UMBRAGE_HIGHP float face", arguments: "map, face", texel: "#if __VERSION__ >= 130\n    return textureLod(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0);\n#else\n    return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));\n#endif\n", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: ["cube_direction"] },
-            cube_faces: { parameters: "UMBRAGE_HIGHP samplerCube map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return textureLod(map, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0);\n#else\n    return textureCube(map, umbrage_cube_atlas_direction(at, size.y * 0.5));\n#endif\n", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: ["cube_atlas_direction"] },
-            integer: { parameters: "UMBRAGE_HIGHP usampler2D map", arguments: "map", texel: "vec4(texelFetch(map, ivec2(at), 0))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
-            depth: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
-            depth_array: { parameters: "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)", lit: "", gather_red: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)", gather_green: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
-            shadow: { parameters: "UMBRAGE_HIGHP sampler2DShadow map", arguments: "map", texel: "", lit: "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)", gather_red: "", gather_green: "", gather_lit: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "textureLod(map, vec3(at / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
-            shadow_array: { parameters: "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "", lit: "textureGrad(map, vec4((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), vec2(0.0, 0.0))", gather_red: "", gather_green: "", gather_lit: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", lit_filtered: "textureGrad(map, vec4(at / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), vec2(0.0, 0.0))", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
+            texture_2d: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", sampled: "textureLod(map, uv, 0.0)", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
+            atlas: { parameters: "UMBRAGE_HIGHP sampler2D map, UMBRAGE_HIGHP vec2 origin", arguments: "map, origin", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", sampled: "textureLod(map, uv, 0.0)", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
+            array: { parameters: "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)", sampled: "textureLod(map, vec3(uv, layer), 0.0)", lit: "", gather_red: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)", gather_green: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
+            cube: { parameters: "UMBRAGE_HIGHP samplerCube map, UMBRAGE_HIGHP float face", arguments: "map, face", texel: "#if __VERSION__ >= 130\n    return textureLod(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0);\n#else\n    return textureCube(map, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE));\n#endif\n", sampled: "", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: ["cube_direction"] },
+            cube_faces: { parameters: "UMBRAGE_HIGHP samplerCube map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return textureLod(map, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0);\n#else\n    return textureCube(map, umbrage_cube_atlas_direction(at, size.y * 0.5));\n#endif\n", sampled: "", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: ["cube_atlas_direction"] },
+            integer: { parameters: "UMBRAGE_HIGHP usampler2D map", arguments: "map", texel: "vec4(texelFetch(map, ivec2(at), 0))", sampled: "", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
+            depth: { parameters: "UMBRAGE_HIGHP sampler2D map", arguments: "map", texel: "#if __VERSION__ >= 130\n    return texelFetch(map, ivec2(at), 0);\n#else\n    return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);\n#endif\n", sampled: "textureLod(map, uv, 0.0)", lit: "", gather_red: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)", gather_green: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
+            depth_array: { parameters: "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)", sampled: "textureLod(map, vec3(uv, layer), 0.0)", lit: "", gather_red: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)", gather_green: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)", gather_lit: "", lit_filtered: "", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
+            shadow: { parameters: "UMBRAGE_HIGHP sampler2DShadow map", arguments: "map", texel: "", sampled: "", lit: "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)", gather_red: "", gather_green: "", gather_lit: "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "textureLod(map, vec3(uv, receiver), 0.0)", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
+            shadow_array: { parameters: "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer", arguments: "map, layer", texel: "", sampled: "", lit: "textureGrad(map, vec4((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), vec2(0.0, 0.0))", gather_red: "", gather_green: "", gather_lit: "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", lit_filtered: "textureGrad(map, vec4(uv, layer, receiver), vec2(0.0, 0.0), vec2(0.0, 0.0))", size: "vec2(textureSize(map, 0))", sampler: "", sampler_argument: "", needs: [] },
         },
         texts: {
             "shadow_coordinate": `
@@ -1904,6 +1911,14 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     return umbrage_pcf_2x2(map, size, clamp(coord, vec2(-32767.0, -32767.0), vec2(32767.0, 32767.0)), receiver);
 }
 `,
+            "lit_at": `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+`,
             "pcf_2x2_hardware": `
 // umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -1912,8 +1927,9 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
                                              UMBRAGE_HIGHP float receiver) {
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
-    UMBRAGE_HIGHP float lit = umbrage_lit_filtered(map, size, at, receiver);
-    return compared ? lit : 1.0;
+    UMBRAGE_HIGHP float lit = umbrage_lit_at(map, size, at / size, receiver);
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? lit * number : 1.0;
 }
 `,
             "window_hardware3": `
@@ -1933,20 +1949,21 @@ UMBRAGE_HIGHP float umbrage_window_hardware3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k0);
     UMBRAGE_HIGHP vec2 b0 = r * k1 + s * k0;
     UMBRAGE_HIGHP vec2 w0 = r * k0 + b0;
-    UMBRAGE_HIGHP vec2 p0 = texel - 0.5 + b0 / w0;
+    UMBRAGE_HIGHP vec2 p0 = (texel - 0.5 + b0 / w0) / size;
     UMBRAGE_HIGHP vec2 b1 = s * k0;
     UMBRAGE_HIGHP vec2 w1 = r * k0 + s * k1 + b1;
-    UMBRAGE_HIGHP vec2 p1 = texel + 1.5 + b1 / w1;
+    UMBRAGE_HIGHP vec2 p1 = (texel + 1.5 + b1 / w1) / size;
     UMBRAGE_HIGHP float n = 0.0;
     UMBRAGE_HIGHP float row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p1.y), receiver);
     n += w1.y * row;
-    return compared ? n / (whole * whole) : 1.0;
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number / (whole * whole) : 1.0;
 }
 `,
             "window_hardware5": `
@@ -1966,30 +1983,31 @@ UMBRAGE_HIGHP float umbrage_window_hardware5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k1 + k0);
     UMBRAGE_HIGHP vec2 b0 = r * k1 + s * k0;
     UMBRAGE_HIGHP vec2 w0 = r * k0 + b0;
-    UMBRAGE_HIGHP vec2 p0 = texel - 1.5 + b0 / w0;
+    UMBRAGE_HIGHP vec2 p0 = (texel - 1.5 + b0 / w0) / size;
     UMBRAGE_HIGHP vec2 b1 = r * k1 + s * k2;
     UMBRAGE_HIGHP vec2 w1 = r * k2 + s * k1 + b1;
-    UMBRAGE_HIGHP vec2 p1 = texel + 0.5 + b1 / w1;
+    UMBRAGE_HIGHP vec2 p1 = (texel + 0.5 + b1 / w1) / size;
     UMBRAGE_HIGHP vec2 b2 = s * k0;
     UMBRAGE_HIGHP vec2 w2 = r * k0 + s * k1 + b2;
-    UMBRAGE_HIGHP vec2 p2 = texel + 2.5 + b2 / w2;
+    UMBRAGE_HIGHP vec2 p2 = (texel + 2.5 + b2 / w2) / size;
     UMBRAGE_HIGHP float n = 0.0;
     UMBRAGE_HIGHP float row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p1.y), receiver);
     n += w1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p2.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p2.y), receiver);
     n += w2.y * row;
-    return compared ? n / (whole * whole) : 1.0;
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number / (whole * whole) : 1.0;
 }
 `,
             "window_hardware7": `
@@ -2009,42 +2027,150 @@ UMBRAGE_HIGHP float umbrage_window_hardware7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     UMBRAGE_HIGHP vec2 b0 = r * k1 + s * k0;
     UMBRAGE_HIGHP vec2 w0 = r * k0 + b0;
-    UMBRAGE_HIGHP vec2 p0 = texel - 2.5 + b0 / w0;
+    UMBRAGE_HIGHP vec2 p0 = (texel - 2.5 + b0 / w0) / size;
     UMBRAGE_HIGHP vec2 b1 = r * k3 + s * k2;
     UMBRAGE_HIGHP vec2 w1 = r * k2 + s * k1 + b1;
-    UMBRAGE_HIGHP vec2 p1 = texel - 0.5 + b1 / w1;
+    UMBRAGE_HIGHP vec2 p1 = (texel - 0.5 + b1 / w1) / size;
     UMBRAGE_HIGHP vec2 b2 = r * k1 + s * k2;
     UMBRAGE_HIGHP vec2 w2 = r * k2 + s * k3 + b2;
-    UMBRAGE_HIGHP vec2 p2 = texel + 1.5 + b2 / w2;
+    UMBRAGE_HIGHP vec2 p2 = (texel + 1.5 + b2 / w2) / size;
     UMBRAGE_HIGHP vec2 b3 = s * k0;
     UMBRAGE_HIGHP vec2 w3 = r * k0 + s * k1 + b3;
-    UMBRAGE_HIGHP vec2 p3 = texel + 3.5 + b3 / w3;
+    UMBRAGE_HIGHP vec2 p3 = (texel + 3.5 + b3 / w3) / size;
     UMBRAGE_HIGHP float n = 0.0;
     UMBRAGE_HIGHP float row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p0.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, vec2(p3.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p0.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p1.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, vec2(p3.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p1.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p1.y), receiver);
     n += w1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p2.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, vec2(p3.x, p2.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p2.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p2.y), receiver);
     n += w2.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p3.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p3.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p3.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, vec2(p3.x, p3.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p3.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p3.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p3.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p3.y), receiver);
     n += w3.y * row;
-    return compared ? n / (whole * whole) : 1.0;
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number / (whole * whole) : 1.0;
+}
+`,
+            "disc_hardware8": `
+// umbrage_disc_hardware8: 8 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_disc_hardware8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                            UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number * (1.0 / 8.0) : 1.0;
+}
+`,
+            "disc_hardware16": `
+// umbrage_disc_hardware16: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_disc_hardware16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                            UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number * (1.0 / 16.0) : 1.0;
+}
+`,
+            "disc_hardware32": `
+// umbrage_disc_hardware32: 32 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_disc_hardware32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                            UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number * (1.0 / 32.0) : 1.0;
 }
 `,
             "bounds_lit": `
@@ -2229,6 +2355,139 @@ UMBRAGE_HIGHP float umbrage_pcss32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
     return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+}
+`,
+            "depth_at": `
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+`,
+            "blocker_at": `
+// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP vec2 umbrage_blocker_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float stored = umbrage_depth_at(map, size, uv);
+    return umbrage_compare(receiver, stored) > 0.5 ? vec2(0.0, 0.0) : vec2(1.0, stored);
+}
+`,
+            "pcss_radius": `
+// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
+//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
+//   softness  (1/16 texel a code, least, widest), of make_softness
+UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
+                                        UMBRAGE_HIGHP vec3 softness) {
+    bool forward = umbrage_cleared_depth() > 0.5;
+    UMBRAGE_HIGHP float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
+    UMBRAGE_HIGHP float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
+    UMBRAGE_HIGHP float least = softness.y * 0.0625;
+    return radius > least ? min(radius, softness.z * 0.0625) : least;
+}
+`,
+            "blockers_hardware8": `
+// umbrage_blockers_hardware8: texels at 8 points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers_hardware8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                               UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                               UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    return compared ? n : vec2(0.0, 0.0);
+}
+`,
+            "blockers_hardware16": `
+// umbrage_blockers_hardware16: texels at 16 points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers_hardware16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                               UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                               UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    return compared ? n : vec2(0.0, 0.0);
+}
+`,
+            "blockers_hardware32": `
+// umbrage_blockers_hardware32: texels at 32 points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers_hardware32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                               UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                               UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    return compared ? n : vec2(0.0, 0.0);
 }
 `,
             "hardened8": `
@@ -3321,6 +3580,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
                                          UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return lit * number;
@@ -3334,11 +3594,27 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
                                          UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
     UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return (outside + inside.x * inside.y * (lit - outside)) * number;
+}
+`,
+            "hooks/lit_at, sampled": `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_LIT_FILTERED;
+}
+`,
+            "hooks/depth_at, sampled": `
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return umbrage_decode(UMBRAGE_SAMPLED);
 }
 `,
         },
@@ -3349,16 +3625,16 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
         macros: false,
         scaled_macro: "",
         textures: {
-            texture_2d: { parameters: "Texture2D<float4> map", arguments: "map", texel: "map.Load(int3(int2(at), 0))", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
-            atlas: { parameters: "Texture2D<float4> map, float2 origin", arguments: "map, origin", texel: "map.Load(int3(int2(at), 0))", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
-            array: { parameters: "Texture2DArray<float4> map, float layer", arguments: "map, layer", texel: "map.Load(int4(int2(at), int(layer), 0))", lit: "", gather_red: "map.GatherRed(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_green: "map.GatherGreen(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
-            cube: { parameters: "TextureCube<float4> map, SamplerState map_sampler, float face", arguments: "map, map_sampler, face", texel: "map.SampleLevel(map_sampler, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0)", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: "", sampler_argument: "", needs: ["cube_direction"] },
-            cube_faces: { parameters: "TextureCube<float4> map, SamplerState map_sampler", arguments: "map, map_sampler", texel: "map.SampleLevel(map_sampler, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0)", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: "", sampler_argument: "", needs: ["cube_atlas_direction"] },
-            integer: { parameters: "Texture2D<uint4> map", arguments: "map", texel: "float4(map.Load(int3(int2(at), 0)))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: "", sampler_argument: "", needs: [] },
-            depth: { parameters: "Texture2D<float> map", arguments: "map", texel: "(float4)map.Load(int3(int2(at), 0))", lit: "", gather_red: "map.Gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
-            depth_array: { parameters: "Texture2DArray<float> map, float layer", arguments: "map, layer", texel: "(float4)map.Load(int4(int2(at), int(layer), 0))", lit: "", gather_red: "map.Gather(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
-            shadow: { parameters: "Texture2D<float> map, SamplerComparisonState map_sampler", arguments: "map, map_sampler", texel: "", lit: "map.SampleCmpLevelZero(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)", gather_red: "", gather_green: "", gather_lit: "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "map.SampleCmpLevelZero(map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver)", size: "", sampler: "", sampler_argument: "", needs: [] },
-            shadow_array: { parameters: "Texture2DArray<float> map, SamplerComparisonState map_sampler, float layer", arguments: "map, map_sampler, layer", texel: "", lit: "map.SampleCmpLevelZero(map_sampler, float3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", gather_red: "", gather_green: "", gather_lit: "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", lit_filtered: "map.SampleCmpLevelZero(map_sampler, float3(at / UMBRAGE_TEXTURE_SIZE, layer), receiver)", size: "", sampler: "", sampler_argument: "", needs: [] },
+            texture_2d: { parameters: "Texture2D<float4> map", arguments: "map", texel: "map.Load(int3(int2(at), 0))", sampled: "map.SampleLevel(map_sampler, uv, 0.0)", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
+            atlas: { parameters: "Texture2D<float4> map, float2 origin", arguments: "map, origin", texel: "map.Load(int3(int2(at), 0))", sampled: "map.SampleLevel(map_sampler, uv, 0.0)", lit: "", gather_red: "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
+            array: { parameters: "Texture2DArray<float4> map, float layer", arguments: "map, layer", texel: "map.Load(int4(int2(at), int(layer), 0))", sampled: "map.SampleLevel(map_sampler, float3(uv, layer), 0.0)", lit: "", gather_red: "map.GatherRed(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_green: "map.GatherGreen(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
+            cube: { parameters: "TextureCube<float4> map, SamplerState map_sampler, float face", arguments: "map, map_sampler, face", texel: "map.SampleLevel(map_sampler, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0)", sampled: "", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: "", sampler_argument: "", needs: ["cube_direction"] },
+            cube_faces: { parameters: "TextureCube<float4> map, SamplerState map_sampler", arguments: "map, map_sampler", texel: "map.SampleLevel(map_sampler, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0)", sampled: "", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: "", sampler_argument: "", needs: ["cube_atlas_direction"] },
+            integer: { parameters: "Texture2D<uint4> map", arguments: "map", texel: "float4(map.Load(int3(int2(at), 0)))", sampled: "", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: "", sampler_argument: "", needs: [] },
+            depth: { parameters: "Texture2D<float> map", arguments: "map", texel: "(float4)map.Load(int3(int2(at), 0))", sampled: "(float4)map.SampleLevel(map_sampler, uv, 0.0)", lit: "", gather_red: "map.Gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
+            depth_array: { parameters: "Texture2DArray<float> map, float layer", arguments: "map, layer", texel: "(float4)map.Load(int4(int2(at), int(layer), 0))", sampled: "(float4)map.SampleLevel(map_sampler, float3(uv, layer), 0.0)", lit: "", gather_red: "map.Gather(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))", gather_green: "", gather_lit: "", lit_filtered: "", size: "", sampler: ", SamplerState map_sampler", sampler_argument: ", map_sampler", needs: [] },
+            shadow: { parameters: "Texture2D<float> map, SamplerComparisonState map_sampler", arguments: "map, map_sampler", texel: "", sampled: "", lit: "map.SampleCmpLevelZero(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)", gather_red: "", gather_green: "", gather_lit: "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "map.SampleCmpLevelZero(map_sampler, uv, receiver)", size: "", sampler: "", sampler_argument: "", needs: [] },
+            shadow_array: { parameters: "Texture2DArray<float> map, SamplerComparisonState map_sampler, float layer", arguments: "map, map_sampler, layer", texel: "", sampled: "", lit: "map.SampleCmpLevelZero(map_sampler, float3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", gather_red: "", gather_green: "", gather_lit: "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)", lit_filtered: "map.SampleCmpLevelZero(map_sampler, float3(uv, layer), receiver)", size: "", sampler: "", sampler_argument: "", needs: [] },
         },
         texts: {
             "shadow_coordinate": `
@@ -4881,6 +5157,13 @@ float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float rec
     return umbrage_pcf_2x2(map, size, clamp(coord, float2(-32767.0, -32767.0), float2(32767.0, 32767.0)), receiver);
 }
 `,
+            "lit_at": `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+`,
             "pcf_2x2_hardware": `
 // umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -4888,8 +5171,9 @@ float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float rec
 float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     bool compared = umbrage_is_compared(coord, receiver);
     float2 at = compared ? coord : float2(0.0, 0.0);
-    float lit = umbrage_lit_filtered(map, size, at, receiver);
-    return compared ? lit : 1.0;
+    float lit = umbrage_lit_at(map, size, at / size, receiver);
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? lit * number : 1.0;
 }
 `,
             "window_hardware3": `
@@ -4908,20 +5192,21 @@ float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float
     float whole = steps * (k0 + k1 + k0);
     float2 b0 = r * k1 + s * k0;
     float2 w0 = r * k0 + b0;
-    float2 p0 = texel - 0.5 + b0 / w0;
+    float2 p0 = (texel - 0.5 + b0 / w0) / size;
     float2 b1 = s * k0;
     float2 w1 = r * k0 + s * k1 + b1;
-    float2 p1 = texel + 1.5 + b1 / w1;
+    float2 p1 = (texel + 1.5 + b1 / w1) / size;
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
     n += w1.y * row;
-    return compared ? n / (whole * whole) : 1.0;
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number / (whole * whole) : 1.0;
 }
 `,
             "window_hardware5": `
@@ -4940,30 +5225,31 @@ float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float
     float whole = steps * (k0 + k1 + k2 + k1 + k0);
     float2 b0 = r * k1 + s * k0;
     float2 w0 = r * k0 + b0;
-    float2 p0 = texel - 1.5 + b0 / w0;
+    float2 p0 = (texel - 1.5 + b0 / w0) / size;
     float2 b1 = r * k1 + s * k2;
     float2 w1 = r * k2 + s * k1 + b1;
-    float2 p1 = texel + 0.5 + b1 / w1;
+    float2 p1 = (texel + 0.5 + b1 / w1) / size;
     float2 b2 = s * k0;
     float2 w2 = r * k0 + s * k1 + b2;
-    float2 p2 = texel + 2.5 + b2 / w2;
+    float2 p2 = (texel + 2.5 + b2 / w2) / size;
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p1.y), receiver);
     n += w1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p2.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
     n += w2.y * row;
-    return compared ? n / (whole * whole) : 1.0;
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number / (whole * whole) : 1.0;
 }
 `,
             "window_hardware7": `
@@ -4982,42 +5268,144 @@ float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float
     float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     float2 b0 = r * k1 + s * k0;
     float2 w0 = r * k0 + b0;
-    float2 p0 = texel - 2.5 + b0 / w0;
+    float2 p0 = (texel - 2.5 + b0 / w0) / size;
     float2 b1 = r * k3 + s * k2;
     float2 w1 = r * k2 + s * k1 + b1;
-    float2 p1 = texel - 0.5 + b1 / w1;
+    float2 p1 = (texel - 0.5 + b1 / w1) / size;
     float2 b2 = r * k1 + s * k2;
     float2 w2 = r * k2 + s * k3 + b2;
-    float2 p2 = texel + 1.5 + b2 / w2;
+    float2 p2 = (texel + 1.5 + b2 / w2) / size;
     float2 b3 = s * k0;
     float2 w3 = r * k0 + s * k1 + b3;
-    float2 p3 = texel + 3.5 + b3 / w3;
+    float2 p3 = (texel + 3.5 + b3 / w3) / size;
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p0.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p0.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p1.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p1.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p1.y), receiver);
     n += w1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p2.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p2.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p2.y), receiver);
     n += w2.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p3.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p3.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p3.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p3.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p3.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p3.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p3.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p3.y), receiver);
     n += w3.y * row;
-    return compared ? n / (whole * whole) : 1.0;
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number / (whole * whole) : 1.0;
+}
+`,
+            "disc_hardware8": `
+// umbrage_disc_hardware8: 8 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+float umbrage_disc_hardware8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float n = 0.0;
+    n += umbrage_lit_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number * (1.0 / 8.0) : 1.0;
+}
+`,
+            "disc_hardware16": `
+// umbrage_disc_hardware16: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+float umbrage_disc_hardware16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float n = 0.0;
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number * (1.0 / 16.0) : 1.0;
+}
+`,
+            "disc_hardware32": `
+// umbrage_disc_hardware32: 32 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+float umbrage_disc_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float n = 0.0;
+    n += umbrage_lit_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number * (1.0 / 32.0) : 1.0;
 }
 `,
             "bounds_lit": `
@@ -5188,6 +5576,134 @@ float umbrage_pcss32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver,
     float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
     return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+}
+`,
+            "depth_at": `
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+`,
+            "blocker_at": `
+// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+float2 umbrage_blocker_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
+    float stored = umbrage_depth_at(map, size, uv);
+    return umbrage_compare(receiver, stored) > 0.5 ? float2(0.0, 0.0) : float2(1.0, stored);
+}
+`,
+            "pcss_radius": `
+// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
+//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
+//   softness  (1/16 texel a code, least, widest), of make_softness
+float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
+    bool forward = umbrage_cleared_depth() > 0.5;
+    float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
+    float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
+    float least = softness.y * 0.0625;
+    return radius > least ? min(radius, softness.z * 0.0625) : least;
+}
+`,
+            "blockers_hardware8": `
+// umbrage_blockers_hardware8: texels at 8 points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+float2 umbrage_blockers_hardware8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
+                                  float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    return compared ? n : float2(0.0, 0.0);
+}
+`,
+            "blockers_hardware16": `
+// umbrage_blockers_hardware16: texels at 16 points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+float2 umbrage_blockers_hardware16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
+                                   float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    return compared ? n : float2(0.0, 0.0);
+}
+`,
+            "blockers_hardware32": `
+// umbrage_blockers_hardware32: texels at 32 points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+float2 umbrage_blockers_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
+                                   float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    return compared ? n : float2(0.0, 0.0);
 }
 `,
             "hardened8": `
@@ -6199,6 +6715,7 @@ float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receive
 float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float2 texel = clamp(coord, float2(0.5, 0.5), size - 0.5);
     float2 at = texel + UMBRAGE_ORIGIN;
+    float2 uv = UMBRAGE_UV;
     float lit = UMBRAGE_LIT_FILTERED;
     float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return lit * number;
@@ -6211,11 +6728,26 @@ float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float rec
 float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float2 texel = clamp(coord, float2(0.5, 0.5), size - 0.5);
     float2 at = texel + UMBRAGE_ORIGIN;
+    float2 uv = UMBRAGE_UV;
     float lit = UMBRAGE_LIT_FILTERED;
     float2 inside = clamp(min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
     float outside = umbrage_compare(receiver, umbrage_cleared_depth());
     float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return (outside + inside.x * inside.y * (lit - outside)) * number;
+}
+`,
+            "hooks/lit_at, sampled": `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
+    return UMBRAGE_LIT_FILTERED;
+}
+`,
+            "hooks/depth_at, sampled": `
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
+    return umbrage_decode(UMBRAGE_SAMPLED);
 }
 `,
         },
@@ -6226,16 +6758,16 @@ float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float rec
         macros: false,
         scaled_macro: "",
         textures: {
-            texture_2d: { parameters: "metal::texture2d<float> map", arguments: "map", texel: "map.read(uint2(at))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
-            atlas: { parameters: "metal::texture2d<float> map, float2 origin", arguments: "map, origin", texel: "map.read(uint2(at))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
-            array: { parameters: "metal::texture2d_array<float> map, float layer", arguments: "map, layer", texel: "map.read(uint2(at), uint(layer))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
-            cube: { parameters: "metal::texturecube<float> map, float face", arguments: "map, face", texel: "map.read(uint2(at), uint(face))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "", needs: [] },
-            cube_faces: { parameters: "metal::texturecube<float> map", arguments: "map", texel: "map.read(uint2(umbrage_cube_atlas_texel(at, size.y * 0.5).x, umbrage_cube_atlas_texel(at, size.y * 0.5).y), uint(umbrage_cube_atlas_texel(at, size.y * 0.5).z))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "", needs: ["cube_atlas_texel"] },
-            integer: { parameters: "metal::texture2d<uint> map", arguments: "map", texel: "float4(map.read(uint2(at)))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "", needs: [] },
-            depth: { parameters: "metal::depth2d<float> map", arguments: "map", texel: "float4(map.read(uint2(at)))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
-            depth_array: { parameters: "metal::depth2d_array<float> map, float layer", arguments: "map, layer", texel: "float4(map.read(uint2(at), uint(layer)))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
-            shadow: { parameters: "metal::depth2d<float> map, metal::sampler map_sampler", arguments: "map, map_sampler", texel: "", lit: "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))", gather_red: "", gather_green: "", gather_lit: "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "map.sample_compare(map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "", needs: [] },
-            shadow_array: { parameters: "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer", arguments: "map, map_sampler, layer", texel: "", lit: "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, metal::level(0.0))", gather_red: "", gather_green: "", gather_lit: "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)", lit_filtered: "map.sample_compare(map_sampler, at / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, metal::level(0.0))", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "", needs: [] },
+            texture_2d: { parameters: "metal::texture2d<float> map", arguments: "map", texel: "map.read(uint2(at))", sampled: "map.sample(map_sampler, uv, metal::level(0.0))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
+            atlas: { parameters: "metal::texture2d<float> map, float2 origin", arguments: "map, origin", texel: "map.read(uint2(at))", sampled: "map.sample(map_sampler, uv, metal::level(0.0))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
+            array: { parameters: "metal::texture2d_array<float> map, float layer", arguments: "map, layer", texel: "map.read(uint2(at), uint(layer))", sampled: "map.sample(map_sampler, uv, uint(layer), metal::level(0.0))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))", gather_green: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), int2(0), metal::component::y)", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
+            cube: { parameters: "metal::texturecube<float> map, float face", arguments: "map, face", texel: "map.read(uint2(at), uint(face))", sampled: "", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "", needs: [] },
+            cube_faces: { parameters: "metal::texturecube<float> map", arguments: "map", texel: "map.read(uint2(umbrage_cube_atlas_texel(at, size.y * 0.5).x, umbrage_cube_atlas_texel(at, size.y * 0.5).y), uint(umbrage_cube_atlas_texel(at, size.y * 0.5).z))", sampled: "", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "", needs: ["cube_atlas_texel"] },
+            integer: { parameters: "metal::texture2d<uint> map", arguments: "map", texel: "float4(map.read(uint2(at)))", sampled: "", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "", needs: [] },
+            depth: { parameters: "metal::depth2d<float> map", arguments: "map", texel: "float4(map.read(uint2(at)))", sampled: "float4(map.sample(map_sampler, uv, metal::level(0.0)))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
+            depth_array: { parameters: "metal::depth2d_array<float> map, float layer", arguments: "map, layer", texel: "float4(map.read(uint2(at), uint(layer)))", sampled: "float4(map.sample(map_sampler, uv, uint(layer), metal::level(0.0)))", lit: "", gather_red: "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))", gather_green: "", gather_lit: "", lit_filtered: "", size: "float2(map.get_width(), map.get_height())", sampler: ", metal::sampler map_sampler", sampler_argument: ", map_sampler", needs: [] },
+            shadow: { parameters: "metal::depth2d<float> map, metal::sampler map_sampler", arguments: "map, map_sampler", texel: "", sampled: "", lit: "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))", gather_red: "", gather_green: "", gather_lit: "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "map.sample_compare(map_sampler, uv, receiver, metal::level(0.0))", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "", needs: [] },
+            shadow_array: { parameters: "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer", arguments: "map, map_sampler, layer", texel: "", sampled: "", lit: "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, metal::level(0.0))", gather_red: "", gather_green: "", gather_lit: "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)", lit_filtered: "map.sample_compare(map_sampler, uv, uint(layer), receiver, metal::level(0.0))", size: "float2(map.get_width(), map.get_height())", sampler: "", sampler_argument: "", needs: [] },
         },
         texts: {
             "shadow_coordinate": `
@@ -7760,6 +8292,13 @@ inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, fl
                            receiver);
 }
 `,
+            "lit_at": `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+`,
             "pcf_2x2_hardware": `
 // umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -7767,8 +8306,9 @@ inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, fl
 inline float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     bool compared = umbrage_is_compared(coord, receiver);
     float2 at = compared ? coord : float2(0.0, 0.0);
-    float lit = umbrage_lit_filtered(map, size, at, receiver);
-    return compared ? lit : 1.0;
+    float lit = umbrage_lit_at(map, size, at / size, receiver);
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? lit * number : 1.0;
 }
 `,
             "window_hardware3": `
@@ -7787,20 +8327,21 @@ inline float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord
     float whole = steps * (k0 + k1 + k0);
     float2 b0 = r * k1 + s * k0;
     float2 w0 = r * k0 + b0;
-    float2 p0 = texel - 0.5 + b0 / w0;
+    float2 p0 = (texel - 0.5 + b0 / w0) / size;
     float2 b1 = s * k0;
     float2 w1 = r * k0 + s * k1 + b1;
-    float2 p1 = texel + 1.5 + b1 / w1;
+    float2 p1 = (texel + 1.5 + b1 / w1) / size;
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
     n += w1.y * row;
-    return compared ? n / (whole * whole) : 1.0;
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number / (whole * whole) : 1.0;
 }
 `,
             "window_hardware5": `
@@ -7819,30 +8360,31 @@ inline float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord
     float whole = steps * (k0 + k1 + k2 + k1 + k0);
     float2 b0 = r * k1 + s * k0;
     float2 w0 = r * k0 + b0;
-    float2 p0 = texel - 1.5 + b0 / w0;
+    float2 p0 = (texel - 1.5 + b0 / w0) / size;
     float2 b1 = r * k1 + s * k2;
     float2 w1 = r * k2 + s * k1 + b1;
-    float2 p1 = texel + 0.5 + b1 / w1;
+    float2 p1 = (texel + 0.5 + b1 / w1) / size;
     float2 b2 = s * k0;
     float2 w2 = r * k0 + s * k1 + b2;
-    float2 p2 = texel + 2.5 + b2 / w2;
+    float2 p2 = (texel + 2.5 + b2 / w2) / size;
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p1.y), receiver);
     n += w1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p2.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
     n += w2.y * row;
-    return compared ? n / (whole * whole) : 1.0;
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number / (whole * whole) : 1.0;
 }
 `,
             "window_hardware7": `
@@ -7861,42 +8403,147 @@ inline float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord
     float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     float2 b0 = r * k1 + s * k0;
     float2 w0 = r * k0 + b0;
-    float2 p0 = texel - 2.5 + b0 / w0;
+    float2 p0 = (texel - 2.5 + b0 / w0) / size;
     float2 b1 = r * k3 + s * k2;
     float2 w1 = r * k2 + s * k1 + b1;
-    float2 p1 = texel - 0.5 + b1 / w1;
+    float2 p1 = (texel - 0.5 + b1 / w1) / size;
     float2 b2 = r * k1 + s * k2;
     float2 w2 = r * k2 + s * k3 + b2;
-    float2 p2 = texel + 1.5 + b2 / w2;
+    float2 p2 = (texel + 1.5 + b2 / w2) / size;
     float2 b3 = s * k0;
     float2 w3 = r * k0 + s * k1 + b3;
-    float2 p3 = texel + 3.5 + b3 / w3;
+    float2 p3 = (texel + 3.5 + b3 / w3) / size;
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p0.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p0.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p1.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p1.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p1.y), receiver);
     n += w1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p2.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p2.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p2.y), receiver);
     n += w2.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p3.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p3.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p3.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, float2(p3.x, p3.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p3.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p3.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p3.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p3.y), receiver);
     n += w3.y * row;
-    return compared ? n / (whole * whole) : 1.0;
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number / (whole * whole) : 1.0;
+}
+`,
+            "disc_hardware8": `
+// umbrage_disc_hardware8: 8 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_disc_hardware8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
+                                    float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float n = 0.0;
+    n += umbrage_lit_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number * (1.0 / 8.0) : 1.0;
+}
+`,
+            "disc_hardware16": `
+// umbrage_disc_hardware16: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_disc_hardware16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
+                                     float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float n = 0.0;
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number * (1.0 / 16.0) : 1.0;
+}
+`,
+            "disc_hardware32": `
+// umbrage_disc_hardware32: 32 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_disc_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
+                                     float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float n = 0.0;
+    n += umbrage_lit_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number * (1.0 / 32.0) : 1.0;
 }
 `,
             "bounds_lit": `
@@ -8070,6 +8717,134 @@ inline float umbrage_pcss32(UMBRAGE_MAP map, float2 size, float2 coord, float re
     float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
     return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+}
+`,
+            "depth_at": `
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
+    return umbrage_fetch_depth(map, size, metal::floor(uv * size));
+}
+`,
+            "blocker_at": `
+// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float2 umbrage_blocker_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
+    float stored = umbrage_depth_at(map, size, uv);
+    return umbrage_compare(receiver, stored) > 0.5 ? float2(0.0, 0.0) : float2(1.0, stored);
+}
+`,
+            "pcss_radius": `
+// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
+//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
+//   softness  (1/16 texel a code, least, widest), of make_softness
+inline float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
+    bool forward = umbrage_cleared_depth() > 0.5;
+    float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
+    float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
+    float least = softness.y * 0.0625;
+    return radius > least ? metal::min(radius, softness.z * 0.0625) : least;
+}
+`,
+            "blockers_hardware8": `
+// umbrage_blockers_hardware8: texels at 8 points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+inline float2 umbrage_blockers_hardware8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
+                                         float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    return compared ? n : float2(0.0, 0.0);
+}
+`,
+            "blockers_hardware16": `
+// umbrage_blockers_hardware16: texels at 16 points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+inline float2 umbrage_blockers_hardware16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
+                                          float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    return compared ? n : float2(0.0, 0.0);
+}
+`,
+            "blockers_hardware32": `
+// umbrage_blockers_hardware32: texels at 32 points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+inline float2 umbrage_blockers_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
+                                          float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    return compared ? n : float2(0.0, 0.0);
 }
 `,
             "hardened8": `
@@ -9087,6 +9862,7 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
 inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float2 texel = metal::clamp(coord, float2(0.5, 0.5), size - 0.5);
     float2 at = texel + UMBRAGE_ORIGIN;
+    float2 uv = UMBRAGE_UV;
     float lit = UMBRAGE_LIT_FILTERED;
     float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return lit * number;
@@ -9099,11 +9875,26 @@ inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, fl
 inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float receiver) {
     float2 texel = metal::clamp(coord, float2(0.5, 0.5), size - 0.5);
     float2 at = texel + UMBRAGE_ORIGIN;
+    float2 uv = UMBRAGE_UV;
     float lit = UMBRAGE_LIT_FILTERED;
     float2 inside = metal::clamp(metal::min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
     float outside = umbrage_compare(receiver, umbrage_cleared_depth());
     float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return (outside + inside.x * inside.y * (lit - outside)) * number;
+}
+`,
+            "hooks/lit_at, sampled": `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+inline float umbrage_lit_at(UMBRAGE_MAP map, float2 size, float2 uv, float receiver) {
+    return UMBRAGE_LIT_FILTERED;
+}
+`,
+            "hooks/depth_at, sampled": `
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
+    return umbrage_decode(UMBRAGE_SAMPLED);
 }
 `,
         },
@@ -9114,16 +9905,16 @@ inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, fl
         macros: false,
         scaled_macro: "",
         textures: {
-            texture_2d: { parameters: "map: texture_2d<f32>", arguments: "map", texel: "textureLoad(map, vec2i(at), 0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
-            atlas: { parameters: "map: texture_2d<f32>, origin: vec2f", arguments: "map, origin", texel: "textureLoad(map, vec2i(at), 0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
-            array: { parameters: "map: texture_2d_array<f32>, layer: f32", arguments: "map, layer", texel: "textureLoad(map, vec2i(at), i32(layer), 0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
-            cube: { parameters: "map: texture_cube<f32>, map_sampler: sampler, face: f32", arguments: "map, map_sampler, face", texel: "textureSampleLevel(map, map_sampler, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0)", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "", needs: ["cube_direction"] },
-            cube_faces: { parameters: "map: texture_cube<f32>, map_sampler: sampler", arguments: "map, map_sampler", texel: "textureSampleLevel(map, map_sampler, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0)", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "", needs: ["cube_atlas_direction"] },
-            integer: { parameters: "map: texture_2d<u32>", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "", needs: [] },
-            depth: { parameters: "map: texture_depth_2d", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", lit: "", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
-            depth_array: { parameters: "map: texture_depth_2d_array, layer: f32", arguments: "map, layer", texel: "vec4f(textureLoad(map, vec2i(at), i32(layer), 0))", lit: "", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
-            shadow: { parameters: "map: texture_depth_2d, map_sampler: sampler_comparison", arguments: "map, map_sampler", texel: "", lit: "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)", gather_red: "", gather_green: "", gather_lit: "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "textureSampleCompareLevel(map, map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver)", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "", needs: [] },
-            shadow_array: { parameters: "map: texture_depth_2d_array, map_sampler: sampler_comparison, layer: f32", arguments: "map, map_sampler, layer", texel: "", lit: "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", gather_red: "", gather_green: "", gather_lit: "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", lit_filtered: "textureSampleCompareLevel(map, map_sampler, at / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "", needs: [] },
+            texture_2d: { parameters: "map: texture_2d<f32>", arguments: "map", texel: "textureLoad(map, vec2i(at), 0)", sampled: "textureSampleLevel(map, map_sampler, uv, 0.0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+            atlas: { parameters: "map: texture_2d<f32>, origin: vec2f", arguments: "map, origin", texel: "textureLoad(map, vec2i(at), 0)", sampled: "textureSampleLevel(map, map_sampler, uv, 0.0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+            array: { parameters: "map: texture_2d_array<f32>, layer: f32", arguments: "map, layer", texel: "textureLoad(map, vec2i(at), i32(layer), 0)", sampled: "textureSampleLevel(map, map_sampler, uv, i32(layer), 0.0)", lit: "", gather_red: "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_green: "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+            cube: { parameters: "map: texture_cube<f32>, map_sampler: sampler, face: f32", arguments: "map, map_sampler, face", texel: "textureSampleLevel(map, map_sampler, umbrage_cube_direction(face, (at + 0.5) / UMBRAGE_TEXTURE_SIZE), 0.0)", sampled: "", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "", needs: ["cube_direction"] },
+            cube_faces: { parameters: "map: texture_cube<f32>, map_sampler: sampler", arguments: "map, map_sampler", texel: "textureSampleLevel(map, map_sampler, umbrage_cube_atlas_direction(at, size.y * 0.5), 0.0)", sampled: "", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "", needs: ["cube_atlas_direction"] },
+            integer: { parameters: "map: texture_2d<u32>", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", sampled: "", lit: "", gather_red: "", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "", needs: [] },
+            depth: { parameters: "map: texture_depth_2d", arguments: "map", texel: "vec4f(textureLoad(map, vec2i(at), 0))", sampled: "vec4f(textureSampleLevel(map, map_sampler, uv, 0))", lit: "", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+            depth_array: { parameters: "map: texture_depth_2d_array, layer: f32", arguments: "map, layer", texel: "vec4f(textureLoad(map, vec2i(at), i32(layer), 0))", sampled: "vec4f(textureSampleLevel(map, map_sampler, uv, i32(layer), 0))", lit: "", gather_red: "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))", gather_green: "", gather_lit: "", lit_filtered: "", size: "vec2f(textureDimensions(map))", sampler: ", map_sampler: sampler", sampler_argument: ", map_sampler", needs: [] },
+            shadow: { parameters: "map: texture_depth_2d, map_sampler: sampler_comparison", arguments: "map, map_sampler", texel: "", sampled: "", lit: "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)", gather_red: "", gather_green: "", gather_lit: "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)", lit_filtered: "textureSampleCompareLevel(map, map_sampler, uv, receiver)", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "", needs: [] },
+            shadow_array: { parameters: "map: texture_depth_2d_array, map_sampler: sampler_comparison, layer: f32", arguments: "map, map_sampler, layer", texel: "", sampled: "", lit: "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", gather_red: "", gather_green: "", gather_lit: "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)", lit_filtered: "textureSampleCompareLevel(map, map_sampler, uv, i32(layer), receiver)", size: "vec2f(textureDimensions(map))", sampler: "", sampler_argument: "", needs: [] },
         },
         texts: {
             "shadow_coordinate": `
@@ -10645,6 +11436,13 @@ fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f3
     return umbrage_pcf_2x2(map, size, clamp(coord, vec2f(-32767.0, -32767.0), vec2f(32767.0, 32767.0)), receiver);
 }
 `,
+            "lit_at": `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+`,
             "pcf_2x2_hardware": `
 // umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -10652,8 +11450,9 @@ fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f3
 fn umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let compared: bool = umbrage_is_compared(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), coord, compared);
-    let lit: f32 = umbrage_lit_filtered(map, size, at, receiver);
-    return select(1.0, lit, compared);
+    let lit: f32 = umbrage_lit_at(map, size, at / size, receiver);
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return select(1.0, lit * number, compared);
 }
 `,
             "window_hardware3": `
@@ -10672,20 +11471,21 @@ fn umbrage_window_hardware3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     let whole: f32 = steps * (k0 + k1 + k0);
     let b0: vec2f = r * k1 + s * k0;
     let w0: vec2f = r * k0 + b0;
-    let p0: vec2f = texel - 0.5 + b0 / w0;
+    let p0: vec2f = (texel - 0.5 + b0 / w0) / size;
     let b1: vec2f = s * k0;
     let w1: vec2f = r * k0 + s * k1 + b1;
-    let p1: vec2f = texel + 1.5 + b1 / w1;
+    let p1: vec2f = (texel + 1.5 + b1 / w1) / size;
     var n: f32 = 0.0;
     var row: f32 = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
     n += w1.y * row;
-    return select(1.0, n / (whole * whole), compared);
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return select(1.0, n * number / (whole * whole), compared);
 }
 `,
             "window_hardware5": `
@@ -10704,30 +11504,31 @@ fn umbrage_window_hardware5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     let whole: f32 = steps * (k0 + k1 + k2 + k1 + k0);
     let b0: vec2f = r * k1 + s * k0;
     let w0: vec2f = r * k0 + b0;
-    let p0: vec2f = texel - 1.5 + b0 / w0;
+    let p0: vec2f = (texel - 1.5 + b0 / w0) / size;
     let b1: vec2f = r * k1 + s * k2;
     let w1: vec2f = r * k2 + s * k1 + b1;
-    let p1: vec2f = texel + 0.5 + b1 / w1;
+    let p1: vec2f = (texel + 0.5 + b1 / w1) / size;
     let b2: vec2f = s * k0;
     let w2: vec2f = r * k0 + s * k1 + b2;
-    let p2: vec2f = texel + 2.5 + b2 / w2;
+    let p2: vec2f = (texel + 2.5 + b2 / w2) / size;
     var n: f32 = 0.0;
     var row: f32 = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p1.y), receiver);
     n += w1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p2.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p2.y), receiver);
     n += w2.y * row;
-    return select(1.0, n / (whole * whole), compared);
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return select(1.0, n * number / (whole * whole), compared);
 }
 `,
             "window_hardware7": `
@@ -10746,42 +11547,144 @@ fn umbrage_window_hardware7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     let whole: f32 = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     let b0: vec2f = r * k1 + s * k0;
     let w0: vec2f = r * k0 + b0;
-    let p0: vec2f = texel - 2.5 + b0 / w0;
+    let p0: vec2f = (texel - 2.5 + b0 / w0) / size;
     let b1: vec2f = r * k3 + s * k2;
     let w1: vec2f = r * k2 + s * k1 + b1;
-    let p1: vec2f = texel - 0.5 + b1 / w1;
+    let p1: vec2f = (texel - 0.5 + b1 / w1) / size;
     let b2: vec2f = r * k1 + s * k2;
     let w2: vec2f = r * k2 + s * k3 + b2;
-    let p2: vec2f = texel + 1.5 + b2 / w2;
+    let p2: vec2f = (texel + 1.5 + b2 / w2) / size;
     let b3: vec2f = s * k0;
     let w3: vec2f = r * k0 + s * k1 + b3;
-    let p3: vec2f = texel + 3.5 + b3 / w3;
+    let p3: vec2f = (texel + 3.5 + b3 / w3) / size;
     var n: f32 = 0.0;
     var row: f32 = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p0.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, vec2f(p3.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p0.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p1.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, vec2f(p3.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p1.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p1.y), receiver);
     n += w1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p2.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, vec2f(p3.x, p2.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p2.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p2.y), receiver);
     n += w2.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p3.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p3.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2f(p2.x, p3.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, vec2f(p3.x, p3.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p3.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p3.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p3.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p3.y), receiver);
     n += w3.y * row;
-    return select(1.0, n / (whole * whole), compared);
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return select(1.0, n * number / (whole * whole), compared);
+}
+`,
+            "disc_hardware8": `
+// umbrage_disc_hardware8: 8 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+fn umbrage_disc_hardware8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+    let x: vec2f = scaled / size;
+    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    var n: f32 = 0.0;
+    n += umbrage_lit_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return select(1.0, n * number * (1.0 / 8.0), compared);
+}
+`,
+            "disc_hardware16": `
+// umbrage_disc_hardware16: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+fn umbrage_disc_hardware16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+    let x: vec2f = scaled / size;
+    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    var n: f32 = 0.0;
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return select(1.0, n * number * (1.0 / 16.0), compared);
+}
+`,
+            "disc_hardware32": `
+// umbrage_disc_hardware32: 32 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+fn umbrage_disc_hardware32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32, turn: vec2f) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+    let x: vec2f = scaled / size;
+    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    var n: f32 = 0.0;
+    n += umbrage_lit_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return select(1.0, n * number * (1.0 / 32.0), compared);
 }
 `,
             "bounds_lit": `
@@ -10952,6 +11855,134 @@ fn umbrage_pcss32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, sof
     let radius: f32 = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
     return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
+}
+`,
+            "depth_at": `
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+`,
+            "blocker_at": `
+// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+fn umbrage_blocker_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> vec2f {
+    let stored: f32 = umbrage_depth_at(map, size, uv);
+    return select(vec2f(1.0, stored), vec2f(0.0, 0.0), umbrage_compare(receiver, stored) > 0.5);
+}
+`,
+            "pcss_radius": `
+// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
+//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
+//   softness  (1/16 texel a code, least, widest), of make_softness
+fn umbrage_pcss_radius(found: vec2f, receiver: f32, softness: vec3f) -> f32 {
+    let forward: bool = umbrage_cleared_depth() > 0.5;
+    let mean: f32 = select(select(1.0, 0.0, forward), found.y / found.x, found.x > 0.5);
+    let radius: f32 = select(mean - receiver, receiver - mean, forward) * (softness.x * 4096.0);
+    let least: f32 = softness.y * 0.0625;
+    return select(least, min(radius, softness.z * 0.0625), radius > least);
+}
+`,
+            "blockers_hardware8": `
+// umbrage_blockers_hardware8: texels at 8 points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+fn umbrage_blockers_hardware8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+                              turn: vec2f) -> vec2f {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+    let x: vec2f = scaled / size;
+    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    var n: vec2f = vec2f(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    return select(vec2f(0.0, 0.0), n, compared);
+}
+`,
+            "blockers_hardware16": `
+// umbrage_blockers_hardware16: texels at 16 points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+fn umbrage_blockers_hardware16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+                               turn: vec2f) -> vec2f {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+    let x: vec2f = scaled / size;
+    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    var n: vec2f = vec2f(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    return select(vec2f(0.0, 0.0), n, compared);
+}
+`,
+            "blockers_hardware32": `
+// umbrage_blockers_hardware32: texels at 32 points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+fn umbrage_blockers_hardware32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+                               turn: vec2f) -> vec2f {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+    let x: vec2f = scaled / size;
+    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    var n: vec2f = vec2f(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    return select(vec2f(0.0, 0.0), n, compared);
 }
 `,
             "hardened8": `
@@ -11964,6 +12995,7 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
 fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let texel: vec2f = clamp(coord, vec2f(0.5, 0.5), size - 0.5);
     let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let uv: vec2f = UMBRAGE_UV;
     let lit: f32 = UMBRAGE_LIT_FILTERED;
     let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
     return lit * number;
@@ -11976,11 +13008,26 @@ fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f3
 fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32) -> f32 {
     let texel: vec2f = clamp(coord, vec2f(0.5, 0.5), size - 0.5);
     let at: vec2f = texel + UMBRAGE_ORIGIN;
+    let uv: vec2f = UMBRAGE_UV;
     let lit: f32 = UMBRAGE_LIT_FILTERED;
     let inside: vec2f = clamp(min(coord, size - coord) + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
     let outside: f32 = umbrage_compare(receiver, umbrage_cleared_depth());
     let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
     return (outside + inside.x * inside.y * (lit - outside)) * number;
+}
+`,
+            "hooks/lit_at, sampled": `
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+fn umbrage_lit_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+    return UMBRAGE_LIT_FILTERED;
+}
+`,
+            "hooks/depth_at, sampled": `
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
+    return umbrage_decode(UMBRAGE_SAMPLED);
 }
 `,
         },
@@ -12140,10 +13187,14 @@ const rows = [
     ["cube_lit", "cube_lit", "one comparison with a texel of a cube", "a", 0, 0, "100", "none", false, ["cube_neighbour", "cube_tile", "lit"]],
     ["pcf_2x2_cube", "pcf_2x2_cube", "2 x 2 comparisons of a cube, over its edges too, bilinear weights", "c", 1, 0, "100", "none", false, ["is_compared", "cube_lit"]],
     ["lit_filtered", "lit_filtered", "comparisons around a point, weighted", "c", 0, 1 / 128, "100", "lit_filtered", false, ["pcf_2x2"]],
-    ["pcf_2x2_hardware", "pcf_2x2_hardware", "2x2 by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
-    ["window_hardware3", "window_hardware3", "window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
-    ["window_hardware5", "window_hardware5", "window of 5 x 5 by 9 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
-    ["window_hardware7", "window_hardware7", "window of 7 x 7 by 16 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_filtered"]],
+    ["lit_at", "lit_at", "comparisons around a point of the map, weighted", "c", 0, 1 / 128, "100", "lit_at", false, ["lit_filtered"]],
+    ["pcf_2x2_hardware", "pcf_2x2_hardware", "2x2 by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_at"]],
+    ["window_hardware3", "window_hardware3", "window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_at"]],
+    ["window_hardware5", "window_hardware5", "window of 5 x 5 by 9 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_at"]],
+    ["window_hardware7", "window_hardware7", "window of 7 x 7 by 16 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_at"]],
+    ["disc_hardware8", "disc_hardware8", "disc of 8 points by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_at"]],
+    ["disc_hardware16", "disc_hardware16", "disc of 16 points by one", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_at"]],
+    ["disc_hardware32", "disc_hardware32", "disc of 32 points by one", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_at"]],
     ["bounds_lit", "bounds_lit", "visibility where bounds of a filter's texels suffice", "a", 0, 0, "100", "none", false, ["is_compared", "compare", "fetch_clamped"]],
     ["distance_code", "distance_code", "a depth as 16 bits of distance from the near plane", "a", 0, 0, "100", "none", false, ["cleared_depth"]],
     ["penumbra", "penumbra", "radius of a penumbra from the distance between blocker and receiver", "a", 0, 0, "100", "none", false, []],
@@ -12154,6 +13205,12 @@ const rows = [
     ["pcss8", "pcss8", "percentage-closer soft shadows, 8 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers8", "floor_divide", "disc8"]],
     ["pcss16", "pcss16", "percentage-closer soft shadows, 16 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers16", "floor_divide", "disc16"]],
     ["pcss32", "pcss32", "percentage-closer soft shadows, 32 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers32", "floor_divide", "disc32"]],
+    ["depth_at", "depth_at", "stored depth at a point of the map", "c", 1, 0, "100", "depth_at", false, ["fetch_depth"]],
+    ["blocker_at", "blocker_at", "whether what a point of the map holds lies before a receiver, and its depth", "c", 1, 0, "100", "none", false, ["depth_at", "compare"]],
+    ["pcss_radius", "pcss_radius", "radius of a penumbra from the mean depth of blockers", "c", 0, 1 / 1024, "100", "none", false, ["cleared_depth"]],
+    ["blockers_hardware8", "blockers_hardware8", "what lies before a receiver at 8 points of a disc, by a sampler of the nearest texel", "c", 1, 0, "100", "none", false, ["is_compared", "blocker_at"]],
+    ["blockers_hardware16", "blockers_hardware16", "the same at 16 points", "c", 1, 0, "100", "none", false, ["is_compared", "blocker_at"]],
+    ["blockers_hardware32", "blockers_hardware32", "the same at 32 points", "c", 1, 0, "100", "none", false, ["is_compared", "blocker_at"]],
     ["hardened8", "hardened8", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
     ["hardened16", "hardened16", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
     ["hardened32", "hardened32", "a disc's share in shadow, steepened", "a", 0, 0, "100", "none", false, []],
@@ -12246,6 +13303,8 @@ const rows = [
     ["hooks/lit_2x2, gathered and bordered", "lit_2x2", "lit_2x2, gathered and bordered", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare", "cleared_depth"]],
     ["hooks/lit_filtered, clamped", "lit_filtered", "lit_filtered, clamped", "a", 0, 0, "100", "chosen", false, []],
     ["hooks/lit_filtered, bordered", "lit_filtered", "lit_filtered, bordered", "a", 0, 0, "100", "chosen", false, ["compare", "cleared_depth"]],
+    ["hooks/lit_at, sampled", "lit_at", "lit_at, sampled", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/depth_at, sampled", "depth_at", "depth_at, sampled", "a", 0, 0, "100", "chosen", false, ["hooks/decode"]],
 ];
 const all = new Map(rows.map(([id, name, summary, exactness, ulp, within, lowest, role, scaled]) =>
     [id, { id, name, summary, exactness, ulp, within, lowest, role, scaled, needs: [] }]));
@@ -12277,4 +13336,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, turn_moments_back, bias_moments, forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, detachment, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, depth_at, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, turn_moments_back, bias_moments, forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, detachment, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

@@ -31,11 +31,13 @@
 #include <umbrage/depth/rgb24.hpp>
 #include <umbrage/filter/blocker/dpcf.hpp>
 #include <umbrage/filter/blocker/pcss.hpp>
+#include <umbrage/filter/blocker/pcss_hardware.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/bounds_lit.hpp>
 #include <umbrage/filter/filter.hpp>
 #include <umbrage/filter/pcf/box.hpp>
 #include <umbrage/filter/pcf/disc.hpp>
+#include <umbrage/filter/pcf/disc_hardware.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>

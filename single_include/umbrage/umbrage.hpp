@@ -182,6 +182,8 @@ enum class hook {
     lit_2x2,
     gather_lit,
     lit_filtered,
+    lit_at,
+    depth_at,
     chosen
 };
 
@@ -4766,6 +4768,545 @@ inline constexpr std::array<pcss, 3> pcss::values{{{8, {}, {}, "pcss8", &glsl::p
 }  // namespace filters
 }  // namespace umbrage
 
+// ---- umbrage/filter/pcf/pcf_2x2.hpp
+// Bilinear percentage-closer filtering over 2x2 texels.
+//
+//     float visibility = umbrage::pcf_2x2(umbrage::clamped(map), coord, depth - bias);
+//
+// pcf_2x2 quantises the weights to 1/256, as texture hardware does, and is exact everywhere; pcf_2x2_dx_sdk is the
+// DirectX SDK sample's form in plain floats.
+
+namespace umbrage {
+
+/// Share of a receiver that is lit, from the four nearest texels, each compared and then weighted.
+///
+/// @param fetch      ivec2 texel -> stored depth; called four times, texels may lie one outside the map
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @return           visibility, a multiple of 2^-16: 0 in shadow, 1 lit
+/// @formula          sum of w_i [receiver <= fetch(texel_i)], w the bilinear weights in steps of 1/256
+/// @exactness        A: integers below 2^24 times a power of two
+/// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T pcf_2x2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);  // position between texel centres, in 1/256 texel
+    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
+    const glm::vec<2, T> hi = x - texel * T(256);  // weight of the farther texel, 0..255
+    const glm::vec<2, T> lo = T(256) - hi;
+    const glm::vec<4, T> lit = lit_2x2(fetch, glm::ivec2(texel), receiver, is_lit);
+    return (lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w)) * T(1.0 / 65536.0);
+}
+
+/// The DirectX SDK's form: weights in full floats, linear interpolation, the epsilon inside. The sample relies on
+/// Direct3D 9 putting pixel centres at whole numbers; here coord is as everywhere else, and the half texel is taken
+/// off.
+///
+/// @param fetch      ivec2 texel -> stored depth; called four times
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, not biased; beyond 1: lit
+/// @param epsilon    in depth, added to the stored side of each comparison
+/// @return           visibility, 0 in shadow, 1 lit
+/// @formula          lerp of compare_dx_sdk over x, then y, at coord - 1/2
+/// @exactness        B
+/// @cite             Microsoft DirectX SDK, ShadowMap sample
+template <real T, class Fetch>
+[[nodiscard]] T pcf_2x2_dx_sdk(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T epsilon) {
+    if (!is_compared(coord, receiver)) return T(1);
+    const glm::vec<2, T> x = coord - T(0.5);
+    const glm::vec<2, T> texel = glm::floor(x);
+    const glm::vec<2, T> weight = x - texel;
+    const auto lit = [&](int i, int j) {
+        return compare_dx_sdk(receiver, T(fetch(glm::ivec2(texel) + glm::ivec2(i, j))), epsilon);
+    };
+    const T a = lit(0, 0), b = lit(1, 0), c = lit(0, 1), d = lit(1, 1);
+    const T low = a + weight.x * (b - a);
+    const T high = c + weight.x * (d - c);
+    return low + weight.y * (high - low);
+}
+
+namespace glsl {
+
+inline constexpr snippet pcf_2x2{
+    .name = "pcf_2x2",
+    .summary = "bilinear 2x2, weights in steps of 1/256",
+    .exactness = tier::a,
+    .needs = list<&is_compared, &lit_2x2>,
+    .source = R"GLSL(
+// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                    UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    UMBRAGE_HIGHP vec4 lit = umbrage_lit_2x2(map, size, texel, receiver);
+    UMBRAGE_HIGHP float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
+    UMBRAGE_HIGHP float visibility = sum * (1.0 / 65536.0);
+    return compared ? visibility : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr snippet pcf_2x2_dx_sdk{
+    .name = "pcf_2x2_dx_sdk",
+    .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats",
+    .exactness = tier::b,
+    .needs = list<&compare_dx_sdk, &is_compared, &fetch_depth>,
+    .source = R"GLSL(
+// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
+UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                           UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float epsilon) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;
+    UMBRAGE_HIGHP float a = umbrage_compare_dx_sdk(receiver, umbrage_fetch_depth(map, size, texel), epsilon);
+    UMBRAGE_HIGHP float right = umbrage_fetch_depth(map, size, texel + vec2(1.0, 0.0));
+    UMBRAGE_HIGHP float above = umbrage_fetch_depth(map, size, texel + vec2(0.0, 1.0));
+    UMBRAGE_HIGHP float beyond = umbrage_fetch_depth(map, size, texel + vec2(1.0, 1.0));
+    UMBRAGE_HIGHP float b = umbrage_compare_dx_sdk(receiver, right, epsilon);
+    UMBRAGE_HIGHP float c = umbrage_compare_dx_sdk(receiver, above, epsilon);
+    UMBRAGE_HIGHP float d = umbrage_compare_dx_sdk(receiver, beyond, epsilon);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float low = a + weight.x * (b - a);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float high = c + weight.x * (d - c);
+    UMBRAGE_PRECISE UMBRAGE_HIGHP float visibility = low + weight.y * (high - low);
+    return compared ? visibility : 1.0;
+}
+)GLSL",
+};
+
+}  // namespace glsl
+
+namespace filters {
+
+/// The filter as a value.
+struct pcf_2x2 {
+    static constexpr std::string_view name = "pcf_2x2";
+    static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2;
+
+    comparison is_lit{};
+
+    [[nodiscard]] constexpr float reach() const { return 1.0f; }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::pcf_2x2(fetch, coord, receiver, is_lit);
+    }
+};
+
+/// The DirectX SDK's form as a value; its comparison is compare_dx_sdk.
+struct pcf_2x2_dx_sdk {
+    static constexpr std::string_view name = "pcf_2x2_dx_sdk";
+    static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2_dx_sdk;
+
+    float epsilon = 0.0f;  ///< in depth
+    less_equal is_lit{};   ///< depth runs forward; the epsilon comes on top
+
+    [[nodiscard]] constexpr float reach() const { return 1.0f; }
+    template <class Fetch>
+    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
+        return umbrage::pcf_2x2_dx_sdk(fetch, coord, receiver, epsilon);
+    }
+};
+
+}  // namespace filters
+}  // namespace umbrage
+
+// ---- umbrage/filter/pcf/pcf_2x2_hardware.hpp
+// pcf_2x2 by the sampler: one look-up that compares four texels and weighs them.
+//
+//     float visibility = umbrage::pcf_2x2_hardware(umbrage::clamped(map), coord, depth - bias);
+//
+// In a shader bind it to a texture::shadow or texture::shadow_array whose sampler filters linearly; for any other map
+// it is pcf_2x2. The bound holds for samplers that weigh in steps of 1/256, as Direct3D has them, or finer. OpenGL
+// leaves what a linear filter does to comparisons to the implementation: Mesa's softpipe compares a filtered depth.
+//
+
+namespace umbrage {
+
+/// What filters ask of a map whose sampler weighs comparisons, and what other maps give in its place: pcf_2x2.
+/// @param coord   no NaN; what is outside texel space counts as its border
+/// @formula       pcf_2x2 at clamp(coord, -32767, 32767)
+/// @exactness     C, within 1/128 in a shader: either axis' weight is the hardware's, within 1/256 of ours
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T lit_filtered(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return pcf_2x2(fetch, glm::clamp(coord, T(-32767), T(32767)), receiver, is_lit);
+}
+
+/// What the sampler gives, but for the rounding of its weights: pcf_2x2.
+/// @return        visibility, 0 in shadow, 1 lit
+/// @exactness     C, within 1/128 in a shader, as lit_filtered
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T pcf_2x2_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
+    return pcf_2x2(fetch, coord, receiver, is_lit);
+}
+
+namespace glsl {
+
+inline constexpr snippet lit_filtered{
+    .name = "lit_filtered",
+    .summary = "comparisons around a point, weighted",
+    .exactness = tier::c,
+    .within = 1.0f / 128.0f,
+    .needs = list<&pcf_2x2>,
+    .role = hook::lit_filtered,
+    .source = R"GLSL(
+// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   coord  in texels, no NaN; what is outside texel space counts as its border
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    return umbrage_pcf_2x2(map, size, clamp(coord, vec2(-32767.0, -32767.0), vec2(32767.0, 32767.0)), receiver);
+}
+)GLSL",
+};
+
+/// Of a comparison sampler that a map has for itself the look-up as it is; where a map is a region, or lit outside, or
+/// has no such sampler, lit_filtered.
+inline constexpr snippet lit_at{
+    .name = "lit_at",
+    .summary = "comparisons around a point of the map, weighted",
+    .exactness = tier::c,
+    .within = 1.0f / 128.0f,
+    .needs = list<&lit_filtered>,
+    .role = hook::lit_at,
+    .source = R"GLSL(
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+)GLSL",
+};
+
+inline constexpr snippet pcf_2x2_hardware{
+    .name = "pcf_2x2_hardware",
+    .summary = "2x2 by a comparison sampler with a linear filter",
+    .exactness = tier::c,
+    .within = 1.0f / 128.0f,
+    .needs = list<&is_compared, &lit_at>,
+    .source = R"GLSL(
+// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                             UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP float lit = umbrage_lit_at(map, size, at / size, receiver);
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? lit * number : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr auto pcf_2x2_hardware_snippets = list<&lit_filtered, &lit_at, &pcf_2x2_hardware>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/pcf/disc_hardware.hpp
+// A disc by the sampler: each point is a look-up that compares four texels and weighs them.
+//
+//     float visibility = umbrage::disc_hardware<16>(umbrage::clamped(map), coord, depth - bias, 3.0f,
+//                                                   umbrage::disc_turn(pixel));
+//
+// Maps and samplers are as for pcf_2x2_hardware.hpp. Points lie where they fall, between texels, as the sampler weighs
+// them anyway: nothing is rounded, so that a point costs little more than its look-up.
+
+namespace umbrage {
+
+/// A disc's radius as hardware forms take it: clamped to [0, 255.9375], 0 for NaN.
+template <real T>
+[[nodiscard]] constexpr T clamped_disc_radius(T radius) {
+    return radius > T(0) ? glm::min(radius, T(max_disc_radius)) : T(0);
+}
+
+/// Where a point of a disc lies.
+/// @param coord    the disc's middle, in texels
+/// @param p        one of disc_points;   turn  as disc_turn gives it
+/// @param radius   in texels
+/// @formula        coord + turned point * radius / 1024, of point (x, y) turned by (c, s): (c x - s y, s x + c y)
+template <real T>
+[[nodiscard]] glm::vec<2, T> disc_position(glm::vec<2, T> coord, glm::vec<2, T> p, glm::vec<2, T> turn, T radius) {
+    const glm::vec<2, T> scaled = turn * (radius * T(1.0 / 1024.0));
+    return coord + glm::vec<2, T>(scaled.x * p.x - scaled.y * p.y, scaled.y * p.x + scaled.x * p.y);
+}
+
+/// Mean of pcf_2x2 over a disc's points.
+/// @tparam Points    8, 16 or 32
+/// @param fetch      ivec2 texel -> stored depth; called 4 Points times, texels may lie a radius and one outside
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
+/// @param turn       as disc_turn gives it
+/// @return           visibility, 0 in shadow, 1 lit
+/// @formula          mean of pcf_2x2(disc_position) over disc_points
+/// @exactness        C, within 1/128 in a shader as pcf_2x2_hardware: the mean is off by no more than each of its parts
+/// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T disc_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> turn,
+                              Compare is_lit = {}) {
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const T rho = clamped_disc_radius(radius);
+    T sum = T(0);
+    for (const glm::ivec2 point : disc_points<Points>)
+        sum += lit_filtered(fetch, disc_position(coord, glm::vec<2, T>(point), turn, rho), receiver, is_lit);
+    return sum * T(1.0 / Points);
+}
+
+namespace glsl {
+
+namespace detail {
+
+/// What every text over a disc's points in uv begins with, from its head's closing brace on.
+inline constexpr std::string_view disc_in_uv = R"GLSL(
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+)GLSL";
+
+/// `text` with the point's place in uv: centre + x $x + y $y.
+template <std::size_t Capacity>
+constexpr void append_point(filled_text<Capacity>& text, disc_point p, std::string_view before,
+                            std::string_view after) {
+    const auto sign = [](int v) { return v < 0 ? std::string_view("-") : std::string_view("+"); };
+    const auto size = [](int v) { return v < 0 ? -v : v; };
+    text.append(before);
+    text.append("centre $s x * $x.0 $t y * $y.0",
+                {{'s', 0, sign(p.x)}, {'x', size(p.x)}, {'t', 0, sign(p.y)}, {'y', size(p.y)}});
+    text.append(after);
+}
+
+template <int Points>
+constexpr auto disc_hardware_text() {
+    auto text = fill<(Points + 16) * 120>(R"GLSL(
+// umbrage_disc_hardware$n: $n points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                            UMBRAGE_HIGHP vec2 turn) {)GLSL",
+                                          {{'n', Points}});
+    text.append(disc_in_uv);
+    text.append("    UMBRAGE_HIGHP float n = 0.0;\n");
+    for (const disc_point p : disc_points<Points>)
+        append_point(text, p, "    n += umbrage_lit_at(map, size, ", ", receiver);\n");
+    text.append(R"GLSL(    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number * (1.0 / $n.0) : 1.0;
+}
+)GLSL",
+                {{'n', Points}});
+    return text;
+}
+
+}  // namespace detail
+
+template <int Points>
+inline constexpr auto disc_hardware_text = detail::disc_hardware_text<Points>();
+template <int Points>
+inline constexpr snippet disc_hardware{
+    .name = Points == 8 ? "disc_hardware8" : (Points == 16 ? "disc_hardware16" : "disc_hardware32"),
+    .summary = Points == 8    ? "disc of 8 points by a comparison sampler with a linear filter"
+               : Points == 16 ? "disc of 16 points by one"
+                              : "disc of 32 points by one",
+    .exactness = tier::c,
+    .within = 1.0f / 128.0f,
+    .needs = list<&is_compared, &lit_at>,
+    .source = disc_hardware_text<Points>.view()};
+
+inline constexpr auto disc_hardware_snippets = list<&lit_at, &disc_hardware<8>, &disc_hardware<16>, &disc_hardware<32>>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
+// ---- umbrage/filter/blocker/pcss_hardware.hpp
+// Percentage-closer soft shadows as the textbook has them, in floats and by samplers: for half the instructions of
+// pcss.hpp, which has the same bits everywhere.
+//
+//     float visibility = umbrage::pcss_hardware<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
+//                                                   umbrage::disc_turn(pixel));
+//
+// A shader binds one texture twice: to a sampler of the nearest texel, from which the search reads depths
+// (texture::depth with gather set, which says that there is one), and to one that compares and filters:
+//
+//     vec2 turn = umbrage_disc_turn(gl_FragCoord.xy);
+//     float search = umbrage_pcss_radius(vec2(0.0, 0.0), receiver, soft);
+//     vec2 found = umbrage_blockers_hardware16_depths(depths, size, coord, receiver, search, turn);
+//     float radius = umbrage_pcss_radius(found, receiver, soft);
+//     float visibility = found.x > 0.5 ? umbrage_disc_hardware16_sun(sun, size, coord, receiver, radius, turn) : 1.0;
+//
+// Points of the search within a rounding of a texel's border may read the texel beside it.
+
+namespace umbrage {
+
+/// The texels under a disc's points that lie before a receiver, the points where they fall.
+/// @tparam Points    8, 16 or 32
+/// @param fetch      ivec2 texel -> stored depth; called Points times, texels may lie a radius outside the map
+/// @param coord      receiver in texels; outside texel space, or NaN: none found
+/// @param receiver   depth, biased as for the filter; beyond the far plane: none found; NaN has all before it
+/// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
+/// @param turn       as disc_turn gives it
+/// @return           (how many, the sum of their depths); not finite where depths are not
+/// @formula          sum of (1, stored) over the texels under disc_position with stored < receiver
+/// @exactness        C, within an ulp in a shader, but at borders between texels: a sampler takes the nearest to what
+///                   it rounds its coordinates to, 2^-10 texel off in a map of 8192
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius,
+                                               glm::vec<2, T> turn, Compare is_lit = {}) {
+    glm::vec<2, T> found(T(0), T(0));
+    if (!is_compared(coord, receiver, is_lit)) return found;
+    const T rho = clamped_disc_radius(radius);
+    for (const glm::ivec2 point : disc_points<Points>) {
+        const glm::ivec2 texel(glm::floor(disc_position(coord, glm::vec<2, T>(point), turn, rho)));
+        const auto stored = T(fetch(texel));
+        if (!is_lit(receiver, stored)) found += glm::vec<2, T>(T(1), stored);
+    }
+    return found;
+}
+
+/// Radius of the penumbra that blockers leave at a receiver; without a blocker, (0, 0), that of one at the near plane,
+/// beyond which no search needs to look.
+/// @param found      (how many, the sum of their depths)
+/// @param softness   of make_softness: (per_code, least, widest)
+/// @return           in texels, from least / 16 to widest / 16; the former for what is NaN
+/// @formula          |receiver - mean| 4096 per_code, clamped
+/// @exactness        C: a mean off by 4 ulp moves it by 2^-9 per_code
+/// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr T pcss_radius(glm::vec<2, T> found, T receiver, glm::vec<3, T> softness, Compare is_lit = {}) {
+    const bool forward = is_lit(T(0), T(1));
+    const T mean = found.x > T(0.5) ? found.y / found.x : (forward ? T(0) : T(1));
+    const T radius = (forward ? receiver - mean : mean - receiver) * (softness.x * T(4096));
+    const T least = softness.y * T(0.0625);
+    return radius > least ? glm::min(radius, softness.z * T(0.0625)) : least;
+}
+
+/// @tparam Points    8, 16 or 32, of the search and of the filter
+/// @param fetch      ivec2 texel -> stored depth; called up to 5 Points times
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param softness   of make_softness: (per_code, least, widest)
+/// @param turn       as disc_turn gives it
+/// @return           visibility, 0 in shadow, 1 lit; 1 where the search finds no blocker
+/// @formula          disc_hardware(pcss_radius(blockers_hardware(pcss_radius(none))))
+/// @exactness        C, where blockers' texels are the same: 1/128 and what the radius is off by
+/// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T pcss_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness,
+                              glm::vec<2, T> turn, Compare is_lit = {}) {
+    const T search = pcss_radius(glm::vec<2, T>(T(0), T(0)), receiver, softness, is_lit);
+    const auto found = blockers_hardware<Points>(fetch, coord, receiver, search, turn, is_lit);
+    if (!(found.x > T(0))) return T(1);
+    const T radius = pcss_radius(found, receiver, softness, is_lit);
+    return disc_hardware<Points>(fetch, coord, receiver, radius, turn, is_lit);
+}
+
+namespace glsl {
+
+/// Of a map with a sampler, which is all of its texture, the sample as it is; of others fetch_depth.
+inline constexpr snippet depth_at{
+    .name = "depth_at",
+    .summary = "stored depth at a point of the map",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&fetch_depth>,
+    .role = hook::depth_at,
+    .source = R"GLSL(
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+)GLSL",
+};
+
+inline constexpr snippet blocker_at{
+    .name = "blocker_at",
+    .summary = "whether what a point of the map holds lies before a receiver, and its depth",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&depth_at, &compare>,
+    .source = R"GLSL(
+// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP vec2 umbrage_blocker_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float stored = umbrage_depth_at(map, size, uv);
+    return umbrage_compare(receiver, stored) > 0.5 ? vec2(0.0, 0.0) : vec2(1.0, stored);
+}
+)GLSL",
+};
+
+inline constexpr snippet pcss_radius{
+    .name = "pcss_radius",
+    .summary = "radius of a penumbra from the mean depth of blockers",
+    .exactness = tier::c,
+    .within = 1.0f / 1024.0f,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
+//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
+//   softness  (1/16 texel a code, least, widest), of make_softness
+UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
+                                        UMBRAGE_HIGHP vec3 softness) {
+    bool forward = umbrage_cleared_depth() > 0.5;
+    UMBRAGE_HIGHP float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
+    UMBRAGE_HIGHP float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
+    UMBRAGE_HIGHP float least = softness.y * 0.0625;
+    return radius > least ? min(radius, softness.z * 0.0625) : least;
+}
+)GLSL",
+};
+
+namespace detail {
+
+template <int Points>
+constexpr auto blockers_hardware_text() {
+    auto text = fill<(Points + 16) * 120>(R"GLSL(
+// umbrage_blockers_hardware$n: texels at $n points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                               UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                               UMBRAGE_HIGHP vec2 turn) {)GLSL",
+                                          {{'n', Points}});
+    text.append(disc_in_uv);
+    text.append("    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);\n");
+    for (const disc_point p : disc_points<Points>)
+        append_point(text, p, "    n += umbrage_blocker_at(map, size, ", ", receiver);\n");
+    text.append("    return compared ? n : vec2(0.0, 0.0);\n}\n");
+    return text;
+}
+
+}  // namespace detail
+
+template <int Points>
+inline constexpr auto blockers_hardware_text = detail::blockers_hardware_text<Points>();
+template <int Points>
+inline constexpr snippet blockers_hardware{
+    .name = Points == 8 ? "blockers_hardware8" : (Points == 16 ? "blockers_hardware16" : "blockers_hardware32"),
+    .summary = Points == 8    ? "what lies before a receiver at 8 points of a disc, by a sampler of the nearest texel"
+               : Points == 16 ? "the same at 16 points"
+                              : "the same at 32 points",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&is_compared, &blocker_at>,
+    .source = blockers_hardware_text<Points>.view()};
+
+inline constexpr auto pcss_hardware_snippets =
+    list<&depth_at, &blocker_at, &pcss_radius, &blockers_hardware<8>, &blockers_hardware<16>, &blockers_hardware<32>>;
+
+}  // namespace glsl
+}  // namespace umbrage
+
 // ---- umbrage/filter/bounds_lit.hpp
 // Whether a filter has to be asked at all: where all texels that it may touch are lit, or none is, one look-up into
 // their bounds says so, and what it says are the filter's bits. In shaders, with bounds of make_filter_bounds as a map:
@@ -5137,155 +5678,6 @@ struct hard {
 }  // namespace filters
 }  // namespace umbrage
 
-// ---- umbrage/filter/pcf/pcf_2x2.hpp
-// Bilinear percentage-closer filtering over 2x2 texels.
-//
-//     float visibility = umbrage::pcf_2x2(umbrage::clamped(map), coord, depth - bias);
-//
-// pcf_2x2 quantises the weights to 1/256, as texture hardware does, and is exact everywhere; pcf_2x2_dx_sdk is the
-// DirectX SDK sample's form in plain floats.
-
-namespace umbrage {
-
-/// Share of a receiver that is lit, from the four nearest texels, each compared and then weighted.
-///
-/// @param fetch      ivec2 texel -> stored depth; called four times, texels may lie one outside the map
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @return           visibility, a multiple of 2^-16: 0 in shadow, 1 lit
-/// @formula          sum of w_i [receiver <= fetch(texel_i)], w the bilinear weights in steps of 1/256
-/// @exactness        A: integers below 2^24 times a power of two
-/// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T pcf_2x2(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    if (!is_compared(coord, receiver, is_lit)) return T(1);
-    const glm::vec<2, T> x = glm::floor(coord * T(256)) - T(128);  // position between texel centres, in 1/256 texel
-    const glm::vec<2, T> texel = glm::floor(x * T(1.0 / 256.0));
-    const glm::vec<2, T> hi = x - texel * T(256);  // weight of the farther texel, 0..255
-    const glm::vec<2, T> lo = T(256) - hi;
-    const glm::vec<4, T> lit = lit_2x2(fetch, glm::ivec2(texel), receiver, is_lit);
-    return (lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w)) * T(1.0 / 65536.0);
-}
-
-/// The DirectX SDK's form: weights in full floats, linear interpolation, the epsilon inside. The sample relies on
-/// Direct3D 9 putting pixel centres at whole numbers; here coord is as everywhere else, and the half texel is taken
-/// off.
-///
-/// @param fetch      ivec2 texel -> stored depth; called four times
-/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
-/// @param receiver   depth, not biased; beyond 1: lit
-/// @param epsilon    in depth, added to the stored side of each comparison
-/// @return           visibility, 0 in shadow, 1 lit
-/// @formula          lerp of compare_dx_sdk over x, then y, at coord - 1/2
-/// @exactness        B
-/// @cite             Microsoft DirectX SDK, ShadowMap sample
-template <real T, class Fetch>
-[[nodiscard]] T pcf_2x2_dx_sdk(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T epsilon) {
-    if (!is_compared(coord, receiver)) return T(1);
-    const glm::vec<2, T> x = coord - T(0.5);
-    const glm::vec<2, T> texel = glm::floor(x);
-    const glm::vec<2, T> weight = x - texel;
-    const auto lit = [&](int i, int j) {
-        return compare_dx_sdk(receiver, T(fetch(glm::ivec2(texel) + glm::ivec2(i, j))), epsilon);
-    };
-    const T a = lit(0, 0), b = lit(1, 0), c = lit(0, 1), d = lit(1, 1);
-    const T low = a + weight.x * (b - a);
-    const T high = c + weight.x * (d - c);
-    return low + weight.y * (high - low);
-}
-
-namespace glsl {
-
-inline constexpr snippet pcf_2x2{
-    .name = "pcf_2x2",
-    .summary = "bilinear 2x2, weights in steps of 1/256",
-    .exactness = tier::a,
-    .needs = list<&is_compared, &lit_2x2>,
-    .source = R"GLSL(
-// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased
-UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                    UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
-    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
-    UMBRAGE_HIGHP vec4 lit = umbrage_lit_2x2(map, size, texel, receiver);
-    UMBRAGE_HIGHP float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
-    UMBRAGE_HIGHP float visibility = sum * (1.0 / 65536.0);
-    return compared ? visibility : 1.0;
-}
-)GLSL",
-};
-
-inline constexpr snippet pcf_2x2_dx_sdk{
-    .name = "pcf_2x2_dx_sdk",
-    .summary = "bilinear 2x2 as the DirectX SDK sample, plain floats",
-    .exactness = tier::b,
-    .needs = list<&compare_dx_sdk, &is_compared, &fetch_depth>,
-    .source = R"GLSL(
-// umbrage_pcf_2x2_dx_sdk: the DirectX SDK sample's 2x2 filter; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, not biased;   epsilon  in depth, added to the stored side
-UMBRAGE_HIGHP float umbrage_pcf_2x2_dx_sdk(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                           UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float epsilon) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 texel = floor(x);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP vec2 weight = x - texel;
-    UMBRAGE_HIGHP float a = umbrage_compare_dx_sdk(receiver, umbrage_fetch_depth(map, size, texel), epsilon);
-    UMBRAGE_HIGHP float right = umbrage_fetch_depth(map, size, texel + vec2(1.0, 0.0));
-    UMBRAGE_HIGHP float above = umbrage_fetch_depth(map, size, texel + vec2(0.0, 1.0));
-    UMBRAGE_HIGHP float beyond = umbrage_fetch_depth(map, size, texel + vec2(1.0, 1.0));
-    UMBRAGE_HIGHP float b = umbrage_compare_dx_sdk(receiver, right, epsilon);
-    UMBRAGE_HIGHP float c = umbrage_compare_dx_sdk(receiver, above, epsilon);
-    UMBRAGE_HIGHP float d = umbrage_compare_dx_sdk(receiver, beyond, epsilon);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float low = a + weight.x * (b - a);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float high = c + weight.x * (d - c);
-    UMBRAGE_PRECISE UMBRAGE_HIGHP float visibility = low + weight.y * (high - low);
-    return compared ? visibility : 1.0;
-}
-)GLSL",
-};
-
-}  // namespace glsl
-
-namespace filters {
-
-/// The filter as a value.
-struct pcf_2x2 {
-    static constexpr std::string_view name = "pcf_2x2";
-    static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2;
-
-    comparison is_lit{};
-
-    [[nodiscard]] constexpr float reach() const { return 1.0f; }
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::pcf_2x2(fetch, coord, receiver, is_lit);
-    }
-};
-
-/// The DirectX SDK's form as a value; its comparison is compare_dx_sdk.
-struct pcf_2x2_dx_sdk {
-    static constexpr std::string_view name = "pcf_2x2_dx_sdk";
-    static constexpr const glsl::snippet* snippet = &glsl::pcf_2x2_dx_sdk;
-
-    float epsilon = 0.0f;  ///< in depth
-    less_equal is_lit{};   ///< depth runs forward; the epsilon comes on top
-
-    [[nodiscard]] constexpr float reach() const { return 1.0f; }
-    template <class Fetch>
-    [[nodiscard]] float operator()(Fetch&& fetch, glm::vec2 coord, float receiver) const {
-        return umbrage::pcf_2x2_dx_sdk(fetch, coord, receiver, epsilon);
-    }
-};
-
-}  // namespace filters
-}  // namespace umbrage
-
 // ---- umbrage/light/cube_map.hpp
 // Six square maps around a point light: which of them a direction meets and where, as textures of cubes have it, or as
 // six tiles of an atlas.
@@ -5649,79 +6041,6 @@ inline constexpr auto pcf_2x2_cube_snippets = list<&cube_lit, &pcf_2x2_cube>;
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/filter/pcf/pcf_2x2_hardware.hpp
-// pcf_2x2 by the sampler: one look-up that compares four texels and weighs them.
-//
-//     float visibility = umbrage::pcf_2x2_hardware(umbrage::clamped(map), coord, depth - bias);
-//
-// In a shader bind it to a texture::shadow or texture::shadow_array whose sampler filters linearly; for any other map
-// it is pcf_2x2. The bound holds for samplers that weigh in steps of 1/256, as Direct3D has them, or finer. OpenGL
-// leaves what a linear filter does to comparisons to the implementation: Mesa's softpipe compares a filtered depth.
-//
-
-namespace umbrage {
-
-/// What filters ask of a map whose sampler weighs comparisons, and what other maps give in its place: pcf_2x2.
-/// @param coord   no NaN; what is outside texel space counts as its border
-/// @formula       pcf_2x2 at clamp(coord, -32767, 32767)
-/// @exactness     C, within 1/128 in a shader: either axis' weight is the hardware's, within 1/256 of ours
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T lit_filtered(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    return pcf_2x2(fetch, glm::clamp(coord, T(-32767), T(32767)), receiver, is_lit);
-}
-
-/// What the sampler gives, but for the rounding of its weights: pcf_2x2.
-/// @return        visibility, 0 in shadow, 1 lit
-/// @exactness     C, within 1/128 in a shader, as lit_filtered
-template <real T, class Fetch, class Compare = less_equal>
-[[nodiscard]] T pcf_2x2_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, Compare is_lit = {}) {
-    return pcf_2x2(fetch, coord, receiver, is_lit);
-}
-
-namespace glsl {
-
-inline constexpr snippet lit_filtered{
-    .name = "lit_filtered",
-    .summary = "comparisons around a point, weighted",
-    .exactness = tier::c,
-    .within = 1.0f / 128.0f,
-    .needs = list<&pcf_2x2>,
-    .role = hook::lit_filtered,
-    .source = R"GLSL(
-// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
-//   coord  in texels, no NaN; what is outside texel space counts as its border
-UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                         UMBRAGE_HIGHP float receiver) {
-    return umbrage_pcf_2x2(map, size, clamp(coord, vec2(-32767.0, -32767.0), vec2(32767.0, 32767.0)), receiver);
-}
-)GLSL",
-};
-
-inline constexpr snippet pcf_2x2_hardware{
-    .name = "pcf_2x2_hardware",
-    .summary = "2x2 by a comparison sampler with a linear filter",
-    .exactness = tier::c,
-    .within = 1.0f / 128.0f,
-    .needs = list<&is_compared, &lit_filtered>,
-    .source = R"GLSL(
-// umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
-//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased
-UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                             UMBRAGE_HIGHP float receiver) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
-    UMBRAGE_HIGHP float lit = umbrage_lit_filtered(map, size, at, receiver);
-    return compared ? lit : 1.0;
-}
-)GLSL",
-};
-
-inline constexpr auto pcf_2x2_hardware_snippets = list<&lit_filtered, &pcf_2x2_hardware>;
-
-}  // namespace glsl
-}  // namespace umbrage
-
 // ---- umbrage/filter/pcf/window.hpp
 // Percentage-closer filtering under a window of weights that slides over the map in steps of 1/256 texel, so that
 // edges of shadows move as smoothly as receivers do.
@@ -5971,7 +6290,7 @@ constexpr long_text window_hardware_text(int size) {
         const int texel = 2 * k - size / 2;
         text.append(R"GLSL(    UMBRAGE_HIGHP vec2 b$k = $b;
     UMBRAGE_HIGHP vec2 w$k = $a + b$k;
-    UMBRAGE_HIGHP vec2 p$k = texel $s $t.5 + b$k / w$k;
+    UMBRAGE_HIGHP vec2 p$k = (texel $s $t.5 + b$k / w$k) / size;
 )GLSL",
                     {{'k', k},
                      {'a', 0, window_weight(size, 2 * k).view()},
@@ -5983,11 +6302,14 @@ constexpr long_text window_hardware_text(int size) {
     for (int j = 0; 2 * j <= size; ++j) {
         text.append("    $trow = 0.0;\n", {{'t', 0, j == 0 ? "UMBRAGE_HIGHP float " : ""}});
         for (int i = 0; 2 * i <= size; ++i)
-            text.append("    row += w$i.x * umbrage_lit_filtered(map, size, vec2(p$i.x, p$j.y), receiver);\n",
+            text.append("    row += w$i.x * umbrage_lit_at(map, size, vec2(p$i.x, p$j.y), receiver);\n",
                         {{'i', i}, {'j', j}});
         text.append("    n += w$j.y * row;\n", {{'j', j}});
     }
-    text.append("    return compared ? n / (whole * whole) : 1.0;\n}\n");
+    text.append(R"GLSL(    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number / (whole * whole) : 1.0;
+}
+)GLSL");
     return text;
 }
 
@@ -6003,7 +6325,7 @@ inline constexpr snippet window_hardware{
                            : "window of 7 x 7 by 16 of them",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&is_compared, &lit_filtered>,
+    .needs = list<&is_compared, &lit_at>,
     .source = window_hardware_text<Size>.view()};
 
 inline constexpr auto window_hardware_snippets = list<&window_hardware<3>, &window_hardware<5>, &window_hardware<7>>;
@@ -17359,7 +17681,8 @@ struct binding {
     glsl::texture texture = glsl::texture::texture_2d;
     depth_direction direction = depth_direction::forward;
     bool outside_lit = false;      ///< outside the map all is lit; else the nearest texel inside counts
-    bool gather = false;           ///< 2x2 texels at once; the sampler must clamp to the edge, but for regions
+    bool gather = false;           ///< 2x2 texels at once, and depths at points, by a sampler; it must clamp to the
+                                   ///< edge, but for regions
     std::string depth{};           ///< of vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x
     int channels = 1;              ///< how many of `value` it reads
     std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)
@@ -17423,7 +17746,7 @@ struct bound {
 // ---- umbrage/shader/hooks.hpp
 // What a map can be, as functions: bind() puts these in place of the hooks' texts for a shader's one map. Words that a
 // map fills in: UMBRAGE_MAP map, what it is called with; UMBRAGE_ORIGIN, its first texel in the texture; UMBRAGE_DEPTH,
-// the depth of a `value`; and those that read the texture at `at`.
+// the depth of a `value`; UMBRAGE_UV, what the sampler takes for `at`; and those that read the texture at `at` or `uv`.
 //
 
 namespace umbrage::glsl::hooks {
@@ -17673,6 +17996,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
                                          UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return lit * number;
@@ -17691,6 +18015,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
                                          UMBRAGE_HIGHP float receiver) {
     UMBRAGE_HIGHP vec2 texel = clamp(coord, vec2(0.5, 0.5), size - 0.5);
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
@@ -17699,12 +18024,34 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 }
 )GLSL"};
 
+// Where a map is all of its texture, uv over the map is what the sampler takes, and the sampler clamps to the edge.
+
+inline constexpr snippet sampled_lit{
+    .name = "lit_at", .summary = "lit_at, sampled", .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit_at: 2x2 comparisons around a point, weighted by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0);   receiver  no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_LIT_FILTERED;
+}
+)GLSL"};
+
+inline constexpr snippet sampled_depth{
+    .name = "depth_at", .summary = "depth_at, sampled", .needs = list<&decode>, .role = hook::chosen, .source = R"GLSL(
+// umbrage_depth_at: stored depth of the texel at a point, by the sampler
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0)
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return umbrage_decode(UMBRAGE_SAMPLED);
+}
+)GLSL"};
+
 /// Every one of them, for printers and packages.
 inline constexpr auto all =
     list<&forward_cleared_depth, &reversed_cleared_depth, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far,
          &forward_compare, &reversed_compare, &texel, &decode, &clamped_depth, &bordered_depth, &lit_texel,
          &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels, &gathered,
-         &gathered_region, &gathered_bordered, &clamped_lit_filtered, &bordered_lit_filtered>;
+         &gathered_region, &gathered_bordered, &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit,
+         &sampled_depth>;
 
 }  // namespace umbrage::glsl::hooks
 
@@ -17786,14 +18133,16 @@ namespace umbrage::glsl::detail {
 
 namespace umbrage::glsl::detail {
 
-/// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers.
+/// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers, or at `uv`, vec2 from
+/// 0 to 1.
 struct texture_words {
     std::string_view parameters, arguments;
     std::string_view texel{};                        ///< vec4; lines that begin with # stand for the whole statement
+    std::string_view sampled{};                      ///< vec4 at `uv`
     std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
     std::string_view gather_red{}, gather_green{};   ///< vec4
     std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
-    std::string_view lit_filtered{};                 ///< those around the point `at`, weighted by the sampler: float
+    std::string_view lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
     std::string_view size{};                         ///< of the texture: vec2
     std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
     snippet_span needs{};                            ///< what these words call
@@ -17829,6 +18178,8 @@ template <class Replacement>
 }
 
 [[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
+/// Whether a map is all of its texture, edges and all.
+[[nodiscard]] inline bool is_whole(const binding& b) { return !has_region(b) && !b.outside_lit; }
 [[nodiscard]] constexpr bool is_cube(texture kind) { return kind == texture::cube || kind == texture::cube_faces; }
 [[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
 [[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
@@ -17867,6 +18218,9 @@ template <class Replacement>
         case hook::lit_filtered:
             if (!compares(b.texture)) return s;
             return b.outside_lit ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
+        case hook::lit_at: return compares(b.texture) && is_whole(b) ? hooks::sampled_lit : s;
+        case hook::depth_at:
+            return b.gather && gathers(b.texture) && !compares(b.texture) && is_whole(b) ? hooks::sampled_depth : s;
     }
     return s;
 }
@@ -17937,6 +18291,8 @@ template <class Replacement>
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(texel);
         if (word == "UMBRAGE_LIT_TEXEL") return of_texture(words.lit);
+        if (word == "UMBRAGE_UV") return of_texture("at / UMBRAGE_TEXTURE_SIZE");
+        if (word == "UMBRAGE_SAMPLED") return of_texture(words.sampled);
         if (word == "UMBRAGE_LIT_FILTERED") return of_texture(words.lit_filtered);
         if (word == "UMBRAGE_GATHER_RED") return of_texture(words.gather_red);
         if (word == "UMBRAGE_GATHER_GREEN") return of_texture(words.gather_green);
@@ -18061,6 +18417,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
     return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);
 #endif
 )GLSL",
+                    .sampled = "textureLod(map, uv, 0.0)",
                     .gather_red = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)",
                     .gather_green = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)"};
         case texture::array:
@@ -18068,6 +18425,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
             return {.parameters = "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer",
                     .arguments = "map, layer",
                     .texel = "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)",
+                    .sampled = "textureLod(map, vec3(uv, layer), 0.0)",
                     .gather_red = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)",
                     .gather_green = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)"};
         case texture::cube:
@@ -18099,7 +18457,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
                     .arguments = "map",
                     .lit = "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)",
                     .gather_lit = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                    .lit_filtered = "textureLod(map, vec3(at / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)"};
+                    .lit_filtered = "textureLod(map, vec3(uv, receiver), 0.0)"};
         case texture::shadow_array:
             return {.parameters = "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer",
                     .arguments = "map, layer",
@@ -18108,7 +18466,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
                         "vec2(0.0, 0.0))",
                     .gather_lit = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
                     .lit_filtered =
-                        "textureGrad(map, vec4(at / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), "
+                        "textureGrad(map, vec4(uv, layer, receiver), vec2(0.0, 0.0), "
                         "vec2(0.0, 0.0))"};
     }
     return {};
@@ -18527,7 +18885,8 @@ private:
     [[nodiscard]] static bool is_of_a_map(std::string_view word) {
         static constexpr std::string_view all[]{"UMBRAGE_DEPTH",      "UMBRAGE_GATHER_GREEN", "UMBRAGE_GATHER_LIT",
                                                 "UMBRAGE_GATHER_RED", "UMBRAGE_LIT_TEXEL",    "UMBRAGE_LIT_FILTERED",
-                                                "UMBRAGE_ORIGIN",     "UMBRAGE_TEXEL"};
+                                                "UMBRAGE_ORIGIN",     "UMBRAGE_SAMPLED",      "UMBRAGE_TEXEL",
+                                                "UMBRAGE_UV"};
         for (std::string_view w : all)
             if (word == w) return true;
         return false;
@@ -18579,29 +18938,34 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
             return {.parameters = "Texture2D<float4> map",
                     .arguments = "map",
                     .texel = "map.Load(int3(int2(at), 0))",
+                    .sampled = "map.SampleLevel(map_sampler, uv, 0.0)",
                     .gather_red = "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
                     .gather_green = "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case depth:
             return {.parameters = "Texture2D<float> map",
                     .arguments = "map",
                     .texel = "(float4)map.Load(int3(int2(at), 0))",
+                    .sampled = "(float4)map.SampleLevel(map_sampler, uv, 0.0)",
                     .gather_red = "map.Gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case atlas:
             return {.parameters = "Texture2D<float4> map, float2 origin",
                     .arguments = "map, origin",
                     .texel = "map.Load(int3(int2(at), 0))",
+                    .sampled = "map.SampleLevel(map_sampler, uv, 0.0)",
                     .gather_red = "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
                     .gather_green = "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case array:
             return {.parameters = "Texture2DArray<float4> map, float layer",
                     .arguments = "map, layer",
                     .texel = "map.Load(int4(int2(at), int(layer), 0))",
+                    .sampled = "map.SampleLevel(map_sampler, float3(uv, layer), 0.0)",
                     .gather_red = "map.GatherRed(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))",
                     .gather_green = "map.GatherGreen(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))"};
         case depth_array:
             return {.parameters = "Texture2DArray<float> map, float layer",
                     .arguments = "map, layer",
                     .texel = "(float4)map.Load(int4(int2(at), int(layer), 0))",
+                    .sampled = "(float4)map.SampleLevel(map_sampler, float3(uv, layer), 0.0)",
                     .gather_red = "map.Gather(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))"};
         case cube:
             return {.parameters = "TextureCube<float4> map, SamplerState map_sampler, float face",
@@ -18624,7 +18988,7 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
                     .arguments = "map, map_sampler",
                     .lit = "map.SampleCmpLevelZero(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
                     .gather_lit = "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                    .lit_filtered = "map.SampleCmpLevelZero(map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver)"};
+                    .lit_filtered = "map.SampleCmpLevelZero(map_sampler, uv, receiver)"};
         case shadow_array:
             return {
                 .parameters = "Texture2DArray<float> map, SamplerComparisonState map_sampler, float layer",
@@ -18633,8 +18997,7 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
                     "map.SampleCmpLevelZero(map_sampler, float3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer), "
                     "receiver)",
                 .gather_lit = "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
-                .lit_filtered =
-                    "map.SampleCmpLevelZero(map_sampler, float3(at / UMBRAGE_TEXTURE_SIZE, layer), receiver)"};
+                .lit_filtered = "map.SampleCmpLevelZero(map_sampler, float3(uv, layer), receiver)"};
     }
     return {};
 }
@@ -18709,6 +19072,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
             return {.parameters = "metal::texture2d<float> map",
                     .arguments = "map",
                     .texel = "map.read(uint2(at))",
+                    .sampled = "map.sample(map_sampler, uv, metal::level(0.0))",
                     .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
                     .gather_green =
                         "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)"};
@@ -18716,11 +19080,13 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
             return {.parameters = "metal::depth2d<float> map",
                     .arguments = "map",
                     .texel = "float4(map.read(uint2(at)))",
+                    .sampled = "float4(map.sample(map_sampler, uv, metal::level(0.0)))",
                     .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case atlas:
             return {.parameters = "metal::texture2d<float> map, float2 origin",
                     .arguments = "map, origin",
                     .texel = "map.read(uint2(at))",
+                    .sampled = "map.sample(map_sampler, uv, metal::level(0.0))",
                     .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
                     .gather_green =
                         "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)"};
@@ -18728,6 +19094,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
             return {.parameters = "metal::texture2d_array<float> map, float layer",
                     .arguments = "map, layer",
                     .texel = "map.read(uint2(at), uint(layer))",
+                    .sampled = "map.sample(map_sampler, uv, uint(layer), metal::level(0.0))",
                     .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))",
                     .gather_green =
                         "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), int2(0), "
@@ -18736,6 +19103,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
             return {.parameters = "metal::depth2d_array<float> map, float layer",
                     .arguments = "map, layer",
                     .texel = "float4(map.read(uint2(at), uint(layer)))",
+                    .sampled = "float4(map.sample(map_sampler, uv, uint(layer), metal::level(0.0)))",
                     .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))"};
         case cube:
             return {.parameters = "metal::texturecube<float> map, float face",
@@ -18759,8 +19127,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
                 .lit =
                     "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))",
                 .gather_lit = "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                .lit_filtered =
-                    "map.sample_compare(map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))"};
+                .lit_filtered = "map.sample_compare(map_sampler, uv, receiver, metal::level(0.0))"};
         case shadow_array:
             return {.parameters = "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer",
                     .arguments = "map, map_sampler, layer",
@@ -18770,7 +19137,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
                     .gather_lit =
                         "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)",
                     .lit_filtered =
-                        "map.sample_compare(map_sampler, at / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, "
+                        "map.sample_compare(map_sampler, uv, uint(layer), receiver, "
                         "metal::level(0.0))"};
     }
     return {};
@@ -18882,8 +19249,9 @@ inline constexpr auto codes = collect(scalar_snippets, floor_divide_snippets, un
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps =
     collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
-            filters, pcf_2x2_cube_snippets, pcf_2x2_hardware_snippets, window_hardware_snippets, bounds_lit_snippets,
-            penumbra_snippets, pcss_snippets, dpcf_snippets, summed_variance_snippets, summed_moments_snippets);
+            filters, pcf_2x2_cube_snippets, pcf_2x2_hardware_snippets, window_hardware_snippets, disc_hardware_snippets,
+            bounds_lit_snippets, penumbra_snippets, pcss_snippets, pcss_hardware_snippets, dpcf_snippets,
+            summed_variance_snippets, summed_moments_snippets);
 inline constexpr auto prefiltered =
     collect(exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
             hausdorff_snippets, look_up_snippets, decode_hardware_snippets, reduce_snippets);
@@ -18993,7 +19361,8 @@ struct value {
 inline constexpr std::pair<std::string_view, std::string_view> words_of_maps[]{
     {"UMBRAGE_TEXEL", "vec4"},      {"UMBRAGE_LIT_TEXEL", "float"},   {"UMBRAGE_LIT_FILTERED", "float"},
     {"UMBRAGE_GATHER_RED", "vec4"}, {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"},
-    {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"}};
+    {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"},       {"UMBRAGE_UV", "vec2"},
+    {"UMBRAGE_SAMPLED", "vec4"}};
 
 [[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
 
@@ -19500,17 +19869,20 @@ namespace detail {
             return {.parameters = "map: texture_2d<f32>",
                     .arguments = "map",
                     .texel = "textureLoad(map, vec2i(at), 0)",
+                    .sampled = "textureSampleLevel(map, map_sampler, uv, 0.0)",
                     .gather_red = "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
                     .gather_green = "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case texture::depth:
             return {.parameters = "map: texture_depth_2d",
                     .arguments = "map",
                     .texel = "vec4f(textureLoad(map, vec2i(at), 0))",
+                    .sampled = "vec4f(textureSampleLevel(map, map_sampler, uv, 0))",
                     .gather_red = "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case texture::atlas:
             return {.parameters = "map: texture_2d<f32>, origin: vec2f",
                     .arguments = "map, origin",
                     .texel = "textureLoad(map, vec2i(at), 0)",
+                    .sampled = "textureSampleLevel(map, map_sampler, uv, 0.0)",
                     .gather_red = "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
                     .gather_green = "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case texture::array:
@@ -19518,12 +19890,14 @@ namespace detail {
                 .parameters = "map: texture_2d_array<f32>, layer: f32",
                 .arguments = "map, layer",
                 .texel = "textureLoad(map, vec2i(at), i32(layer), 0)",
+                .sampled = "textureSampleLevel(map, map_sampler, uv, i32(layer), 0.0)",
                 .gather_red = "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))",
                 .gather_green = "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))"};
         case texture::depth_array:
             return {.parameters = "map: texture_depth_2d_array, layer: f32",
                     .arguments = "map, layer",
                     .texel = "vec4f(textureLoad(map, vec2i(at), i32(layer), 0))",
+                    .sampled = "vec4f(textureSampleLevel(map, map_sampler, uv, i32(layer), 0))",
                     .gather_red = "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))"};
         case texture::cube:
             return {.parameters = "map: texture_cube<f32>, map_sampler: sampler, face: f32",
@@ -19547,7 +19921,7 @@ namespace detail {
                     .arguments = "map, map_sampler",
                     .lit = "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
                     .gather_lit = "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                    .lit_filtered = "textureSampleCompareLevel(map, map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver)"};
+                    .lit_filtered = "textureSampleCompareLevel(map, map_sampler, uv, receiver)"};
         case texture::shadow_array:
             return {.parameters = "map: texture_depth_2d_array, map_sampler: sampler_comparison, layer: f32",
                     .arguments = "map, map_sampler, layer",
@@ -19557,8 +19931,7 @@ namespace detail {
                     .gather_lit =
                         "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer), "
                         "receiver)",
-                    .lit_filtered =
-                        "textureSampleCompareLevel(map, map_sampler, at / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)"};
+                    .lit_filtered = "textureSampleCompareLevel(map, map_sampler, uv, i32(layer), receiver)"};
     }
     return {};
 }

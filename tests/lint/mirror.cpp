@@ -99,7 +99,7 @@ TEST_CASE("every header for users has a unit test, and every unit test a header"
 TEST_CASE("every header with snippets has parity entries of each of them, and every file of entries a header") {
     for (const std::string& header : headers) {
         const paths snippets = snippets_in(text_of(header));
-        if (snippets.empty() || header == "shader/hooks") continue;  // parity looks itself for each of those
+        if (snippets.empty() || header.ends_with("hooks")) continue;  // parity looks itself for each of those
         CAPTURE(header);
         CHECK(tested(header, parity_entries));
         const std::string entries = read(root / "tests/parity/entries" / (header + ".cpp"));

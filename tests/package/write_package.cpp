@@ -66,6 +66,8 @@ std::string_view role(glsl::hook h) {
         case glsl::hook::lit_2x2: return "lit_2x2";
         case glsl::hook::gather_lit: return "gather_lit";
         case glsl::hook::lit_filtered: return "lit_filtered";
+        case glsl::hook::lit_at: return "lit_at";
+        case glsl::hook::depth_at: return "depth_at";
         case glsl::hook::chosen: return "chosen";
     }
     return "";
@@ -87,6 +89,7 @@ std::string words(const glsl::detail::texture_words& w) {
     add("parameters", w.parameters);
     add("arguments", w.arguments);
     add("texel", w.texel);
+    add("sampled", w.sampled);
     add("lit", w.lit);
     add("gather_red", w.gather_red);
     add("gather_green", w.gather_green);

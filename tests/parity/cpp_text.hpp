@@ -40,7 +40,9 @@ struct sampler {
         return umbrage::fetch_clamped(
             umbrage::image_view<const vec4>(of->texels.data() + size.x * size.y * layer, size), at);
     }
-    /// Of a point in [0, 1]: the texel before it both ways.
+    /// Of a point in [0, 1]: the texel that it lies in,
+    [[nodiscard]] ivec2 under(vec2 p) const { return ivec2(floor(p * vec2(of->image.size))); }
+    /// and the one before it both ways.
     [[nodiscard]] ivec2 before(vec2 p) const { return ivec2(floor(p * vec2(of->image.size) - 0.5f)); }
     [[nodiscard]] float compared(float receiver, ivec2 at, int layer) const {
         const float stored = texel(at, layer).x;
@@ -53,7 +55,7 @@ struct sampler {
     }
     [[nodiscard]] float compared(float receiver, vec2 p, int layer) const {
         const ivec2 size = of->image.size;
-        if (!of->image.linear) return compared(receiver, ivec2(floor(p * vec2(size))), layer);
+        if (!of->image.linear) return compared(receiver, under(p), layer);
         const vec2 weight = fract(p * vec2(size) - 0.5f);
         const vec4 lit = four(before(p), [&](ivec2 at) { return compared(receiver, at, layer); });
         return mix(mix(lit.w, lit.z, weight.x), mix(lit.x, lit.y, weight.x), weight.y);
@@ -73,9 +75,11 @@ ivec2 textureSize(sampler<Kind> map, int) {
 inline vec4 texelFetch(sampler2D map, ivec2 texel, int) { return map.texel(texel); }
 inline vec4 texelFetch(sampler2DArray map, ivec3 texel, int) { return map.texel(ivec2(texel), texel.z); }
 inline vec4 texelFetch(usampler2D map, ivec2 texel, int) { return map.texel(texel) * bound_map::whole; }
+inline vec4 textureLod(sampler2D map, vec2 p, float) { return map.texel(map.under(p)); }
+inline vec4 textureLod(sampler2DArray map, vec3 p, float) { return map.texel(map.under(vec2(p)), int(p.z)); }
 inline vec4 textureLod(samplerCube map, vec3 direction, float) {
     const vec3 at = umbrage::cube_coordinate(direction);
-    return map.texel(ivec2(floor(vec2(at) * vec2(map.of->image.size))), int(at.z));
+    return map.texel(map.under(vec2(at)), int(at.z));
 }
 inline vec4 textureGather(sampler2D map, vec2 p, int channel) {
     return map.four(map.before(p), [&](ivec2 at) { return map.texel(at)[channel]; });

@@ -53,7 +53,8 @@ struct binding {
     glsl::texture texture = glsl::texture::texture_2d;
     depth_direction direction = depth_direction::forward;
     bool outside_lit = false;      ///< outside the map all is lit; else the nearest texel inside counts
-    bool gather = false;           ///< 2x2 texels at once; the sampler must clamp to the edge, but for regions
+    bool gather = false;           ///< 2x2 texels at once, and depths at points, by a sampler; it must clamp to the
+                                   ///< edge, but for regions
     std::string depth{};           ///< of vec4 `value`, as "umbrage_decode_rg11(value.xy, 1.0)"; empty: value.x
     int channels = 1;              ///< how many of `value` it reads
     std::string origin{};          ///< vec2: the map's first texel in the texture; empty: (0, 0)

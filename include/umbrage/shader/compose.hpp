@@ -18,14 +18,16 @@
 
 namespace umbrage::glsl::detail {
 
-/// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers.
+/// A language's words for a kind of texture. Expressions read it at `at`, vec2 of whole numbers, or at `uv`, vec2 from
+/// 0 to 1.
 struct texture_words {
     std::string_view parameters, arguments;
     std::string_view texel{};                        ///< vec4; lines that begin with # stand for the whole statement
+    std::string_view sampled{};                      ///< vec4 at `uv`
     std::string_view lit{};                          ///< the sampler's comparison with `receiver`: float
     std::string_view gather_red{}, gather_green{};   ///< vec4
     std::string_view gather_lit{};                   ///< the sampler's comparisons with `receiver`: vec4
-    std::string_view lit_filtered{};                 ///< those around the point `at`, weighted by the sampler: float
+    std::string_view lit_filtered{};                 ///< those around `uv`, weighted by the sampler: float
     std::string_view size{};                         ///< of the texture: vec2
     std::string_view sampler{}, sampler_argument{};  ///< what gathers take behind the first parameter: ", sampler s"
     snippet_span needs{};                            ///< what these words call
@@ -61,6 +63,8 @@ template <class Replacement>
 }
 
 [[nodiscard]] inline bool has_region(const binding& b) { return b.texture == texture::atlas || !b.origin.empty(); }
+/// Whether a map is all of its texture, edges and all.
+[[nodiscard]] inline bool is_whole(const binding& b) { return !has_region(b) && !b.outside_lit; }
 [[nodiscard]] constexpr bool is_cube(texture kind) { return kind == texture::cube || kind == texture::cube_faces; }
 [[nodiscard]] constexpr bool gathers(texture kind) { return !is_cube(kind) && kind != texture::integer; }
 [[nodiscard]] inline bool compares(texture kind) { return kind == texture::shadow || kind == texture::shadow_array; }
@@ -99,6 +103,9 @@ template <class Replacement>
         case hook::lit_filtered:
             if (!compares(b.texture)) return s;
             return b.outside_lit ? hooks::bordered_lit_filtered : hooks::clamped_lit_filtered;
+        case hook::lit_at: return compares(b.texture) && is_whole(b) ? hooks::sampled_lit : s;
+        case hook::depth_at:
+            return b.gather && gathers(b.texture) && !compares(b.texture) && is_whole(b) ? hooks::sampled_depth : s;
     }
     return s;
 }
@@ -169,6 +176,8 @@ template <class Replacement>
         if (word == "UMBRAGE_ORIGIN") return origin;
         if (word == "UMBRAGE_TEXEL") return of_texture(texel);
         if (word == "UMBRAGE_LIT_TEXEL") return of_texture(words.lit);
+        if (word == "UMBRAGE_UV") return of_texture("at / UMBRAGE_TEXTURE_SIZE");
+        if (word == "UMBRAGE_SAMPLED") return of_texture(words.sampled);
         if (word == "UMBRAGE_LIT_FILTERED") return of_texture(words.lit_filtered);
         if (word == "UMBRAGE_GATHER_RED") return of_texture(words.gather_red);
         if (word == "UMBRAGE_GATHER_GREEN") return of_texture(words.gather_green);

@@ -59,6 +59,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
     return texture2D(map, (at + 0.5) / UMBRAGE_TEXTURE_SIZE);
 #endif
 )GLSL",
+                    .sampled = "textureLod(map, uv, 0.0)",
                     .gather_red = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 0)",
                     .gather_green = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, 1)"};
         case texture::array:
@@ -66,6 +67,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
             return {.parameters = "UMBRAGE_HIGHP sampler2DArray map, UMBRAGE_HIGHP float layer",
                     .arguments = "map, layer",
                     .texel = "texelFetch(map, ivec3(ivec2(at), int(layer)), 0)",
+                    .sampled = "textureLod(map, vec3(uv, layer), 0.0)",
                     .gather_red = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 0)",
                     .gather_green = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), 1)"};
         case texture::cube:
@@ -97,7 +99,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
                     .arguments = "map",
                     .lit = "textureLod(map, vec3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)",
                     .gather_lit = "textureGather(map, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                    .lit_filtered = "textureLod(map, vec3(at / UMBRAGE_TEXTURE_SIZE, receiver), 0.0)"};
+                    .lit_filtered = "textureLod(map, vec3(uv, receiver), 0.0)"};
         case texture::shadow_array:
             return {.parameters = "UMBRAGE_HIGHP sampler2DArrayShadow map, UMBRAGE_HIGHP float layer",
                     .arguments = "map, layer",
@@ -106,7 +108,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
                         "vec2(0.0, 0.0))",
                     .gather_lit = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
                     .lit_filtered =
-                        "textureGrad(map, vec4(at / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), "
+                        "textureGrad(map, vec4(uv, layer, receiver), vec2(0.0, 0.0), "
                         "vec2(0.0, 0.0))"};
     }
     return {};

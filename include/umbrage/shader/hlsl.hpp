@@ -40,29 +40,34 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
             return {.parameters = "Texture2D<float4> map",
                     .arguments = "map",
                     .texel = "map.Load(int3(int2(at), 0))",
+                    .sampled = "map.SampleLevel(map_sampler, uv, 0.0)",
                     .gather_red = "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
                     .gather_green = "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case depth:
             return {.parameters = "Texture2D<float> map",
                     .arguments = "map",
                     .texel = "(float4)map.Load(int3(int2(at), 0))",
+                    .sampled = "(float4)map.SampleLevel(map_sampler, uv, 0.0)",
                     .gather_red = "map.Gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case atlas:
             return {.parameters = "Texture2D<float4> map, float2 origin",
                     .arguments = "map, origin",
                     .texel = "map.Load(int3(int2(at), 0))",
+                    .sampled = "map.SampleLevel(map_sampler, uv, 0.0)",
                     .gather_red = "map.GatherRed(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
                     .gather_green = "map.GatherGreen(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case array:
             return {.parameters = "Texture2DArray<float4> map, float layer",
                     .arguments = "map, layer",
                     .texel = "map.Load(int4(int2(at), int(layer), 0))",
+                    .sampled = "map.SampleLevel(map_sampler, float3(uv, layer), 0.0)",
                     .gather_red = "map.GatherRed(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))",
                     .gather_green = "map.GatherGreen(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))"};
         case depth_array:
             return {.parameters = "Texture2DArray<float> map, float layer",
                     .arguments = "map, layer",
                     .texel = "(float4)map.Load(int4(int2(at), int(layer), 0))",
+                    .sampled = "(float4)map.SampleLevel(map_sampler, float3(uv, layer), 0.0)",
                     .gather_red = "map.Gather(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer))"};
         case cube:
             return {.parameters = "TextureCube<float4> map, SamplerState map_sampler, float face",
@@ -85,7 +90,7 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
                     .arguments = "map, map_sampler",
                     .lit = "map.SampleCmpLevelZero(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
                     .gather_lit = "map.GatherCmp(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                    .lit_filtered = "map.SampleCmpLevelZero(map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver)"};
+                    .lit_filtered = "map.SampleCmpLevelZero(map_sampler, uv, receiver)"};
         case shadow_array:
             return {
                 .parameters = "Texture2DArray<float> map, SamplerComparisonState map_sampler, float layer",
@@ -94,8 +99,7 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
                     "map.SampleCmpLevelZero(map_sampler, float3((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer), "
                     "receiver)",
                 .gather_lit = "map.GatherCmp(map_sampler, float3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
-                .lit_filtered =
-                    "map.SampleCmpLevelZero(map_sampler, float3(at / UMBRAGE_TEXTURE_SIZE, layer), receiver)"};
+                .lit_filtered = "map.SampleCmpLevelZero(map_sampler, float3(uv, layer), receiver)"};
     }
     return {};
 }

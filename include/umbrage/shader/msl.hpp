@@ -48,6 +48,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
             return {.parameters = "metal::texture2d<float> map",
                     .arguments = "map",
                     .texel = "map.read(uint2(at))",
+                    .sampled = "map.sample(map_sampler, uv, metal::level(0.0))",
                     .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
                     .gather_green =
                         "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)"};
@@ -55,11 +56,13 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
             return {.parameters = "metal::depth2d<float> map",
                     .arguments = "map",
                     .texel = "float4(map.read(uint2(at)))",
+                    .sampled = "float4(map.sample(map_sampler, uv, metal::level(0.0)))",
                     .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case atlas:
             return {.parameters = "metal::texture2d<float> map, float2 origin",
                     .arguments = "map, origin",
                     .texel = "map.read(uint2(at))",
+                    .sampled = "map.sample(map_sampler, uv, metal::level(0.0))",
                     .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
                     .gather_green =
                         "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, int2(0), metal::component::y)"};
@@ -67,6 +70,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
             return {.parameters = "metal::texture2d_array<float> map, float layer",
                     .arguments = "map, layer",
                     .texel = "map.read(uint2(at), uint(layer))",
+                    .sampled = "map.sample(map_sampler, uv, uint(layer), metal::level(0.0))",
                     .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))",
                     .gather_green =
                         "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), int2(0), "
@@ -75,6 +79,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
             return {.parameters = "metal::depth2d_array<float> map, float layer",
                     .arguments = "map, layer",
                     .texel = "float4(map.read(uint2(at), uint(layer)))",
+                    .sampled = "float4(map.sample(map_sampler, uv, uint(layer), metal::level(0.0)))",
                     .gather_red = "map.gather(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer))"};
         case cube:
             return {.parameters = "metal::texturecube<float> map, float face",
@@ -98,8 +103,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
                 .lit =
                     "map.sample_compare(map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))",
                 .gather_lit = "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                .lit_filtered =
-                    "map.sample_compare(map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver, metal::level(0.0))"};
+                .lit_filtered = "map.sample_compare(map_sampler, uv, receiver, metal::level(0.0))"};
         case shadow_array:
             return {.parameters = "metal::depth2d_array<float> map, metal::sampler map_sampler, float layer",
                     .arguments = "map, map_sampler, layer",
@@ -109,7 +113,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
                     .gather_lit =
                         "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)",
                     .lit_filtered =
-                        "map.sample_compare(map_sampler, at / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver, "
+                        "map.sample_compare(map_sampler, uv, uint(layer), receiver, "
                         "metal::level(0.0))"};
     }
     return {};

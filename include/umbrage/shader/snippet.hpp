@@ -60,6 +60,8 @@ enum class hook {
     lit_2x2,
     gather_lit,
     lit_filtered,
+    lit_at,
+    depth_at,
     chosen
 };
 

@@ -29,17 +29,20 @@ namespace detail {
             return {.parameters = "map: texture_2d<f32>",
                     .arguments = "map",
                     .texel = "textureLoad(map, vec2i(at), 0)",
+                    .sampled = "textureSampleLevel(map, map_sampler, uv, 0.0)",
                     .gather_red = "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
                     .gather_green = "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case texture::depth:
             return {.parameters = "map: texture_depth_2d",
                     .arguments = "map",
                     .texel = "vec4f(textureLoad(map, vec2i(at), 0))",
+                    .sampled = "vec4f(textureSampleLevel(map, map_sampler, uv, 0))",
                     .gather_red = "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case texture::atlas:
             return {.parameters = "map: texture_2d<f32>, origin: vec2f",
                     .arguments = "map, origin",
                     .texel = "textureLoad(map, vec2i(at), 0)",
+                    .sampled = "textureSampleLevel(map, map_sampler, uv, 0.0)",
                     .gather_red = "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)",
                     .gather_green = "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE)"};
         case texture::array:
@@ -47,12 +50,14 @@ namespace detail {
                 .parameters = "map: texture_2d_array<f32>, layer: f32",
                 .arguments = "map, layer",
                 .texel = "textureLoad(map, vec2i(at), i32(layer), 0)",
+                .sampled = "textureSampleLevel(map, map_sampler, uv, i32(layer), 0.0)",
                 .gather_red = "textureGather(0, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))",
                 .gather_green = "textureGather(1, map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))"};
         case texture::depth_array:
             return {.parameters = "map: texture_depth_2d_array, layer: f32",
                     .arguments = "map, layer",
                     .texel = "vec4f(textureLoad(map, vec2i(at), i32(layer), 0))",
+                    .sampled = "vec4f(textureSampleLevel(map, map_sampler, uv, i32(layer), 0))",
                     .gather_red = "textureGather(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer))"};
         case texture::cube:
             return {.parameters = "map: texture_cube<f32>, map_sampler: sampler, face: f32",
@@ -76,7 +81,7 @@ namespace detail {
                     .arguments = "map, map_sampler",
                     .lit = "textureSampleCompareLevel(map, map_sampler, (at + 0.5) / UMBRAGE_TEXTURE_SIZE, receiver)",
                     .gather_lit = "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, receiver)",
-                    .lit_filtered = "textureSampleCompareLevel(map, map_sampler, at / UMBRAGE_TEXTURE_SIZE, receiver)"};
+                    .lit_filtered = "textureSampleCompareLevel(map, map_sampler, uv, receiver)"};
         case texture::shadow_array:
             return {.parameters = "map: texture_depth_2d_array, map_sampler: sampler_comparison, layer: f32",
                     .arguments = "map, map_sampler, layer",
@@ -86,8 +91,7 @@ namespace detail {
                     .gather_lit =
                         "textureGatherCompare(map, map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, i32(layer), "
                         "receiver)",
-                    .lit_filtered =
-                        "textureSampleCompareLevel(map, map_sampler, at / UMBRAGE_TEXTURE_SIZE, i32(layer), receiver)"};
+                    .lit_filtered = "textureSampleCompareLevel(map, map_sampler, uv, i32(layer), receiver)"};
     }
     return {};
 }

@@ -188,6 +188,16 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 }
 #endif
 
+#ifndef UMBRAGE_HAS_LIT_AT
+#define UMBRAGE_HAS_LIT_AT
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_PCF_2X2_HARDWARE
 #define UMBRAGE_HAS_PCF_2X2_HARDWARE
 // umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
@@ -197,7 +207,8 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
                                              UMBRAGE_HIGHP float receiver) {
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
-    UMBRAGE_HIGHP float lit = umbrage_lit_filtered(map, size, at, receiver);
-    return compared ? lit : 1.0;
+    UMBRAGE_HIGHP float lit = umbrage_lit_at(map, size, at / size, receiver);
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? lit * number : 1.0;
 }
 #endif

@@ -188,6 +188,16 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 }
 #endif
 
+#ifndef UMBRAGE_HAS_LIT_AT
+#define UMBRAGE_HAS_LIT_AT
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_WINDOW_HARDWARE7
 #define UMBRAGE_HAS_WINDOW_HARDWARE7
 // umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
@@ -206,41 +216,42 @@ UMBRAGE_HIGHP float umbrage_window_hardware7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     UMBRAGE_HIGHP vec2 b0 = r * k1 + s * k0;
     UMBRAGE_HIGHP vec2 w0 = r * k0 + b0;
-    UMBRAGE_HIGHP vec2 p0 = texel - 2.5 + b0 / w0;
+    UMBRAGE_HIGHP vec2 p0 = (texel - 2.5 + b0 / w0) / size;
     UMBRAGE_HIGHP vec2 b1 = r * k3 + s * k2;
     UMBRAGE_HIGHP vec2 w1 = r * k2 + s * k1 + b1;
-    UMBRAGE_HIGHP vec2 p1 = texel - 0.5 + b1 / w1;
+    UMBRAGE_HIGHP vec2 p1 = (texel - 0.5 + b1 / w1) / size;
     UMBRAGE_HIGHP vec2 b2 = r * k1 + s * k2;
     UMBRAGE_HIGHP vec2 w2 = r * k2 + s * k3 + b2;
-    UMBRAGE_HIGHP vec2 p2 = texel + 1.5 + b2 / w2;
+    UMBRAGE_HIGHP vec2 p2 = (texel + 1.5 + b2 / w2) / size;
     UMBRAGE_HIGHP vec2 b3 = s * k0;
     UMBRAGE_HIGHP vec2 w3 = r * k0 + s * k1 + b3;
-    UMBRAGE_HIGHP vec2 p3 = texel + 3.5 + b3 / w3;
+    UMBRAGE_HIGHP vec2 p3 = (texel + 3.5 + b3 / w3) / size;
     UMBRAGE_HIGHP float n = 0.0;
     UMBRAGE_HIGHP float row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p0.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, vec2(p3.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p0.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p1.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, vec2(p3.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p1.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p1.y), receiver);
     n += w1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p2.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, vec2(p3.x, p2.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p2.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p2.y), receiver);
     n += w2.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2(p0.x, p3.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2(p1.x, p3.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, vec2(p2.x, p3.y), receiver);
-    row += w3.x * umbrage_lit_filtered(map, size, vec2(p3.x, p3.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p3.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p3.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p3.y), receiver);
+    row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p3.y), receiver);
     n += w3.y * row;
-    return compared ? n / (whole * whole) : 1.0;
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number / (whole * whole) : 1.0;
 }
 #endif

@@ -118,6 +118,15 @@ inline float umbrage_lit_filtered(metal::texture2d<float> map, float2 size, floa
 }
 #endif
 
+#ifndef UMBRAGE_HAS_LIT_AT
+#define UMBRAGE_HAS_LIT_AT
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float umbrage_lit_at(metal::texture2d<float> map, float2 size, float2 uv, float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_PCF_2X2_HARDWARE
 #define UMBRAGE_HAS_PCF_2X2_HARDWARE
 // umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
@@ -126,7 +135,8 @@ inline float umbrage_lit_filtered(metal::texture2d<float> map, float2 size, floa
 inline float umbrage_pcf_2x2_hardware(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
     bool compared = umbrage_is_compared(coord, receiver);
     float2 at = compared ? coord : float2(0.0, 0.0);
-    float lit = umbrage_lit_filtered(map, size, at, receiver);
-    return compared ? lit : 1.0;
+    float lit = umbrage_lit_at(map, size, at / size, receiver);
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? lit * number : 1.0;
 }
 #endif

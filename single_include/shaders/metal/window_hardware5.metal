@@ -118,6 +118,15 @@ inline float umbrage_lit_filtered(metal::texture2d<float> map, float2 size, floa
 }
 #endif
 
+#ifndef UMBRAGE_HAS_LIT_AT
+#define UMBRAGE_HAS_LIT_AT
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float umbrage_lit_at(metal::texture2d<float> map, float2 size, float2 uv, float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+#endif
+
 #ifndef UMBRAGE_HAS_WINDOW_HARDWARE5
 #define UMBRAGE_HAS_WINDOW_HARDWARE5
 // umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
@@ -135,29 +144,30 @@ inline float umbrage_window_hardware5(metal::texture2d<float> map, float2 size, 
     float whole = steps * (k0 + k1 + k2 + k1 + k0);
     float2 b0 = r * k1 + s * k0;
     float2 w0 = r * k0 + b0;
-    float2 p0 = texel - 1.5 + b0 / w0;
+    float2 p0 = (texel - 1.5 + b0 / w0) / size;
     float2 b1 = r * k1 + s * k2;
     float2 w1 = r * k2 + s * k1 + b1;
-    float2 p1 = texel + 0.5 + b1 / w1;
+    float2 p1 = (texel + 0.5 + b1 / w1) / size;
     float2 b2 = s * k0;
     float2 w2 = r * k0 + s * k1 + b2;
-    float2 p2 = texel + 2.5 + b2 / w2;
+    float2 p2 = (texel + 2.5 + b2 / w2) / size;
     float n = 0.0;
     float row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p0.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p0.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p1.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p1.y), receiver);
     n += w1.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, float2(p0.x, p2.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, float2(p1.x, p2.y), receiver);
-    row += w2.x * umbrage_lit_filtered(map, size, float2(p2.x, p2.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p2.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p2.y), receiver);
+    row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
     n += w2.y * row;
-    return compared ? n / (whole * whole) : 1.0;
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number / (whole * whole) : 1.0;
 }
 #endif

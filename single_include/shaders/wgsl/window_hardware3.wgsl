@@ -1,5 +1,5 @@
 // umbrage 0.1.0, MIT License: window_hardware3
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl, lit_at.wgsl
 
 // umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -16,18 +16,19 @@ fn umbrage_window_hardware3(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
     let whole: f32 = steps * (k0 + k1 + k0);
     let b0: vec2f = r * k1 + s * k0;
     let w0: vec2f = r * k0 + b0;
-    let p0: vec2f = texel - 0.5 + b0 / w0;
+    let p0: vec2f = (texel - 0.5 + b0 / w0) / size;
     let b1: vec2f = s * k0;
     let w1: vec2f = r * k0 + s * k1 + b1;
-    let p1: vec2f = texel + 1.5 + b1 / w1;
+    let p1: vec2f = (texel + 1.5 + b1 / w1) / size;
     var n: f32 = 0.0;
     var row: f32 = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p0.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p0.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p0.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p0.y), receiver);
     n += w0.y * row;
     row = 0.0;
-    row += w0.x * umbrage_lit_filtered(map, size, vec2f(p0.x, p1.y), receiver);
-    row += w1.x * umbrage_lit_filtered(map, size, vec2f(p1.x, p1.y), receiver);
+    row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p1.y), receiver);
+    row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
     n += w1.y * row;
-    return select(1.0, n / (whole * whole), compared);
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return select(1.0, n * number / (whole * whole), compared);
 }

@@ -4,12 +4,40 @@
 #include "jobs.hpp"
 
 #include <umbrage/filter/blocker/pcss.hpp>
+#include <umbrage/filter/blocker/pcss_hardware.hpp>
 #include <umbrage/filter/prefiltered/decode_hardware.hpp>
 #include <umbrage/filter/prefiltered/look_up.hpp>
 
 namespace bench {
 
 namespace glsl = umbrage::glsl;
+
+namespace {
+
+/// Contact hardening by samplers, as pcss_hardware.hpp has it; like Babylon.js' it returns where no blocker is found.
+constexpr glsl::snippet pcss_hardware{.name = "pcss_hardware", .role = glsl::hook::chosen, .source = R"GLSL(
+float umbrage_pcss_hardware(sampler2D depths, sampler2DShadow sun, vec2 size, vec2 coord, float receiver, vec3 soft,
+                            vec2 turn) {
+    if (!umbrage_is_compared_sun(coord, receiver)) return 1.0;
+    float search = umbrage_pcss_radius_sun(vec2(0.0, 0.0), receiver, soft);
+    vec2 found = umbrage_blockers_hardware16_depths(depths, size, coord, receiver, search, turn);
+    if (found.x < 0.5) return 1.0;
+    float radius = umbrage_pcss_radius_sun(found, receiver, soft);
+    return umbrage_disc_hardware16_sun(sun, size, coord, receiver, radius, turn);
+}
+)GLSL"};
+
+std::vector<glsl::bound> pcss_hardware_items() {
+    const glsl::binding depths{.texture = glsl::texture::depth, .gather = true}, sun{.texture = glsl::texture::shadow};
+    return {bind(glsl::blockers_hardware<16>, "depths", depths),
+            bind(glsl::disc_hardware<16>, "sun", sun),
+            bind(glsl::is_compared, "sun", sun),
+            bind(glsl::pcss_radius, "sun", sun),
+            glsl::disc_turn,
+            pcss_hardware};
+}
+
+}  // namespace
 
 std::vector<job> soft(const std::string& folder) {
     const auto text = [&](const std::string& name) { return read(folder + '/' + name + ".glsl"); };
@@ -76,7 +104,13 @@ std::vector<job> soft(const std::string& folder) {
            {},
            "vec4(getShadowVSM32(map, x0.xyz, vec4(2048.0, 0.0002, 0.0, 0.0), 15.0))"}}},
         {"PCSS, 16 + 16 taps",
-         {{us, "pcss16", "", {glsl::pcss<16>, glsl::disc_turn}, pcss("")},
+         {{us, "pcss_hardware16", "", pcss_hardware_items(),
+           "vec4(umbrage_pcss_hardware(map, depth_map, map_size, x1.xy, x1.z, vec3(0.0625, 16.0, 96.0), vec2(64.0, "
+           "0.0)))"},
+          {us, "pcss_hardware16, turned", "", pcss_hardware_items(),
+           "vec4(umbrage_pcss_hardware(map, depth_map, map_size, x1.xy, x1.z, vec3(0.0625, 16.0, 96.0), "
+           "umbrage_disc_turn(gl_FragCoord.xy)))"},
+          {us, "pcss16", "", {glsl::pcss<16>, glsl::disc_turn}, pcss("")},
           {babylon,
            "computeShadowWithPCSS16",
            babylon_shadow,

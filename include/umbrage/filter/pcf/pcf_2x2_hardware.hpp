@@ -50,12 +50,31 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
 )GLSL",
 };
 
+/// Of a comparison sampler that a map has for itself the look-up as it is; where a map is a region, or lit outside, or
+/// has no such sampler, lit_filtered.
+inline constexpr snippet lit_at{
+    .name = "lit_at",
+    .summary = "comparisons around a point of the map, weighted",
+    .exactness = tier::c,
+    .within = 1.0f / 128.0f,
+    .needs = list<&lit_filtered>,
+    .role = hook::lit_at,
+    .source = R"GLSL(
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+)GLSL",
+};
+
 inline constexpr snippet pcf_2x2_hardware{
     .name = "pcf_2x2_hardware",
     .summary = "2x2 by a comparison sampler with a linear filter",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&is_compared, &lit_filtered>,
+    .needs = list<&is_compared, &lit_at>,
     .source = R"GLSL(
 // umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -64,13 +83,14 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
                                              UMBRAGE_HIGHP float receiver) {
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
-    UMBRAGE_HIGHP float lit = umbrage_lit_filtered(map, size, at, receiver);
-    return compared ? lit : 1.0;
+    UMBRAGE_HIGHP float lit = umbrage_lit_at(map, size, at / size, receiver);
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? lit * number : 1.0;
 }
 )GLSL",
 };
 
-inline constexpr auto pcf_2x2_hardware_snippets = list<&lit_filtered, &pcf_2x2_hardware>;
+inline constexpr auto pcf_2x2_hardware_snippets = list<&lit_filtered, &lit_at, &pcf_2x2_hardware>;
 
 }  // namespace glsl
 }  // namespace umbrage

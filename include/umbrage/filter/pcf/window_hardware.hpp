@@ -44,7 +44,7 @@ constexpr long_text window_hardware_text(int size) {
         const int texel = 2 * k - size / 2;
         text.append(R"GLSL(    UMBRAGE_HIGHP vec2 b$k = $b;
     UMBRAGE_HIGHP vec2 w$k = $a + b$k;
-    UMBRAGE_HIGHP vec2 p$k = texel $s $t.5 + b$k / w$k;
+    UMBRAGE_HIGHP vec2 p$k = (texel $s $t.5 + b$k / w$k) / size;
 )GLSL",
                     {{'k', k},
                      {'a', 0, window_weight(size, 2 * k).view()},
@@ -56,11 +56,14 @@ constexpr long_text window_hardware_text(int size) {
     for (int j = 0; 2 * j <= size; ++j) {
         text.append("    $trow = 0.0;\n", {{'t', 0, j == 0 ? "UMBRAGE_HIGHP float " : ""}});
         for (int i = 0; 2 * i <= size; ++i)
-            text.append("    row += w$i.x * umbrage_lit_filtered(map, size, vec2(p$i.x, p$j.y), receiver);\n",
+            text.append("    row += w$i.x * umbrage_lit_at(map, size, vec2(p$i.x, p$j.y), receiver);\n",
                         {{'i', i}, {'j', j}});
         text.append("    n += w$j.y * row;\n", {{'j', j}});
     }
-    text.append("    return compared ? n / (whole * whole) : 1.0;\n}\n");
+    text.append(R"GLSL(    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number / (whole * whole) : 1.0;
+}
+)GLSL");
     return text;
 }
 
@@ -76,7 +79,7 @@ inline constexpr snippet window_hardware{
                            : "window of 7 x 7 by 16 of them",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&is_compared, &lit_filtered>,
+    .needs = list<&is_compared, &lit_at>,
     .source = window_hardware_text<Size>.view()};
 
 inline constexpr auto window_hardware_snippets = list<&window_hardware<3>, &window_hardware<5>, &window_hardware<7>>;

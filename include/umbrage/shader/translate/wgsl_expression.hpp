@@ -50,7 +50,8 @@ struct value {
 inline constexpr std::pair<std::string_view, std::string_view> words_of_maps[]{
     {"UMBRAGE_TEXEL", "vec4"},      {"UMBRAGE_LIT_TEXEL", "float"},   {"UMBRAGE_LIT_FILTERED", "float"},
     {"UMBRAGE_GATHER_RED", "vec4"}, {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"},
-    {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"}};
+    {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"},       {"UMBRAGE_UV", "vec2"},
+    {"UMBRAGE_SAMPLED", "vec4"}};
 
 [[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
 

@@ -41,8 +41,7 @@ TEST_CASE("pcf_2x2_hardware: its bound holds for weights rounded to 1/256, and i
 TEST_CASE("pcf_2x2_hardware: the sampler weighs where there is one, else we do") {
     using namespace umbrage::glsl;
     const auto text = [](const binding& map) { return glsl::text({bind(glsl::pcf_2x2_hardware, "sun", map)}); };
-    CHECK(text({.texture = texture::shadow}).find("textureLod(map, vec3(texel / size, receiver), 0.0)") !=
-          std::string::npos);
+    CHECK(text({.texture = texture::shadow}).find("textureLod(map, vec3(uv, receiver), 0.0)") != std::string::npos);
     CHECK(text({.texture = texture::shadow}).find("umbrage_pcf_2x2_sun(") == std::string::npos);
     CHECK(text({.texture = texture::array}).find("return umbrage_pcf_2x2_sun(map, layer, size, ") != std::string::npos);
     CHECK(text({.texture = texture::shadow_array, .outside_lit = true}).find("umbrage_cleared_depth_sun()") !=

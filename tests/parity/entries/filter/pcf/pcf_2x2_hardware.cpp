@@ -19,12 +19,22 @@ void add_filter_pcf_pcf_2x2_hardware(std::vector<entry>& all) {
             for (int axis : {0, 1})
                 if (std::isnan(s.x[0][axis])) s.x[0][axis] = 0.5f;
         };
+    all.push_back(
+        filter(glsl::lit_at, "", [](const sample& s) { return vec4(lit_filtered(s.depth(), at(s), s.x[0].z)); }));
+    all.back().call = "vec4(umbrage_lit_at(map, map_size, vec2(x0.x, x0.y) / map_size, x0.z))";
+    for (input_class& c : all.back().classes)
+        c.fill = [fill = c.fill](std::uint64_t i, random& r, sample& s) {
+            fill(i, r, s);
+            for (int axis : {0, 1})  // points near the map: far off, 1/128 texel is lost by the division
+                if (!(std::abs(s.x[0][axis]) < 256.0f)) s.x[0][axis] = 0.5f;
+        };
     all.push_back(filter(glsl::pcf_2x2_hardware, "",
                          [](const sample& s) { return vec4(pcf_2x2_hardware(s.depth(), at(s), s.x[0].z)); }));
     const std::pair<const char*, glsl::binding> samplers[]{
         {"shadow", {.texture = texture::shadow}},
         {"shadow, reversed, lit outside",
          {.texture = texture::shadow, .direction = depth_direction::reversed, .outside_lit = true}},
+        {"shadow region", {.texture = texture::shadow, .origin = "vec2(5.0, 3.0)"}},
         {"shadow region, lit outside", {.texture = texture::shadow, .outside_lit = true, .origin = "vec2(5.0, 3.0)"}},
         {"shadow array, reversed", {.texture = texture::shadow_array, .direction = depth_direction::reversed}}};
     for (const auto& [name, as] : samplers)

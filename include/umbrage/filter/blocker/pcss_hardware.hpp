@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+//
+// Percentage-closer soft shadows as the textbook has them, in floats and by samplers: for half the instructions of
+// pcss.hpp, which has the same bits everywhere.
+//
+//     float visibility = umbrage::pcss_hardware<16>(umbrage::clamped(map), coord, depth - bias, glm::vec3(soft),
+//                                                   umbrage::disc_turn(pixel));
+//
+// A shader binds one texture twice: to a sampler of the nearest texel, from which the search reads depths
+// (texture::depth with gather set, which says that there is one), and to one that compares and filters:
+//
+//     vec2 turn = umbrage_disc_turn(gl_FragCoord.xy);
+//     float search = umbrage_pcss_radius(vec2(0.0, 0.0), receiver, soft);
+//     vec2 found = umbrage_blockers_hardware16_depths(depths, size, coord, receiver, search, turn);
+//     float radius = umbrage_pcss_radius(found, receiver, soft);
+//     float visibility = found.x > 0.5 ? umbrage_disc_hardware16_sun(sun, size, coord, receiver, radius, turn) : 1.0;
+//
+// Points of the search within a rounding of a texel's border may read the texel beside it.
+#pragma once
+
+#include <string_view>
+
+#include <umbrage/filter/blocker/penumbra.hpp>
+#include <umbrage/filter/pcf/disc_hardware.hpp>
+
+namespace umbrage {
+
+/// The texels under a disc's points that lie before a receiver, the points where they fall.
+/// @tparam Points    8, 16 or 32
+/// @param fetch      ivec2 texel -> stored depth; called Points times, texels may lie a radius outside the map
+/// @param coord      receiver in texels; outside texel space, or NaN: none found
+/// @param receiver   depth, biased as for the filter; beyond the far plane: none found; NaN has all before it
+/// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
+/// @param turn       as disc_turn gives it
+/// @return           (how many, the sum of their depths); not finite where depths are not
+/// @formula          sum of (1, stored) over the texels under disc_position with stored < receiver
+/// @exactness        C, within an ulp in a shader, but at borders between texels: a sampler takes the nearest to what
+///                   it rounds its coordinates to, 2^-10 texel off in a map of 8192
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius,
+                                               glm::vec<2, T> turn, Compare is_lit = {}) {
+    glm::vec<2, T> found(T(0), T(0));
+    if (!is_compared(coord, receiver, is_lit)) return found;
+    const T rho = clamped_disc_radius(radius);
+    for (const glm::ivec2 point : disc_points<Points>) {
+        const glm::ivec2 texel(glm::floor(disc_position(coord, glm::vec<2, T>(point), turn, rho)));
+        const auto stored = T(fetch(texel));
+        if (!is_lit(receiver, stored)) found += glm::vec<2, T>(T(1), stored);
+    }
+    return found;
+}
+
+/// Radius of the penumbra that blockers leave at a receiver; without a blocker, (0, 0), that of one at the near plane,
+/// beyond which no search needs to look.
+/// @param found      (how many, the sum of their depths)
+/// @param softness   of make_softness: (per_code, least, widest)
+/// @return           in texels, from least / 16 to widest / 16; the former for what is NaN
+/// @formula          |receiver - mean| 4096 per_code, clamped
+/// @exactness        C: a mean off by 4 ulp moves it by 2^-9 per_code
+/// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr T pcss_radius(glm::vec<2, T> found, T receiver, glm::vec<3, T> softness, Compare is_lit = {}) {
+    const bool forward = is_lit(T(0), T(1));
+    const T mean = found.x > T(0.5) ? found.y / found.x : (forward ? T(0) : T(1));
+    const T radius = (forward ? receiver - mean : mean - receiver) * (softness.x * T(4096));
+    const T least = softness.y * T(0.0625);
+    return radius > least ? glm::min(radius, softness.z * T(0.0625)) : least;
+}
+
+/// @tparam Points    8, 16 or 32, of the search and of the filter
+/// @param fetch      ivec2 texel -> stored depth; called up to 5 Points times
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param softness   of make_softness: (per_code, least, widest)
+/// @param turn       as disc_turn gives it
+/// @return           visibility, 0 in shadow, 1 lit; 1 where the search finds no blocker
+/// @formula          disc_hardware(pcss_radius(blockers_hardware(pcss_radius(none))))
+/// @exactness        C, where blockers' texels are the same: 1/128 and what the radius is off by
+/// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T pcss_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, glm::vec<3, T> softness,
+                              glm::vec<2, T> turn, Compare is_lit = {}) {
+    const T search = pcss_radius(glm::vec<2, T>(T(0), T(0)), receiver, softness, is_lit);
+    const auto found = blockers_hardware<Points>(fetch, coord, receiver, search, turn, is_lit);
+    if (!(found.x > T(0))) return T(1);
+    const T radius = pcss_radius(found, receiver, softness, is_lit);
+    return disc_hardware<Points>(fetch, coord, receiver, radius, turn, is_lit);
+}
+
+namespace glsl {
+
+/// Of a map with a sampler, which is all of its texture, the sample as it is; of others fetch_depth.
+inline constexpr snippet depth_at{
+    .name = "depth_at",
+    .summary = "stored depth at a point of the map",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&fetch_depth>,
+    .role = hook::depth_at,
+    .source = R"GLSL(
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+)GLSL",
+};
+
+inline constexpr snippet blocker_at{
+    .name = "blocker_at",
+    .summary = "whether what a point of the map holds lies before a receiver, and its depth",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&depth_at, &compare>,
+    .source = R"GLSL(
+// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP vec2 umbrage_blocker_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float stored = umbrage_depth_at(map, size, uv);
+    return umbrage_compare(receiver, stored) > 0.5 ? vec2(0.0, 0.0) : vec2(1.0, stored);
+}
+)GLSL",
+};
+
+inline constexpr snippet pcss_radius{
+    .name = "pcss_radius",
+    .summary = "radius of a penumbra from the mean depth of blockers",
+    .exactness = tier::c,
+    .within = 1.0f / 1024.0f,
+    .needs = list<&cleared_depth>,
+    .source = R"GLSL(
+// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
+//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
+//   softness  (1/16 texel a code, least, widest), of make_softness
+UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP float receiver,
+                                        UMBRAGE_HIGHP vec3 softness) {
+    bool forward = umbrage_cleared_depth() > 0.5;
+    UMBRAGE_HIGHP float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
+    UMBRAGE_HIGHP float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
+    UMBRAGE_HIGHP float least = softness.y * 0.0625;
+    return radius > least ? min(radius, softness.z * 0.0625) : least;
+}
+)GLSL",
+};
+
+namespace detail {
+
+template <int Points>
+constexpr auto blockers_hardware_text() {
+    auto text = fill<(Points + 16) * 120>(R"GLSL(
+// umbrage_blockers_hardware$n: of the texels at $n points of a disc those before the receiver: (how many, depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP vec2 umbrage_blockers_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                               UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                               UMBRAGE_HIGHP vec2 turn) {)GLSL",
+                                          {{'n', Points}});
+    text.append(disc_in_uv);
+    text.append("    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);\n");
+    for (const disc_point p : disc_points<Points>)
+        append_point(text, p, "    n += umbrage_blocker_at(map, size, ", ", receiver);\n");
+    text.append("    return compared ? n : vec2(0.0, 0.0);\n}\n");
+    return text;
+}
+
+}  // namespace detail
+
+template <int Points>
+inline constexpr auto blockers_hardware_text = detail::blockers_hardware_text<Points>();
+template <int Points>
+inline constexpr snippet blockers_hardware{
+    .name = Points == 8 ? "blockers_hardware8" : (Points == 16 ? "blockers_hardware16" : "blockers_hardware32"),
+    .summary = Points == 8    ? "what lies before a receiver at 8 points of a disc, by a sampler of the nearest texel"
+               : Points == 16 ? "the same at 16 points"
+                              : "the same at 32 points",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&is_compared, &blocker_at>,
+    .source = blockers_hardware_text<Points>.view()};
+
+inline constexpr auto pcss_hardware_snippets =
+    list<&depth_at, &blocker_at, &pcss_radius, &blockers_hardware<8>, &blockers_hardware<16>, &blockers_hardware<32>>;
+
+}  // namespace glsl
+}  // namespace umbrage

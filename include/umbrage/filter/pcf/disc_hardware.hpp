@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// A disc by the sampler: each point is a look-up that compares four texels and weighs them.
+//
+//     float visibility = umbrage::disc_hardware<16>(umbrage::clamped(map), coord, depth - bias, 3.0f,
+//                                                   umbrage::disc_turn(pixel));
+//
+// Maps and samplers are as for pcf_2x2_hardware.hpp. Points lie where they fall, between texels, as the sampler weighs
+// them anyway: nothing is rounded, so that a point costs little more than its look-up.
+#pragma once
+
+#include <string_view>
+
+#include <umbrage/filter/pcf/disc.hpp>
+#include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
+
+namespace umbrage {
+
+/// A disc's radius as hardware forms take it: clamped to [0, 255.9375], 0 for NaN.
+template <real T>
+[[nodiscard]] constexpr T clamped_disc_radius(T radius) {
+    return radius > T(0) ? glm::min(radius, T(max_disc_radius)) : T(0);
+}
+
+/// Where a point of a disc lies.
+/// @param coord    the disc's middle, in texels
+/// @param p        one of disc_points;   turn  as disc_turn gives it
+/// @param radius   in texels
+/// @formula        coord + turned point * radius / 1024, of point (x, y) turned by (c, s): (c x - s y, s x + c y)
+template <real T>
+[[nodiscard]] glm::vec<2, T> disc_position(glm::vec<2, T> coord, glm::vec<2, T> p, glm::vec<2, T> turn, T radius) {
+    const glm::vec<2, T> scaled = turn * (radius * T(1.0 / 1024.0));
+    return coord + glm::vec<2, T>(scaled.x * p.x - scaled.y * p.y, scaled.y * p.x + scaled.x * p.y);
+}
+
+/// Mean of pcf_2x2 over a disc's points.
+/// @tparam Points    8, 16 or 32
+/// @param fetch      ivec2 texel -> stored depth; called 4 Points times, texels may lie a radius and one outside
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param radius     in texels; clamped to 0 .. 255.9375, NaN is 0
+/// @param turn       as disc_turn gives it
+/// @return           visibility, 0 in shadow, 1 lit
+/// @formula          mean of pcf_2x2(disc_position) over disc_points
+/// @exactness        C, within 1/128 in a shader as pcf_2x2_hardware: the mean is off by no more than each of its parts
+/// @cite             Reeves, Salesin, Cook: Rendering antialiased shadows with depth maps, SIGGRAPH 1987
+template <int Points, real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T disc_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius, glm::vec<2, T> turn,
+                              Compare is_lit = {}) {
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const T rho = clamped_disc_radius(radius);
+    T sum = T(0);
+    for (const glm::ivec2 point : disc_points<Points>)
+        sum += lit_filtered(fetch, disc_position(coord, glm::vec<2, T>(point), turn, rho), receiver, is_lit);
+    return sum * T(1.0 / Points);
+}
+
+namespace glsl {
+
+namespace detail {
+
+/// What every text over a disc's points in uv begins with, from its head's closing brace on.
+inline constexpr std::string_view disc_in_uv = R"GLSL(
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+)GLSL";
+
+/// `text` with the point's place in uv: centre + x $x + y $y.
+template <std::size_t Capacity>
+constexpr void append_point(filled_text<Capacity>& text, disc_point p, std::string_view before,
+                            std::string_view after) {
+    const auto sign = [](int v) { return v < 0 ? std::string_view("-") : std::string_view("+"); };
+    const auto size = [](int v) { return v < 0 ? -v : v; };
+    text.append(before);
+    text.append("centre $s x * $x.0 $t y * $y.0",
+                {{'s', 0, sign(p.x)}, {'x', size(p.x)}, {'t', 0, sign(p.y)}, {'y', size(p.y)}});
+    text.append(after);
+}
+
+template <int Points>
+constexpr auto disc_hardware_text() {
+    auto text = fill<(Points + 16) * 120>(R"GLSL(
+// umbrage_disc_hardware$n: $n points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                            UMBRAGE_HIGHP vec2 turn) {)GLSL",
+                                          {{'n', Points}});
+    text.append(disc_in_uv);
+    text.append("    UMBRAGE_HIGHP float n = 0.0;\n");
+    for (const disc_point p : disc_points<Points>)
+        append_point(text, p, "    n += umbrage_lit_at(map, size, ", ", receiver);\n");
+    text.append(R"GLSL(    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number * (1.0 / $n.0) : 1.0;
+}
+)GLSL",
+                {{'n', Points}});
+    return text;
+}
+
+}  // namespace detail
+
+template <int Points>
+inline constexpr auto disc_hardware_text = detail::disc_hardware_text<Points>();
+template <int Points>
+inline constexpr snippet disc_hardware{
+    .name = Points == 8 ? "disc_hardware8" : (Points == 16 ? "disc_hardware16" : "disc_hardware32"),
+    .summary = Points == 8    ? "disc of 8 points by a comparison sampler with a linear filter"
+               : Points == 16 ? "disc of 16 points by one"
+                              : "disc of 32 points by one",
+    .exactness = tier::c,
+    .within = 1.0f / 128.0f,
+    .needs = list<&is_compared, &lit_at>,
+    .source = disc_hardware_text<Points>.view()};
+
+inline constexpr auto disc_hardware_snippets = list<&lit_at, &disc_hardware<8>, &disc_hardware<16>, &disc_hardware<32>>;
+
+}  // namespace glsl
+}  // namespace umbrage

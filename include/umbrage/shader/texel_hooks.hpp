@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+//
+// The hooks of hooks.hpp that take texels, one or four, as they are.
+//
+#pragma once
+
+#include <umbrage/filter/texel_space.hpp>
+
+namespace umbrage::glsl::hooks {
+
+inline constexpr snippet forward_cleared_depth{
+    .name = "cleared_depth", .summary = "cleared_depth, forward", .role = hook::chosen, .source = R"GLSL(
+// umbrage_cleared_depth: depth of the far plane
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+    return 1.0;
+}
+)GLSL"};
+
+inline constexpr snippet reversed_cleared_depth{
+    .name = "cleared_depth", .summary = "cleared_depth, reversed", .role = hook::chosen, .source = R"GLSL(
+// umbrage_cleared_depth: depth of the far plane
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+    return 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet forward_beyond_far{
+    .name = "beyond_far", .summary = "beyond_far, forward", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far: whether a receiver is behind the far plane
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return receiver > 1.0;
+}
+)GLSL"};
+
+inline constexpr snippet reversed_beyond_far{
+    .name = "beyond_far", .summary = "beyond_far, reversed", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far: whether a receiver is behind the far plane
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return receiver < 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet scaled_beyond_far{
+    .name = "beyond_far", .summary = "beyond_far, scaled", .role = hook::chosen, .source = R"GLSL(
+// umbrage_beyond_far: never on this scale; receivers behind the far plane come in as what every texel lights
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return false;
+}
+)GLSL"};
+
+inline constexpr snippet forward_compare{
+    .name = "compare", .summary = "compare, forward", .role = hook::chosen, .source = R"GLSL(
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet reversed_compare{
+    .name = "compare", .summary = "compare, reversed", .role = hook::chosen, .source = R"GLSL(
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth, near is 1.0
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return receiver >= stored ? 1.0 : 0.0;
+}
+)GLSL"};
+
+inline constexpr snippet texel{.name = "texel", .summary = "texel", .role = hook::chosen, .source = R"GLSL(
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    return UMBRAGE_TEXEL;
+}
+)GLSL"};
+
+inline constexpr snippet decode{.name = "decode", .summary = "decode", .role = hook::chosen, .source = R"GLSL(
+// umbrage_decode: depth of a texel's value
+UMBRAGE_HIGHP float umbrage_decode(UMBRAGE_HIGHP vec4 value) {
+    return UMBRAGE_DEPTH;
+}
+)GLSL"};
+
+inline constexpr snippet clamped_depth{.name = "fetch_depth",
+                                       .summary = "fetch_depth, clamped",
+                                       .needs = list<&fetch_clamped, &decode>,
+                                       .role = hook::chosen,
+                                       .source = R"GLSL(
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+)GLSL"};
+
+inline constexpr snippet bordered_depth{.name = "fetch_depth",
+                                        .summary = "fetch_depth, bordered",
+                                        .needs = list<&fetch_clamped, &decode, &inside_map, &cleared_depth>,
+                                        .role = hook::chosen,
+                                        .source = R"GLSL(
+// umbrage_fetch_depth: stored depth of a texel, outside the map that of the far plane
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    UMBRAGE_HIGHP float depth = umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+    return umbrage_inside_map(size, texel) ? depth : umbrage_cleared_depth();
+}
+)GLSL"};
+
+inline constexpr snippet lit_texel{.name = "lit_texel", .summary = "lit_texel", .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit_texel: the sampler's comparison with a texel inside the map; a NaN is in shadow
+UMBRAGE_HIGHP float umbrage_lit_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP float lit = UMBRAGE_LIT_TEXEL;
+    return (receiver > 0.0 ? lit : 0.0) + (receiver <= 0.0 ? lit : 0.0);
+}
+)GLSL"};
+
+inline constexpr snippet clamped_lit{
+    .name = "lit", .summary = "lit, clamped", .needs = list<&lit_texel>, .role = hook::chosen, .source = R"GLSL(
+// umbrage_lit: visibility of one comparison with a texel, outside the map with the nearest one inside
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0), receiver);
+}
+)GLSL"};
+
+inline constexpr snippet bordered_lit{.name = "lit",
+                                      .summary = "lit, bordered",
+                                      .needs = list<&lit_texel, &inside_map, &compare, &cleared_depth>,
+                                      .role = hook::chosen,
+                                      .source = R"GLSL(
+// umbrage_lit: visibility of one comparison with a texel, outside the map with the far plane
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float lit = umbrage_lit_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0), receiver);
+    return umbrage_inside_map(size, texel) ? lit : umbrage_compare(receiver, umbrage_cleared_depth());
+}
+)GLSL"};
+
+// Four texels at once: a gather gives those at (0, 1), (1, 1), (1, 0) and (0, 0), in this order.
+
+inline constexpr snippet gather_compared{
+    .name = "gather_lit", .summary = "gather_lit, compared", .role = hook::gather_lit, .source = R"GLSL(
+// umbrage_gather_lit: the sampler's comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); a NaN is in shadow
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 lit = UMBRAGE_GATHER_LIT;
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return vec4(lit.w, lit.z, lit.x, lit.y) * number;
+}
+)GLSL"};
+
+inline constexpr snippet gather_one_channel{.name = "gather_lit",
+                                            .summary = "gather_lit, one channel",
+                                            .needs = list<&decode, &compare>,
+                                            .role = hook::chosen,
+                                            .source = R"GLSL(
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
+    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, 0.0, 0.0, 0.0)));
+    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, 0.0, 0.0, 0.0)));
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
+inline constexpr snippet gather_two_channels{.name = "gather_lit",
+                                             .summary = "gather_lit, two channels",
+                                             .needs = list<&decode, &compare>,
+                                             .role = hook::chosen,
+                                             .source = R"GLSL(
+// umbrage_gather_lit: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_gather_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                      UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
+    UMBRAGE_HIGHP vec4 r = UMBRAGE_GATHER_RED;
+    UMBRAGE_HIGHP vec4 g = UMBRAGE_GATHER_GREEN;
+    UMBRAGE_HIGHP float a = umbrage_compare(receiver, umbrage_decode(vec4(r.w, g.w, 0.0, 0.0)));
+    UMBRAGE_HIGHP float b = umbrage_compare(receiver, umbrage_decode(vec4(r.z, g.z, 0.0, 0.0)));
+    UMBRAGE_HIGHP float c = umbrage_compare(receiver, umbrage_decode(vec4(r.x, g.x, 0.0, 0.0)));
+    UMBRAGE_HIGHP float d = umbrage_compare(receiver, umbrage_decode(vec4(r.y, g.y, 0.0, 0.0)));
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
+inline constexpr snippet gathered{.name = "lit_2x2",
+                                  .summary = "lit_2x2, gathered",
+                                  .needs = list<&gather_compared>,
+                                  .role = hook::chosen,
+                                  .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1); the sampler clamps
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    return umbrage_gather_lit(map, size, texel, receiver);
+}
+)GLSL"};
+
+inline constexpr snippet gathered_region{.name = "lit_2x2",
+                                         .summary = "lit_2x2, gathered in a region",
+                                         .needs = list<&gather_compared>,
+                                         .role = hook::chosen,
+                                         .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the nearest texel inside: the gather stays inside, and each comparison is taken from its row and column
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
+    UMBRAGE_HIGHP vec2 low = clamp(texel, vec2(0.0, 0.0), size - 1.0) - first;
+    UMBRAGE_HIGHP vec2 high = clamp(texel + 1.0, vec2(0.0, 0.0), size - 1.0) - first;
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
+    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 right = high.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    UMBRAGE_HIGHP vec2 top = high.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    return vec4(bottom.x, bottom.y, top.x, top.y);
+}
+)GLSL"};
+
+inline constexpr snippet gathered_bordered{.name = "lit_2x2",
+                                           .summary = "lit_2x2, gathered and bordered",
+                                           .needs = list<&gather_compared, &inside_map, &compare, &cleared_depth>,
+                                           .role = hook::chosen,
+                                           .source = R"GLSL(
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1), outside the map with
+//   the far plane: the gather stays inside
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 first = clamp(texel, vec2(0.0, 0.0), max(size - 2.0, vec2(0.0, 0.0)));
+    UMBRAGE_HIGHP vec2 low = texel - first;
+    UMBRAGE_HIGHP vec4 lit = umbrage_gather_lit(map, size, first, receiver);
+    UMBRAGE_HIGHP vec2 left = low.x > 0.5 ? vec2(lit.y, lit.w) : vec2(lit.x, lit.z);
+    UMBRAGE_HIGHP vec2 right = low.x < -0.5 ? vec2(lit.x, lit.z) : vec2(lit.y, lit.w);
+    UMBRAGE_HIGHP vec2 bottom = low.y > 0.5 ? vec2(left.y, right.y) : vec2(left.x, right.x);
+    UMBRAGE_HIGHP vec2 top = low.y < -0.5 ? vec2(left.x, right.x) : vec2(left.y, right.y);
+    UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
+    UMBRAGE_HIGHP float a = umbrage_inside_map(size, texel) ? bottom.x : outside;
+    UMBRAGE_HIGHP float b = umbrage_inside_map(size, texel + vec2(1.0, 0.0)) ? bottom.y : outside;
+    UMBRAGE_HIGHP float c = umbrage_inside_map(size, texel + vec2(0.0, 1.0)) ? top.x : outside;
+    UMBRAGE_HIGHP float d = umbrage_inside_map(size, texel + vec2(1.0, 1.0)) ? top.y : outside;
+    return vec4(a, b, c, d);
+}
+)GLSL"};
+
+}  // namespace umbrage::glsl::hooks

@@ -1,0 +1,234 @@
+// umbrage 0.1.0, MIT License: disc_hardware16
+
+#ifndef UMBRAGE_HIGHP
+#ifdef GL_ES
+#define UMBRAGE_HIGHP highp
+#else
+#define UMBRAGE_HIGHP
+#endif
+#endif
+#ifndef UMBRAGE_PRECISE
+#if (defined(GL_ES) && __VERSION__ >= 320) || (!defined(GL_ES) && __VERSION__ >= 400)
+#define UMBRAGE_PRECISE precise
+#else
+#define UMBRAGE_PRECISE
+#endif
+#endif
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+bool umbrage_inside_texel_space(UMBRAGE_HIGHP vec2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return abs(coord.x) < 32768.0 && abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_INSIDE_MAP
+#define UMBRAGE_HAS_INSIDE_MAP
+// umbrage_inside_map: whether a texel is one of a map's of size texels
+bool umbrage_inside_map(UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return texel.x >= 0.0 && texel.y >= 0.0 && texel.x < size.x && texel.y < size.y;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
+#ifndef UMBRAGE_BEYOND_FAR
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) < 0.0)
+#else
+#define UMBRAGE_BEYOND_FAR(receiver) ((receiver) > 1.0)
+#endif
+#endif
+// umbrage_beyond_far: whether a receiver is behind the far plane
+bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
+    return UMBRAGE_BEYOND_FAR(receiver);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED
+#define UMBRAGE_HAS_IS_COMPARED
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE
+#define UMBRAGE_HAS_COMPARE
+// UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
+#ifndef UMBRAGE_LIT
+#ifdef UMBRAGE_REVERSED
+#define UMBRAGE_LIT(receiver, stored) ((receiver) >= (stored) ? 1.0 : 0.0)
+#else
+#define UMBRAGE_LIT(receiver, stored) ((receiver) <= (stored) ? 1.0 : 0.0)
+#endif
+#endif
+// umbrage_compare: visibility of one comparison
+UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
+    return UMBRAGE_LIT(receiver, stored);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map
+//   map    2D sampler; before GLSL 1.30 its filter must be nearest
+//   size   of the map in texels;   texel  whole numbers, (0, 0) is the first
+#ifndef UMBRAGE_MAP
+#define UMBRAGE_MAP UMBRAGE_HIGHP sampler2D
+#endif
+UMBRAGE_HIGHP vec4 umbrage_texel(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+#if __VERSION__ >= 130
+    return texelFetch(map, ivec2(texel), 0);
+#else
+    return texture2D(map, (texel + 0.5) / size);
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+UMBRAGE_HIGHP vec4 umbrage_fetch_clamped(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return umbrage_texel(map, size, clamp(texel, vec2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_BORDERED
+#define UMBRAGE_HAS_FETCH_BORDERED
+// umbrage_fetch_bordered: texel of a map, or border outside of it
+UMBRAGE_HIGHP vec4 umbrage_fetch_bordered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                          UMBRAGE_HIGHP vec4 border) {
+    UMBRAGE_HIGHP vec4 value = umbrage_fetch_clamped(map, size, texel);
+    return umbrage_inside_map(size, texel) ? value : border;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane, 1.0; after #define UMBRAGE_REVERSED 0.0
+UMBRAGE_HIGHP float umbrage_cleared_depth() {
+#ifdef UMBRAGE_REVERSED
+    return 0.0;
+#else
+    return 1.0;
+#endif
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH
+#define UMBRAGE_HAS_FETCH_DEPTH
+// UMBRAGE_FETCH: stored depth of a texel; define it beforehand for packed maps
+// UMBRAGE_OUTSIDE_LIT: define it and all outside the map is lit, where it is else as the nearest texel inside
+#ifndef UMBRAGE_FETCH
+#ifndef UMBRAGE_OUTSIDE_LIT
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_clamped(map, size, texel).x
+#else
+#define UMBRAGE_FETCH(map, size, texel) umbrage_fetch_bordered(map, size, texel, vec4(umbrage_cleared_depth())).x
+#endif
+#endif
+// umbrage_fetch_depth: stored depth of a texel
+UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel) {
+    return UMBRAGE_FETCH(map, size, texel);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT
+#define UMBRAGE_HAS_LIT
+// umbrage_lit: visibility of one comparison with a texel
+UMBRAGE_HIGHP float umbrage_lit(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                UMBRAGE_HIGHP float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_2X2
+#define UMBRAGE_HAS_LIT_2X2
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 texel,
+                                   UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP float a = umbrage_lit(map, size, texel, receiver);
+    UMBRAGE_HIGHP float b = umbrage_lit(map, size, texel + vec2(1.0, 0.0), receiver);
+    UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
+    UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
+    return vec4(a, b, c, d);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PCF_2X2
+#define UMBRAGE_HAS_PCF_2X2
+// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+UMBRAGE_HIGHP float umbrage_pcf_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                    UMBRAGE_HIGHP float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 hi = x - texel * 256.0;
+    UMBRAGE_HIGHP vec2 lo = 256.0 - hi;
+    UMBRAGE_HIGHP vec4 lit = umbrage_lit_2x2(map, size, texel, receiver);
+    UMBRAGE_HIGHP float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
+    UMBRAGE_HIGHP float visibility = sum * (1.0 / 65536.0);
+    return compared ? visibility : 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_FILTERED
+#define UMBRAGE_HAS_LIT_FILTERED
+// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   coord  in texels, no NaN; what is outside texel space counts as its border
+UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                         UMBRAGE_HIGHP float receiver) {
+    return umbrage_pcf_2x2(map, size, clamp(coord, vec2(-32767.0, -32767.0), vec2(32767.0, 32767.0)), receiver);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_AT
+#define UMBRAGE_HAS_LIT_AT
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv,
+                                   UMBRAGE_HIGHP float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_HARDWARE16
+#define UMBRAGE_HAS_DISC_HARDWARE16
+// umbrage_disc_hardware16: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+UMBRAGE_HIGHP float umbrage_disc_hardware16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                            UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
+                                            UMBRAGE_HIGHP vec2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 centre = (compared ? coord : vec2(0.0, 0.0)) / size;
+    UMBRAGE_HIGHP vec2 scaled = turn * ((radius > 0.0 ? min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    UMBRAGE_HIGHP vec2 x = scaled / size;
+    UMBRAGE_HIGHP vec2 y = vec2(0.0 - scaled.y, scaled.x) / size;
+    UMBRAGE_HIGHP float n = 0.0;
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 5.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 6.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 8.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 12.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 1.0 + y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number * (1.0 / 16.0) : 1.0;
+}
+#endif

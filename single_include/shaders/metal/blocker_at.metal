@@ -1,0 +1,64 @@
+// umbrage 0.1.0, MIT License: blocker_at
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
+    return map.read(uint2(texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE
+#define UMBRAGE_HAS_DECODE
+// umbrage_decode: depth of a texel's value
+inline float umbrage_decode(float4 value) {
+    return value.x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH
+#define UMBRAGE_HAS_FETCH_DEPTH
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DEPTH_AT
+#define UMBRAGE_HAS_DEPTH_AT
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float umbrage_depth_at(metal::texture2d<float> map, float2 size, float2 uv) {
+    return umbrage_fetch_depth(map, size, metal::floor(uv * size));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE
+#define UMBRAGE_HAS_COMPARE
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKER_AT
+#define UMBRAGE_HAS_BLOCKER_AT
+// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float2 umbrage_blocker_at(metal::texture2d<float> map, float2 size, float2 uv, float receiver) {
+    float stored = umbrage_depth_at(map, size, uv);
+    return umbrage_compare(receiver, stored) > 0.5 ? float2(0.0, 0.0) : float2(1.0, stored);
+}
+#endif

@@ -1,0 +1,139 @@
+// umbrage 0.1.0, MIT License: blockers_hardware32
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// umbrage_beyond_far: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED
+#define UMBRAGE_HAS_IS_COMPARED
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+inline bool umbrage_is_compared(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
+    return map.read(uint2(texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE
+#define UMBRAGE_HAS_DECODE
+// umbrage_decode: depth of a texel's value
+inline float umbrage_decode(float4 value) {
+    return value.x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH
+#define UMBRAGE_HAS_FETCH_DEPTH
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DEPTH_AT
+#define UMBRAGE_HAS_DEPTH_AT
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float umbrage_depth_at(metal::texture2d<float> map, float2 size, float2 uv) {
+    return umbrage_fetch_depth(map, size, metal::floor(uv * size));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE
+#define UMBRAGE_HAS_COMPARE
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKER_AT
+#define UMBRAGE_HAS_BLOCKER_AT
+// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float2 umbrage_blocker_at(metal::texture2d<float> map, float2 size, float2 uv, float receiver) {
+    float stored = umbrage_depth_at(map, size, uv);
+    return umbrage_compare(receiver, stored) > 0.5 ? float2(0.0, 0.0) : float2(1.0, stored);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE32
+#define UMBRAGE_HAS_BLOCKERS_HARDWARE32
+// umbrage_blockers_hardware32: texels at 32 points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+inline float2 umbrage_blockers_hardware32(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
+                                          float radius, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float2 n = float2(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    return compared ? n : float2(0.0, 0.0);
+}
+#endif

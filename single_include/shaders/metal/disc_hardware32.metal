@@ -1,0 +1,178 @@
+// umbrage 0.1.0, MIT License: disc_hardware32
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+#define UMBRAGE_HAS_INSIDE_TEXEL_SPACE
+// umbrage_inside_texel_space: coordinates in texels that a filter can take; it takes all others, NaN included, as lit
+inline bool umbrage_inside_texel_space(float2 coord) {
+    // two limits on purpose: Mesa makes max(x, y) < limit of one, which loses a NaN
+    return metal::abs(coord.x) < 32768.0 && metal::abs(coord.y) * 2.0 < 65536.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_BEYOND_FAR
+#define UMBRAGE_HAS_BEYOND_FAR
+// umbrage_beyond_far: whether a receiver is behind the far plane
+inline bool umbrage_beyond_far(float receiver) {
+    return receiver > 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_IS_COMPARED
+#define UMBRAGE_HAS_IS_COMPARED
+// umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
+inline bool umbrage_is_compared(float2 coord, float receiver) {
+    // a choice, not a && !b: of !(receiver > 1.0) FXC makes receiver <= 1.0, which loses a NaN
+    return umbrage_beyond_far(receiver) ? false : umbrage_inside_texel_space(coord);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_COMPARE
+#define UMBRAGE_HAS_COMPARE
+// umbrage_compare: 1.0 when the receiver is no farther than the stored depth
+inline float umbrage_compare(float receiver, float stored) {
+    return receiver <= stored ? 1.0 : 0.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_TEXEL
+#define UMBRAGE_HAS_TEXEL
+// umbrage_texel: value of a texel inside the map; whole numbers, (0, 0) is the first
+inline float4 umbrage_texel(metal::texture2d<float> map, float2 size, float2 texel) {
+    return map.read(uint2(texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_CLAMPED
+#define UMBRAGE_HAS_FETCH_CLAMPED
+// umbrage_fetch_clamped: texel of a map; coordinates outside move to the nearest texel inside
+inline float4 umbrage_fetch_clamped(metal::texture2d<float> map, float2 size, float2 texel) {
+    return umbrage_texel(map, size, metal::clamp(texel, float2(0.0, 0.0), size - 1.0));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DECODE
+#define UMBRAGE_HAS_DECODE
+// umbrage_decode: depth of a texel's value
+inline float umbrage_decode(float4 value) {
+    return value.x;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_FETCH_DEPTH
+#define UMBRAGE_HAS_FETCH_DEPTH
+// umbrage_fetch_depth: stored depth of a texel, outside the map of the nearest one inside
+inline float umbrage_fetch_depth(metal::texture2d<float> map, float2 size, float2 texel) {
+    return umbrage_decode(umbrage_fetch_clamped(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT
+#define UMBRAGE_HAS_LIT
+// umbrage_lit: visibility of one comparison with a texel
+inline float umbrage_lit(metal::texture2d<float> map, float2 size, float2 texel, float receiver) {
+    return umbrage_compare(receiver, umbrage_fetch_depth(map, size, texel));
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_2X2
+#define UMBRAGE_HAS_LIT_2X2
+// umbrage_lit_2x2: visibility of the comparisons with texel + (0, 0), (1, 0), (0, 1) and (1, 1)
+inline float4 umbrage_lit_2x2(metal::texture2d<float> map, float2 size, float2 texel, float receiver) {
+    float a = umbrage_lit(map, size, texel, receiver);
+    float b = umbrage_lit(map, size, texel + float2(1.0, 0.0), receiver);
+    float c = umbrage_lit(map, size, texel + float2(0.0, 1.0), receiver);
+    float d = umbrage_lit(map, size, texel + float2(1.0, 1.0), receiver);
+    return float4(a, b, c, d);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PCF_2X2
+#define UMBRAGE_HAS_PCF_2X2
+// umbrage_pcf_2x2: bilinear percentage-closer filtering; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased
+inline float umbrage_pcf_2x2(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    float2 texel = metal::floor(x * (1.0 / 256.0));
+    float2 hi = x - texel * 256.0;
+    float2 lo = 256.0 - hi;
+    float4 lit = umbrage_lit_2x2(map, size, texel, receiver);
+    float sum = lo.y * (lo.x * lit.x + hi.x * lit.y) + hi.y * (lo.x * lit.z + hi.x * lit.w);
+    float visibility = sum * (1.0 / 65536.0);
+    return compared ? visibility : 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_FILTERED
+#define UMBRAGE_HAS_LIT_FILTERED
+// umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
+//   coord  in texels, no NaN; what is outside texel space counts as its border
+inline float umbrage_lit_filtered(metal::texture2d<float> map, float2 size, float2 coord, float receiver) {
+    return umbrage_pcf_2x2(map, size, metal::clamp(coord, float2(-32767.0, -32767.0), float2(32767.0, 32767.0)),
+                           receiver);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_LIT_AT
+#define UMBRAGE_HAS_LIT_AT
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float umbrage_lit_at(metal::texture2d<float> map, float2 size, float2 uv, float receiver) {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}
+#endif
+
+#ifndef UMBRAGE_HAS_DISC_HARDWARE32
+#define UMBRAGE_HAS_DISC_HARDWARE32
+// umbrage_disc_hardware32: 32 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+inline float umbrage_disc_hardware32(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
+                                     float radius, float2 turn) {
+    bool compared = umbrage_is_compared(coord, receiver);
+    float2 centre = (compared ? coord : float2(0.0, 0.0)) / size;
+    float2 scaled = turn * ((radius > 0.0 ? metal::min(radius, 255.9375) : 0.0) * (1.0 / 1024.0));
+    float2 x = scaled / size;
+    float2 y = float2(0.0 - scaled.y, scaled.x) / size;
+    float n = 0.0;
+    n += umbrage_lit_at(map, size, centre - x * 2.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 5.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 8.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 8.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 + y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 1.0 - y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 6.0 - y * 7.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 8.0 + y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 3.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 6.0 + y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 5.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 5.0 - y * 12.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 1.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 7.0 + y * 11.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 13.0 + y * 3.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 + y * 4.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 10.0 - y * 10.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 11.0 + y * 9.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 3.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 13.0 - y * 6.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 12.0 + y * 8.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
+    n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
+    n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return compared ? n * number * (1.0 / 32.0) : 1.0;
+}
+#endif

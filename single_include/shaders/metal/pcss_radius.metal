@@ -1,0 +1,27 @@
+// umbrage 0.1.0, MIT License: pcss_radius
+
+#include <metal_stdlib>
+#pragma METAL fp math_mode(safe)
+#pragma METAL fp contract(off)
+
+#ifndef UMBRAGE_HAS_CLEARED_DEPTH
+#define UMBRAGE_HAS_CLEARED_DEPTH
+// umbrage_cleared_depth: depth of the far plane
+inline float umbrage_cleared_depth() {
+    return 1.0;
+}
+#endif
+
+#ifndef UMBRAGE_HAS_PCSS_RADIUS
+#define UMBRAGE_HAS_PCSS_RADIUS
+// umbrage_pcss_radius: radius of a penumbra in texels; without a blocker that of one at the near plane
+//   found     (how many blockers, the sum of their depths);   receiver  depth, biased
+//   softness  (1/16 texel a code, least, widest), of make_softness
+inline float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
+    bool forward = umbrage_cleared_depth() > 0.5;
+    float mean = found.x > 0.5 ? found.y / found.x : (forward ? 0.0 : 1.0);
+    float radius = (forward ? receiver - mean : mean - receiver) * (softness.x * 4096.0);
+    float least = softness.y * 0.0625;
+    return radius > least ? metal::min(radius, softness.z * 0.0625) : least;
+}
+#endif

@@ -1,0 +1,9 @@
+// umbrage 0.1.0, MIT License: blocker_at
+// Paste along: texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, depth_at.wgsl, compare.wgsl
+
+// umbrage_blocker_at: (1.0, depth) of the texel at a point where it is before the receiver, else (0.0, 0.0)
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+fn umbrage_blocker_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f32) -> vec2f {
+    let stored: f32 = umbrage_depth_at(map, size, uv);
+    return select(vec2f(1.0, stored), vec2f(0.0, 0.0), umbrage_compare(receiver, stored) > 0.5);
+}

@@ -1,0 +1,24 @@
+// umbrage 0.1.0, MIT License: blockers_hardware8
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, depth_at.wgsl, compare.wgsl, blocker_at.wgsl
+
+// umbrage_blockers_hardware8: texels at 8 points of a disc that lie before the receiver; (how many, their depths' sum)
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
+fn umbrage_blockers_hardware8(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
+                              turn: vec2f) -> vec2f {
+    let compared: bool = umbrage_is_compared(coord, receiver);
+    let centre: vec2f = select(vec2f(0.0, 0.0), coord, compared) / size;
+    let scaled: vec2f = turn * (select(0.0, min(radius, 255.9375), radius > 0.0) * (1.0 / 1024.0));
+    let x: vec2f = scaled / size;
+    let y: vec2f = vec2f(0.0 - scaled.y, scaled.x) / size;
+    var n: vec2f = vec2f(0.0, 0.0);
+    n += umbrage_blocker_at(map, size, centre + x * 3.0 - y * 1.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 4.0 + y * 5.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 1.0 - y * 11.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 9.0 - y * 8.0, receiver);
+    n += umbrage_blocker_at(map, size, centre - x * 12.0 + y * 3.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
+    n += umbrage_blocker_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
+    return select(vec2f(0.0, 0.0), n, compared);
+}

@@ -1,0 +1,8 @@
+// umbrage 0.1.0, MIT License: lit_at
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl
+
+// umbrage_lit_at: 2x2 comparisons around a point, weighted; visibility, 1.0 is lit
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+fn umbrage_lit_at(map: texture_2d<f32>, size: vec2f, uv: vec2f, receiver: f32) -> f32 {
+    return umbrage_lit_filtered(map, size, uv * size, receiver);
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <umbrage/filter/blocker/pcss_hardware.hpp>
+
+#include <cmath>
+
+#include "soft.hpp"
+
+namespace parity {
+namespace {
+
+using namespace umbrage;
+
+/// Whether a position is no rounding away from a border between texels, where samplers may take either.
+bool off_borders(vec2 position) {
+    const vec2 within = position - glm::floor(position);
+    return std::min(std::min(within.x, within.y), 1.0f - std::max(within.x, within.y)) > 1.0f / 512.0f;
+}
+
+/// Inputs with a coordinate near the map that `accepted` accepts.
+template <class Accepted>
+std::vector<input_class> receivers_with(Accepted accepted) {
+    std::vector<input_class> all = receivers();
+    for (input_class& c : all)
+        c.fill = [fill = c.fill, accepted](std::uint64_t i, random& r, sample& s) {
+            fill(i, r, s);
+            if (!inside_texel_space(at(s))) return;  // which is not looked up
+            const glm::vec2 texel = glm::clamp(glm::floor(at(s)), -200.0f, 200.0f);
+            do
+                for (int axis : {0, 1}) s.x[0][axis] = texel[axis] + static_cast<float>(2 * r.below(128) + 1) / 256.0f;
+            while (!accepted(s));
+        };
+    return all;
+}
+
+float radius_of(const sample& s) { return clamped_disc_radius(s.x[0].w * 0.7f); }
+constexpr auto search_arguments = ", x0.w * 0.7, umbrage_disc_turn(vec2(x0.x, x0.y))";
+
+template <int Points>
+void add_blockers(std::vector<entry>& all, const std::string& name, const umbrage::glsl::binding& as) {
+    all.push_back(bound_filter(glsl::blockers_hardware<Points>, search_arguments, name, as,
+                               [](auto, const auto&, auto) { return 0.0f; }));
+    entry& e = all.back();
+    e.twin = [as](const sample& s) {
+        const comparison is_lit{as.direction};
+        const vec2 found =
+            blockers_hardware<Points>(s.depth(), at(s), s.x[0].z, s.x[0].w * 0.7f, disc_turn(at(s)), is_lit);
+        return vec4(found.x, found.y, 0.0f, 0.0f);
+    };
+    e.call.insert(e.call.size() - 1, ", 0.0, 0.0");
+    e.classes = receivers_with([](const sample& s) {
+        const vec2 turn = disc_turn(at(s));
+        for (const ivec2 point : disc_points<Points>)
+            if (!off_borders(disc_position(at(s), vec2(point), turn, radius_of(s)))) return false;
+        return true;
+    });
+    e.also = {&glsl::disc_turn};
+    e.share = Points;
+}
+
+/// How many blockers in x0.x, the sum of their depths in x0.y, the receiver in x0.z; in x1 a softness.
+std::vector<input_class> found_blockers() {
+    std::vector<input_class> all = spread({{0.0f, 32.0f}, {0.0f, 16.0f}, {0.0f, 1.0f}}, special_values());
+    for (input_class& c : all)
+        c.fill = [fill = c.fill](std::uint64_t i, random& r, sample& s) {
+            fill(i, r, s);
+            if (i % 8 != 0) s.x[0].x = static_cast<float>(r.below(33));
+            if (i % 8 == 1) s.x[0].x = s.x[0].y = 0.0f;
+            const auto least = static_cast<float>(r.below(64));
+            s.x[1] = {static_cast<float>(r.below(256)) / 1024.0f, least, least + static_cast<float>(r.below(4032)),
+                      0.0f};
+        };
+    return all;
+}
+
+}  // namespace
+
+void add_filter_blocker_pcss_hardware(std::vector<entry>& all) {
+    using glsl::texture;
+    for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
+        const bool forward = direction == depth_direction::forward;
+        all.push_back({.primitive = &glsl::pcss_radius,
+                       .variant = forward ? "" : "reversed",
+                       .classes = found_blockers(),
+                       .twin =
+                           [direction](const sample& s) {
+                               return vec4(pcss_radius(vec2(s.x[0]), s.x[0].z, vec3(s.x[1]), comparison{direction}));
+                           },
+                       .call = "vec4(umbrage_pcss_radius(vec2(x0.x, x0.y), x0.z, vec3(x1.x, x1.y, x1.z)))",
+                       .map_kind = {.direction = direction}});
+    }
+    add_blockers<8>(all, "", {});
+    add_blockers<16>(all, "sampler", {.gather = true});
+    add_blockers<16>(all, "depth, reversed, sampler",
+                     {.texture = texture::depth, .direction = depth_direction::reversed, .gather = true});
+    add_blockers<16>(all, "region", {.gather = true, .origin = "vec2(5.0, 3.0)"});
+    add_blockers<32>(all, "array, sampler", {.texture = texture::array, .gather = true});
+    add_blockers<32>(all, "depth array, sampler", {.texture = texture::depth_array, .gather = true});
+
+    all.push_back(filter(glsl::depth_at, "",
+                         [](const sample& s) { return vec4(fetch_depth(s.depth(), ivec2(glm::floor(at(s))))); }));
+    all.push_back(filter(glsl::blocker_at, "", [](const sample& s) {
+        const float stored = fetch_depth(s.depth(), ivec2(glm::floor(at(s))));
+        return s.x[0].z <= stored ? vec4(0.0f) : vec4(1.0f, stored, 0.0f, 0.0f);
+    }));
+    for (entry* e : {&all.back() - 1, &all.back()}) {
+        e->classes = receivers_with([](const sample& s) { return off_borders(at(s)); });
+        for (input_class& c : e->classes)
+            c.fill = [fill = c.fill](std::uint64_t i, random& r, sample& s) {
+                fill(i, r, s);
+                if (!inside_texel_space(at(s))) s.x[0].x = s.x[0].y = 0.5f;
+            };
+    }
+    (&all.back() - 1)->call = "vec4(umbrage_depth_at(map, map_size, vec2(x0.x, x0.y) / map_size))";
+    all.back().call = "vec4(umbrage_blocker_at(map, map_size, vec2(x0.x, x0.y) / map_size, x0.z), 0.0, 0.0)";
+}
+
+}  // namespace parity

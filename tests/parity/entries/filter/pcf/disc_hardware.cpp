@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include <umbrage/filter/pcf/disc_hardware.hpp>
+
+#include "../../entries.hpp"
+
+namespace parity {
+namespace {
+
+using namespace umbrage;
+
+constexpr auto disc_arguments = ", x0.w * 0.7, umbrage_disc_turn(vec2(x0.x, x0.y))";
+
+template <int Points>
+constexpr auto disc_twin = [](auto fetch, const sample& s, auto is_lit) {
+    return disc_hardware<Points>(fetch, at(s), s.x[0].z, s.x[0].w * 0.7f, disc_turn(at(s)), is_lit);
+};
+
+template <int Points>
+void add(std::vector<entry>& all) {
+    const snippet& one = glsl::disc_hardware<Points>;
+    all.push_back(filter(one, disc_arguments,
+                         [](const sample& s) { return vec4(disc_twin<Points>(s.depth(), s, less_equal{})); }));
+    all.back().also = {&glsl::disc_turn};
+    all.back().share = Points;
+    all.back().alike = Points != 16;
+}
+
+/// By the sampler of a kind of map.
+template <int Points>
+void add(std::vector<entry>& all, const std::string& name, const umbrage::glsl::binding& as) {
+    all.push_back(sampled_filter(glsl::disc_hardware<Points>, disc_arguments, name, as, disc_twin<Points>));
+    all.back().also = {&glsl::disc_turn};
+}
+
+}  // namespace
+
+void add_filter_pcf_disc_hardware(std::vector<entry>& all) {
+    using glsl::texture;
+    add<8>(all);
+    add<16>(all);
+    add<32>(all);
+    add<16>(all, "shadow", {.texture = texture::shadow});
+    add<16>(all, "shadow region, lit outside",
+            {.texture = texture::shadow, .outside_lit = true, .origin = "vec2(5.0, 3.0)"});
+    add<8>(all, "shadow array, reversed", {.texture = texture::shadow_array, .direction = depth_direction::reversed});
+}
+
+}  // namespace parity

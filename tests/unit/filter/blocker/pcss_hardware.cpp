@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <umbrage/filter/blocker/pcss_hardware.hpp>
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include <umbrage/filter/blocker/pcss.hpp>
+#include <umbrage/shader/glsl.hpp>
+
+#include "../../special_values.hpp"
+#include "penumbra_width.hpp"
+#include "whole_numbers.hpp"
+
+using namespace umbrage;
+
+namespace {
+
+const glm::vec2 a_turn = disc_turn(glm::vec2(2, 1)), a_receiver(8.3f, 9.1f);
+
+/// The texels under a disc's points, in real numbers; nothing where one is too near a border to tell.
+template <int Points>
+std::vector<double> depths_under(const image<float>& map, glm::dvec2 coord, glm::dvec2 turn, double radius) {
+    std::vector<double> found;
+    for (const glm::ivec2 p : disc_points<Points>) {
+        const glm::dvec2 at =
+            coord + glm::dvec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y) * radius / 1024.0;
+        const glm::dvec2 within = at - glm::floor(at);
+        if (std::min(within.x, within.y) < 1e-4 || std::max(within.x, within.y) > 1 - 1e-4) return {};
+        found.push_back(double(texel_at(map, std::int64_t(std::floor(at.x)), std::int64_t(std::floor(at.y)))));
+    }
+    return found;
+}
+
+template <int Points>
+void check_search(bool forward) {
+    whole::cases all;
+    const comparison is_lit{forward ? depth_direction::forward : depth_direction::reversed};
+    int checked = 0, several = 0, wrong = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const whole::receiver r = all.draw();
+        const float radius = static_cast<float>(i % 97) / 8.0f;
+        const auto under = depths_under<Points>(all.map, r.coord, r.turn, double(radius));
+        if (under.empty()) continue;
+        double count = 0, sum = 0;
+        for (const double stored : under)
+            if (forward ? stored < double(r.depth) : stored > double(r.depth)) count += 1, sum += stored;
+        const auto found =
+            blockers_hardware<Points>(clamped(all.map), r.coord, r.depth, radius, glm::vec2(r.turn), is_lit);
+        wrong += double(found.x) != count || !(std::abs(double(found.y) - sum) <= 1e-6 * Points);
+        ++checked, several += count > 1 && count < Points;
+    }
+    CHECK(wrong == 0);
+    CHECK(checked > 3000);
+    CHECK(several > 500);
+}
+
+}  // namespace
+
+TEST_CASE("blockers_hardware: count and sum over texels in real numbers, forward and reversed") {
+    for (const bool forward : {true, false}) {
+        check_search<8>(forward);
+        check_search<16>(forward);
+        check_search<32>(forward);
+    }
+}
+
+TEST_CASE_TEMPLATE("pcss_radius: by hand, finite whatever comes", T, float, double) {
+    using vec2 = glm::vec<2, T>;
+    const glm::vec<3, T> soft(T(0.0625), T(16), T(96));  // 256 texels of depth 1, 1 to 6
+    CHECK(pcss_radius(vec2(2, 1), T(0.515625), soft) == T(4));
+    CHECK(pcss_radius(vec2(2, 1), T(0.484375), soft, greater_equal{}) == T(4));
+    CHECK(pcss_radius(vec2(2, 1), T(0.5), soft) == T(1));
+    CHECK(pcss_radius(vec2(2, 1), T(0.75), soft) == T(6));
+    CHECK(pcss_radius(vec2(0, 0), T(0.0078125), soft) == T(2));  // as if a blocker were at the near plane
+    CHECK(pcss_radius(vec2(0, 0), T(0.9921875), soft, greater_equal{}) == T(2));
+    const T nan = std::numeric_limits<T>::quiet_NaN(), inf = std::numeric_limits<T>::infinity();
+    CHECK(pcss_radius(vec2(1, nan), T(0.5), soft) == T(1));
+    CHECK(pcss_radius(vec2(1, 0), nan, soft) == T(1));
+    CHECK(pcss_radius(vec2(1, -inf), T(0.5), soft) == T(6));
+    CHECK(pcss_radius(vec2(1, inf), T(0.5), soft) == T(1));
+}
+
+TEST_CASE("pcss_radius: its bound is that of a mean off by 4 ulp") {
+    const float per_code = 0.5f, mean = 0.75f;
+    const glm::vec3 soft(per_code, 0.0f, 4095.0f);
+    for (const int ulps : {-4, 4}) {
+        const float off = mean + static_cast<float>(ulps) * 0x1p-24f;
+        const double moved = double(pcss_radius(glm::vec2(1.0f, off), 0.8f, soft)) -
+                             double(pcss_radius(glm::vec2(1.0f, mean), 0.8f, soft));
+        CHECK(std::abs(moved) <= double(per_code) * 0x1p-9);
+        CHECK(std::abs(moved) <= double(glsl::pcss_radius.within));
+        CHECK(moved != 0);
+    }
+}
+
+TEST_CASE("pcss_hardware: a straight edge's penumbra is as wide as rays to an area light see it") {
+    check_widths([](const image<float>& map, glm::vec3 at, glm::vec3 soft, glm::vec2 turn, comparison is_lit) {
+        const float biased = is_lit.towards_light(at.z, 0x1p-15f);
+        return pcss_hardware<16>(clamped(map), glm::vec2(at), biased, soft, turn, is_lit);
+    });
+}
+
+TEST_CASE("pcss_hardware: no blocker is lit, all blocked is dark; what is no number, or outside, is finite") {
+    const glm::vec3 soft(0.25f, 0.0f, 200.0f);
+    const auto roof = [](glm::ivec2) { return 0.25f; };
+    CHECK(pcss_hardware<16>([](glm::ivec2) { return 1.0f; }, a_receiver, 0.9f, soft, a_turn) == 1.0f);
+    CHECK(pcss_hardware<16>(roof, a_receiver, 0.9f, soft, a_turn) == 0.0f);
+    CHECK(pcss_hardware<16>(roof, a_receiver, nan32, soft, a_turn) == 0.0f);
+    CHECK(pcss_hardware<16>(roof, a_receiver, 1.5f, soft, a_turn) == 1.0f);
+    CHECK(pcss_hardware<16>(roof, a_receiver, -0.5f, soft, a_turn, greater_equal{}) == 1.0f);
+    for (const float at_light : {0.0f, -1.0f, -inf32})
+        CHECK(pcss_hardware<16>(roof, a_receiver, at_light, soft, a_turn) == 1.0f);
+    for (const glm::vec2 outside : coordinates_outside_texel_space())
+        CHECK(pcss_hardware<16>(roof, outside, 0.9f, soft, a_turn) == 1.0f);
+    for (const float odd : {nan32, -nan32, inf32, -inf32}) {
+        const auto mixed = [odd](glm::ivec2 t) { return t.x % 2 ? odd : 0.5f; };
+        const float share = pcss_hardware<16>(mixed, a_receiver, 0.9f, soft, a_turn);
+        CHECK(share >= 0.0f);
+        CHECK(share <= 1.0f);
+        CHECK(pcss_hardware<16>(roof, a_receiver, 0.9f, glm::vec3(0.0f), glm::vec2(odd)) >= 0.0f);
+    }
+}
+
+TEST_CASE("pcss_hardware: near pcss, whose points it shares") {
+    whole::cases all;
+    double worst = 0, sum = 0;
+    constexpr int count = 4000;
+    for (int i = 0; i < count; ++i) {
+        const whole::receiver r = all.draw();
+        const glm::vec3 soft(0.03125f, 16.0f, 96.0f);
+        const double change =
+            std::abs(double(pcss_hardware<16>(clamped(all.map), r.coord, r.depth, soft, glm::vec2(r.turn))) -
+                     double(pcss<16>(clamped(all.map), r.coord, r.depth, soft, glm::vec2(r.turn))));
+        worst = std::max(worst, change), sum += change;
+    }
+    MESSAGE("apart by " << sum / count << " in the mean over maps of noise, at most " << worst);
+    CHECK(sum / count < 0.1);
+}
+
+TEST_CASE("blockers_hardware: the sampler reads where a map has one to itself, else we do") {
+    using namespace umbrage::glsl;
+    const auto text = [](const binding& map) { return glsl::text({bind(glsl::blockers_hardware<16>, "sun", map)}); };
+    CHECK(text({.texture = texture::depth, .gather = true}).find("textureLod(map, uv, 0.0)") != std::string::npos);
+    CHECK(text({.texture = texture::array, .gather = true}).find("textureLod(map, vec3(uv, layer), 0.0)") !=
+          std::string::npos);
+    for (const binding& map :
+         {binding{}, binding{.texture = texture::atlas, .gather = true}, binding{.outside_lit = true, .gather = true},
+          binding{.texture = texture::integer, .gather = true}})
+        CHECK(text(map).find("umbrage_fetch_depth_sun(map, ") != std::string::npos);
+    CHECK_THROWS_AS(text({.texture = texture::shadow}), std::invalid_argument);
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include <umbrage/filter/pcf/disc_hardware.hpp>
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include <umbrage/shader/glsl.hpp>
+
+#include "../../special_values.hpp"
+#include "../maps.hpp"
+
+using namespace umbrage;
+
+namespace {
+
+/// Lit shares of the four texels around each point, in real numbers.
+template <int Points>
+double mean_of_points(const image<float>& map, glm::dvec2 coord, double receiver, double radius, glm::dvec2 turn) {
+    double sum = 0;
+    for (const glm::ivec2 p : disc_points<Points>) {
+        const glm::dvec2 at =
+            coord + glm::dvec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y) * radius / 1024.0;
+        const glm::dvec2 first = glm::floor(at - 0.5), weight = at - 0.5 - first;
+        for (int j : {0, 1})
+            for (int i : {0, 1}) {
+                const bool lit =
+                    receiver <= double(texel_at(map, std::int64_t(first.x) + i, std::int64_t(first.y) + j));
+                sum += lit ? (i ? weight.x : 1 - weight.x) * (j ? weight.y : 1 - weight.y) : 0.0;
+            }
+    }
+    return sum / Points;
+}
+
+template <int Points>
+void check_against_real_numbers() {
+    std::mt19937 random(11);
+    image<float> map({24, 20}, 0.0f);
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 24; ++x) map[{x, y}] = static_cast<float>(random() % 17) / 16.0f;
+    double worst = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const glm::vec2 coord(static_cast<float>(random() % 8192) / 256.0f - 4.0f,
+                              static_cast<float>(random() % 8192) / 256.0f - 6.0f);
+        const float radius = static_cast<float>(random() % 256) / 32.0f,
+                    receiver = static_cast<float>(random() % 33) / 32.0f;
+        const glm::vec2 turn = disc_turn(glm::vec2(float(i % 4), float(i / 4 % 4)));
+        const double ours = double(disc_hardware<Points>(clamped(map), coord, receiver, radius, turn));
+        worst = std::max(worst,
+                         std::abs(ours - mean_of_points<Points>(map, coord, double(receiver), double(radius), turn)));
+    }
+    MESSAGE(Points << " points: off by " << worst << " of the bound of " << glsl::disc_hardware<Points>.within);
+    CHECK(worst <= double(glsl::disc_hardware<Points>.within));
+}
+
+}  // namespace
+
+TEST_CASE("disc_hardware: the mean of bilinear comparisons, in real numbers") {
+    check_against_real_numbers<8>();
+    check_against_real_numbers<16>();
+    check_against_real_numbers<32>();
+}
+
+TEST_CASE_TEMPLATE("disc_hardware: of no radius it is pcf_2x2; outside, beyond and NaN", T, float, double) {
+    image<T> map({4, 4}, T(0.25));
+    for (int y = 0; y < 4; ++y) map[{2, y}] = map[{3, y}] = T(0.75);
+    const glm::vec<2, T> coord(1.75, 2.5), turn(64, 0);
+    const T nan = std::numeric_limits<T>::quiet_NaN();
+    for (const T none : {T(0), T(-3), nan}) {
+        CHECK(disc_hardware<8>(clamped(map), coord, T(0.5), none, turn) == T(0.25));
+        CHECK(disc_hardware<16>(clamped(map), coord, T(0.5), none, turn, greater_equal{}) == T(0.75));
+    }
+    CHECK(disc_hardware<32>(clamped(map), coord, T(0.5), std::numeric_limits<T>::infinity(), turn) ==
+          disc_hardware<32>(clamped(map), coord, T(0.5), T(max_disc_radius), turn));
+    CHECK(disc_hardware<16>(clamped(map), coord, nan, T(1), turn) == 0);
+    CHECK(disc_hardware<16>(clamped(map), coord, T(2), T(1), turn) == 1);
+    CHECK(disc_hardware<16>(clamped(map), {nan, T(1)}, T(0.5), T(1), turn) == 1);
+    CHECK(disc_hardware<16>(clamped(map), {T(40000), T(1)}, T(0.5), T(1), turn) == 1);
+}
+
+TEST_CASE("disc_hardware: a look-up a point, straight from a map that has its sampler to itself") {
+    using namespace umbrage::glsl;
+    const auto text = [](const binding& map) { return glsl::text({bind(glsl::disc_hardware<16>, "sun", map)}); };
+    const std::string direct = text({.texture = texture::shadow});
+    int found = 0;
+    for (auto at = direct.find("n += umbrage_lit_at_sun(map, "); at != std::string::npos;
+         at = direct.find("n += umbrage_lit_at_sun(map, ", at + 1))
+        ++found;
+    CHECK(found == 16);
+    CHECK(direct.find("return textureLod(map, vec3(uv, receiver), 0.0);") != std::string::npos);
+    CHECK(direct.find("umbrage_lit_filtered") == std::string::npos);
+    for (const binding& map :
+         {binding{}, binding{.texture = texture::shadow, .outside_lit = true},
+          binding{.texture = texture::shadow, .origin = "vec2(8.0, 0.0)"}, binding{.gather = true}})
+        CHECK(text(map).find("return umbrage_lit_filtered_sun(map, size, uv * size, receiver);") != std::string::npos);
+}
