@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "soft.hpp"
+#include "../turned.hpp"
 
 namespace parity {
 namespace {
@@ -32,25 +32,21 @@ std::vector<input_class> receivers_with(Accepted accepted) {
     return all;
 }
 
-float radius_of(const sample& s) { return clamped_disc_radius(s.x[0].w * 0.7f); }
-constexpr auto search_arguments = ", x0.w * 0.7, umbrage_disc_turn(vec2(x0.x, x0.y))";
-
 template <int Points>
 void add_blockers(std::vector<entry>& all, const std::string& name, const umbrage::glsl::binding& as) {
-    all.push_back(bound_filter(glsl::blockers_hardware<Points>, search_arguments, name, as,
+    all.push_back(bound_filter(glsl::blockers_hardware<Points>, turned_arguments, name, as,
                                [](auto, const auto&, auto) { return 0.0f; }));
     entry& e = all.back();
     e.twin = [as](const sample& s) {
         const comparison is_lit{as.direction};
-        const vec2 found =
-            blockers_hardware<Points>(s.depth(), at(s), s.x[0].z, s.x[0].w * 0.7f, disc_turn(at(s)), is_lit);
+        const vec2 found = blockers_hardware<Points>(s.depth(), at(s), s.x[0].z, radius_of(s), turn_of(s), is_lit);
         return vec4(found.x, found.y, 0.0f, 0.0f);
     };
     e.call.insert(e.call.size() - 1, ", 0.0, 0.0");
     e.classes = receivers_with([](const sample& s) {
-        const vec2 turn = disc_turn(at(s));
+        const vec2 turn = turn_of(s);
         for (const ivec2 point : disc_points<Points>)
-            if (!off_borders(disc_position(at(s), vec2(point), turn, radius_of(s)))) return false;
+            if (!off_borders(disc_position(at(s), vec2(point), turn, clamped_disc_radius(radius_of(s))))) return false;
         return true;
     });
     e.also = {&glsl::disc_turn};

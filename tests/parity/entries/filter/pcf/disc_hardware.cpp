@@ -1,24 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include <umbrage/filter/pcf/disc_hardware.hpp>
 
-#include "../../entries.hpp"
+#include "../turned.hpp"
 
 namespace parity {
 namespace {
 
 using namespace umbrage;
 
-constexpr auto disc_arguments = ", x0.w * 0.7, umbrage_disc_turn(vec2(x0.x, x0.y))";
-
 template <int Points>
 constexpr auto disc_twin = [](auto fetch, const sample& s, auto is_lit) {
-    return disc_hardware<Points>(fetch, at(s), s.x[0].z, s.x[0].w * 0.7f, disc_turn(at(s)), is_lit);
+    return disc_hardware<Points>(fetch, at(s), s.x[0].z, radius_of(s), turn_of(s), is_lit);
 };
 
 template <int Points>
 void add(std::vector<entry>& all) {
     const snippet& one = glsl::disc_hardware<Points>;
-    all.push_back(filter(one, disc_arguments,
+    all.push_back(filter(one, turned_arguments,
                          [](const sample& s) { return vec4(disc_twin<Points>(s.depth(), s, less_equal{})); }));
     all.back().also = {&glsl::disc_turn};
     all.back().share = Points;
@@ -28,7 +26,7 @@ void add(std::vector<entry>& all) {
 /// By the sampler of a kind of map.
 template <int Points>
 void add(std::vector<entry>& all, const std::string& name, const umbrage::glsl::binding& as) {
-    all.push_back(sampled_filter(glsl::disc_hardware<Points>, disc_arguments, name, as, disc_twin<Points>));
+    all.push_back(sampled_filter(glsl::disc_hardware<Points>, turned_arguments, name, as, disc_twin<Points>));
     all.back().also = {&glsl::disc_turn};
 }
 
