@@ -2387,7 +2387,7 @@ UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP 
 }
 `,
             "blockers_hardware8": `
-// umbrage_blockers_hardware8: texels at 8 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
@@ -2411,7 +2411,7 @@ UMBRAGE_HIGHP vec2 umbrage_blockers_hardware8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
 }
 `,
             "blockers_hardware16": `
-// umbrage_blockers_hardware16: texels at 16 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware16: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
@@ -2443,7 +2443,7 @@ UMBRAGE_HIGHP vec2 umbrage_blockers_hardware16(UMBRAGE_MAP map, UMBRAGE_HIGHP ve
 }
 `,
             "blockers_hardware32": `
-// umbrage_blockers_hardware32: texels at 32 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware32: of the texels at 32 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
@@ -5606,7 +5606,7 @@ float umbrage_pcss_radius(float2 found, float receiver, float3 softness) {
 }
 `,
             "blockers_hardware8": `
-// umbrage_blockers_hardware8: texels at 8 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 float2 umbrage_blockers_hardware8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
@@ -5629,7 +5629,7 @@ float2 umbrage_blockers_hardware8(UMBRAGE_MAP map, float2 size, float2 coord, fl
 }
 `,
             "blockers_hardware16": `
-// umbrage_blockers_hardware16: texels at 16 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware16: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 float2 umbrage_blockers_hardware16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
@@ -5660,7 +5660,7 @@ float2 umbrage_blockers_hardware16(UMBRAGE_MAP map, float2 size, float2 coord, f
 }
 `,
             "blockers_hardware32": `
-// umbrage_blockers_hardware32: texels at 32 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware32: of the texels at 32 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 float2 umbrage_blockers_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
@@ -8747,7 +8747,7 @@ inline float umbrage_pcss_radius(float2 found, float receiver, float3 softness) 
 }
 `,
             "blockers_hardware8": `
-// umbrage_blockers_hardware8: texels at 8 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 inline float2 umbrage_blockers_hardware8(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
@@ -8770,7 +8770,7 @@ inline float2 umbrage_blockers_hardware8(UMBRAGE_MAP map, float2 size, float2 co
 }
 `,
             "blockers_hardware16": `
-// umbrage_blockers_hardware16: texels at 16 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware16: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 inline float2 umbrage_blockers_hardware16(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
@@ -8801,7 +8801,7 @@ inline float2 umbrage_blockers_hardware16(UMBRAGE_MAP map, float2 size, float2 c
 }
 `,
             "blockers_hardware32": `
-// umbrage_blockers_hardware32: texels at 32 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware32: of the texels at 32 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 inline float2 umbrage_blockers_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float radius,
@@ -11885,7 +11885,7 @@ fn umbrage_pcss_radius(found: vec2f, receiver: f32, softness: vec3f) -> f32 {
 }
 `,
             "blockers_hardware8": `
-// umbrage_blockers_hardware8: texels at 8 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 fn umbrage_blockers_hardware8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
@@ -11908,7 +11908,7 @@ fn umbrage_blockers_hardware8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiv
 }
 `,
             "blockers_hardware16": `
-// umbrage_blockers_hardware16: texels at 16 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware16: of the texels at 16 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 fn umbrage_blockers_hardware16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
@@ -11939,7 +11939,7 @@ fn umbrage_blockers_hardware16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, recei
 }
 `,
             "blockers_hardware32": `
-// umbrage_blockers_hardware32: texels at 32 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware32: of the texels at 32 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 fn umbrage_blockers_hardware32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, radius: f32,

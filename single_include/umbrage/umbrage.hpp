@@ -5271,7 +5271,7 @@ namespace detail {
 template <int Points>
 constexpr auto blockers_hardware_text() {
     auto text = fill<(Points + 16) * 120>(R"GLSL(
-// umbrage_blockers_hardware$n: texels at $n points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware$n: of the texels at $n points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
@@ -17743,10 +17743,8 @@ struct bound {
 
 }  // namespace umbrage::glsl
 
-// ---- umbrage/shader/hooks.hpp
-// What a map can be, as functions: bind() puts these in place of the hooks' texts for a shader's one map. Words that a
-// map fills in: UMBRAGE_MAP map, what it is called with; UMBRAGE_ORIGIN, its first texel in the texture; UMBRAGE_DEPTH,
-// the depth of a `value`; UMBRAGE_UV, what the sampler takes for `at`; and those that read the texture at `at` or `uv`.
+// ---- umbrage/shader/texel_hooks.hpp
+// The hooks of hooks.hpp that take texels, one or four, as they are.
 //
 
 namespace umbrage::glsl::hooks {
@@ -17985,6 +17983,16 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     return vec4(a, b, c, d);
 }
 )GLSL"};
+
+}  // namespace umbrage::glsl::hooks
+
+// ---- umbrage/shader/hooks.hpp
+// What a map can be, as functions: bind() puts these in place of the hooks' texts for a shader's one map. Words that a
+// map fills in: UMBRAGE_MAP map, what it is called with; UMBRAGE_ORIGIN, its first texel in the texture; UMBRAGE_DEPTH,
+// the depth of a `value`; UMBRAGE_UV, what the sampler takes for `at`; and those that read the texture at `at` or `uv`.
+//
+
+namespace umbrage::glsl::hooks {
 
 // The sampler weighs: coordinates stay half a texel inside, so that what is beside the map has no weight.
 

@@ -159,7 +159,7 @@ UMBRAGE_HIGHP vec2 umbrage_blocker_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
 
 #ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE8
 #define UMBRAGE_HAS_BLOCKERS_HARDWARE8
-// umbrage_blockers_hardware8: texels at 8 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,

@@ -91,7 +91,7 @@ inline float2 umbrage_blocker_at(metal::texture2d<float> map, float2 size, float
 
 #ifndef UMBRAGE_HAS_BLOCKERS_HARDWARE8
 #define UMBRAGE_HAS_BLOCKERS_HARDWARE8
-// umbrage_blockers_hardware8: texels at 8 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware8: of the texels at 8 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 inline float2 umbrage_blockers_hardware8(metal::texture2d<float> map, float2 size, float2 coord, float receiver,

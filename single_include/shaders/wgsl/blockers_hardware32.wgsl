@@ -1,7 +1,7 @@
 // umbrage 0.1.0, MIT License: blockers_hardware32
 // Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, depth_at.wgsl, compare.wgsl, blocker_at.wgsl
 
-// umbrage_blockers_hardware32: texels at 32 points of a disc that lie before the receiver; (how many, their depths' sum)
+// umbrage_blockers_hardware32: of the texels at 32 points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 fn umbrage_blockers_hardware32(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, radius: f32,
