@@ -17,7 +17,7 @@ using namespace umbrage;
 
 namespace {
 
-const glm::vec2 a_turn = disc_turn(glm::vec2(2, 1)), a_receiver(8.3f, 9.1f);
+const glm::vec2 one_turn = disc_turn(glm::vec2(2, 1)), one_place(8.3f, 9.1f);
 
 /// The texels under a disc's points, in real numbers; nothing where one is too near a border to tell.
 template <int Points>
@@ -34,7 +34,7 @@ std::vector<double> depths_under(const image<float>& map, glm::dvec2 coord, glm:
 }
 
 template <int Points>
-void check_search(bool forward) {
+void check_sampled_search(bool forward) {
     whole::cases all;
     const comparison is_lit{forward ? depth_direction::forward : depth_direction::reversed};
     int checked = 0, several = 0, wrong = 0;
@@ -60,9 +60,9 @@ void check_search(bool forward) {
 
 TEST_CASE("blockers_hardware: count and sum over texels in real numbers, forward and reversed") {
     for (const bool forward : {true, false}) {
-        check_search<8>(forward);
-        check_search<16>(forward);
-        check_search<32>(forward);
+        check_sampled_search<8>(forward);
+        check_sampled_search<16>(forward);
+        check_sampled_search<32>(forward);
     }
 }
 
@@ -105,21 +105,21 @@ TEST_CASE("pcss_hardware: a straight edge's penumbra is as wide as rays to an ar
 TEST_CASE("pcss_hardware: no blocker is lit, all blocked is dark; what is no number, or outside, is finite") {
     const glm::vec3 soft(0.25f, 0.0f, 200.0f);
     const auto roof = [](glm::ivec2) { return 0.25f; };
-    CHECK(pcss_hardware<16>([](glm::ivec2) { return 1.0f; }, a_receiver, 0.9f, soft, a_turn) == 1.0f);
-    CHECK(pcss_hardware<16>(roof, a_receiver, 0.9f, soft, a_turn) == 0.0f);
-    CHECK(pcss_hardware<16>(roof, a_receiver, nan32, soft, a_turn) == 0.0f);
-    CHECK(pcss_hardware<16>(roof, a_receiver, 1.5f, soft, a_turn) == 1.0f);
-    CHECK(pcss_hardware<16>(roof, a_receiver, -0.5f, soft, a_turn, greater_equal{}) == 1.0f);
+    CHECK(pcss_hardware<16>([](glm::ivec2) { return 1.0f; }, one_place, 0.9f, soft, one_turn) == 1.0f);
+    CHECK(pcss_hardware<16>(roof, one_place, 0.9f, soft, one_turn) == 0.0f);
+    CHECK(pcss_hardware<16>(roof, one_place, nan32, soft, one_turn) == 0.0f);
+    CHECK(pcss_hardware<16>(roof, one_place, 1.5f, soft, one_turn) == 1.0f);
+    CHECK(pcss_hardware<16>(roof, one_place, -0.5f, soft, one_turn, greater_equal{}) == 1.0f);
     for (const float at_light : {0.0f, -1.0f, -inf32})
-        CHECK(pcss_hardware<16>(roof, a_receiver, at_light, soft, a_turn) == 1.0f);
+        CHECK(pcss_hardware<16>(roof, one_place, at_light, soft, one_turn) == 1.0f);
     for (const glm::vec2 outside : coordinates_outside_texel_space())
-        CHECK(pcss_hardware<16>(roof, outside, 0.9f, soft, a_turn) == 1.0f);
+        CHECK(pcss_hardware<16>(roof, outside, 0.9f, soft, one_turn) == 1.0f);
     for (const float odd : {nan32, -nan32, inf32, -inf32}) {
         const auto mixed = [odd](glm::ivec2 t) { return t.x % 2 ? odd : 0.5f; };
-        const float share = pcss_hardware<16>(mixed, a_receiver, 0.9f, soft, a_turn);
+        const float share = pcss_hardware<16>(mixed, one_place, 0.9f, soft, one_turn);
         CHECK(share >= 0.0f);
         CHECK(share <= 1.0f);
-        CHECK(pcss_hardware<16>(roof, a_receiver, 0.9f, glm::vec3(0.0f), glm::vec2(odd)) >= 0.0f);
+        CHECK(pcss_hardware<16>(roof, one_place, 0.9f, glm::vec3(0.0f), glm::vec2(odd)) >= 0.0f);
     }
 }
 
