@@ -33,20 +33,22 @@ std::vector<input_class> receivers_with(Accepted accepted) {
 }
 
 template <int Points>
-void add_blockers(std::vector<entry>& all, const std::string& name, const umbrage::glsl::binding& as) {
+void add_sampled_blockers(std::vector<entry>& all, const std::string& name, const umbrage::glsl::binding& as) {
     all.push_back(bound_filter(glsl::blockers_hardware<Points>, turned_arguments, name, as,
                                [](auto, const auto&, auto) { return 0.0f; }));
     entry& e = all.back();
     e.twin = [as](const sample& s) {
         const comparison is_lit{as.direction};
-        const vec2 found = blockers_hardware<Points>(s.depth(), at(s), s.x[0].z, radius_of(s), turn_of(s), is_lit);
+        const vec2 found =
+            blockers_hardware<Points>(s.depth(), at(s), s.x[0].z, turned_radius(s), turned_by(s), is_lit);
         return vec4(found.x, found.y, 0.0f, 0.0f);
     };
     e.call.insert(e.call.size() - 1, ", 0.0, 0.0");
     e.classes = receivers_with([](const sample& s) {
-        const vec2 turn = turn_of(s);
+        const vec2 turn = turned_by(s);
         for (const ivec2 point : disc_points<Points>)
-            if (!off_borders(disc_position(at(s), vec2(point), turn, clamped_disc_radius(radius_of(s))))) return false;
+            if (!off_borders(disc_position(at(s), vec2(point), turn, clamped_disc_radius(turned_radius(s)))))
+                return false;
         return true;
     });
     e.also = {&glsl::disc_turn};
@@ -84,13 +86,13 @@ void add_filter_blocker_pcss_hardware(std::vector<entry>& all) {
                        .call = "vec4(umbrage_pcss_radius(vec2(x0.x, x0.y), x0.z, vec3(x1.x, x1.y, x1.z)))",
                        .map_kind = {.direction = direction}});
     }
-    add_blockers<8>(all, "", {});
-    add_blockers<16>(all, "sampler", {.gather = true});
-    add_blockers<16>(all, "depth, reversed, sampler",
-                     {.texture = texture::depth, .direction = depth_direction::reversed, .gather = true});
-    add_blockers<16>(all, "region", {.gather = true, .origin = "vec2(5.0, 3.0)"});
-    add_blockers<32>(all, "array, sampler", {.texture = texture::array, .gather = true});
-    add_blockers<32>(all, "depth array, sampler", {.texture = texture::depth_array, .gather = true});
+    add_sampled_blockers<8>(all, "", {});
+    add_sampled_blockers<16>(all, "sampler", {.gather = true});
+    add_sampled_blockers<16>(all, "depth, reversed, sampler",
+                             {.texture = texture::depth, .direction = depth_direction::reversed, .gather = true});
+    add_sampled_blockers<16>(all, "region", {.gather = true, .origin = "vec2(5.0, 3.0)"});
+    add_sampled_blockers<32>(all, "array, sampler", {.texture = texture::array, .gather = true});
+    add_sampled_blockers<32>(all, "depth array, sampler", {.texture = texture::depth_array, .gather = true});
 
     all.push_back(filter(glsl::depth_at, "",
                          [](const sample& s) { return vec4(fetch_depth(s.depth(), ivec2(glm::floor(at(s))))); }));

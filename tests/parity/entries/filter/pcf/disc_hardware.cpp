@@ -10,7 +10,7 @@ using namespace umbrage;
 
 template <int Points>
 constexpr auto disc_twin = [](auto fetch, const sample& s, auto is_lit) {
-    return disc_hardware<Points>(fetch, at(s), s.x[0].z, radius_of(s), turn_of(s), is_lit);
+    return disc_hardware<Points>(fetch, at(s), s.x[0].z, turned_radius(s), turned_by(s), is_lit);
 };
 
 template <int Points>
