@@ -1390,8 +1390,8 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
 UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
                                         UMBRAGE_HIGHP float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
@@ -1422,8 +1422,8 @@ UMBRAGE_HIGHP float umbrage_window_sum3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
                                         UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
@@ -1463,8 +1463,8 @@ UMBRAGE_HIGHP float umbrage_window_sum5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
 UMBRAGE_HIGHP float umbrage_window_sum7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
                                         UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2, UMBRAGE_HIGHP float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
@@ -1941,10 +1941,10 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
 UMBRAGE_HIGHP float umbrage_window_hardware3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
                                         UMBRAGE_HIGHP float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x);
+    UMBRAGE_HIGHP vec2 s = floor((x - texel) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k0);
     UMBRAGE_HIGHP vec2 b0 = r * k1 + s * k0;
@@ -1975,10 +1975,10 @@ UMBRAGE_HIGHP float umbrage_window_hardware3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
 UMBRAGE_HIGHP float umbrage_window_hardware5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
                                         UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x);
+    UMBRAGE_HIGHP vec2 s = floor((x - texel) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k1 + k0);
     UMBRAGE_HIGHP vec2 b0 = r * k1 + s * k0;
@@ -2019,10 +2019,10 @@ UMBRAGE_HIGHP float umbrage_window_hardware5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
 UMBRAGE_HIGHP float umbrage_window_hardware7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
                                         UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2, UMBRAGE_HIGHP float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x);
+    UMBRAGE_HIGHP vec2 s = floor((x - texel) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
     UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     UMBRAGE_HIGHP vec2 b0 = r * k1 + s * k0;
@@ -4661,8 +4661,8 @@ float umbrage_compare_exercise(float current, float stored, float epsilon) {
 //   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0, float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
     float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
@@ -4692,8 +4692,8 @@ float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, float rece
 //              up to 4096, squared is what is wholly lit
 float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0, float k1,
                           float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
     float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
@@ -4732,8 +4732,8 @@ float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, float rece
 //              up to 4096, squared is what is wholly lit
 float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0, float k1,
                           float k2, float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
     float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
@@ -5184,10 +5184,10 @@ float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float
 //              up to 4096, squared is what is wholly lit
 float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
                                float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
-    float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
+    float2 texel = floor(x);
+    float2 s = floor((x - texel) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k0);
     float2 b0 = r * k1 + s * k0;
@@ -5217,10 +5217,10 @@ float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float
 //              up to 4096, squared is what is wholly lit
 float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
                                float k1, float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
-    float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
+    float2 texel = floor(x);
+    float2 s = floor((x - texel) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k1 + k0);
     float2 b0 = r * k1 + s * k0;
@@ -5260,10 +5260,10 @@ float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float
 //              up to 4096, squared is what is wholly lit
 float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
                                float k1, float k2, float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
-    float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
+    float2 texel = floor(x);
+    float2 s = floor((x - texel) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     float2 b0 = r * k1 + s * k0;
@@ -7795,8 +7795,8 @@ inline float umbrage_compare_exercise(float current, float stored, float epsilon
 //              up to 4096, squared is what is wholly lit
 inline float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
                                  float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
     float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
@@ -7826,8 +7826,8 @@ inline float umbrage_window_sum3(UMBRAGE_MAP map, float2 size, float2 coord, flo
 //              up to 4096, squared is what is wholly lit
 inline float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
                                  float k1, float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
     float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
@@ -7866,8 +7866,8 @@ inline float umbrage_window_sum5(UMBRAGE_MAP map, float2 size, float2 coord, flo
 //              up to 4096, squared is what is wholly lit
 inline float umbrage_window_sum7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
                                  float k1, float k2, float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = metal::floor(x * (1.0 / 256.0));
     float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;
@@ -8319,10 +8319,10 @@ inline float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord
 //              up to 4096, squared is what is wholly lit
 inline float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
                                       float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
-    float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
+    float2 texel = metal::floor(x);
+    float2 s = metal::floor((x - texel) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k0);
     float2 b0 = r * k1 + s * k0;
@@ -8352,10 +8352,10 @@ inline float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord
 //              up to 4096, squared is what is wholly lit
 inline float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
                                       float k1, float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
-    float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
+    float2 texel = metal::floor(x);
+    float2 s = metal::floor((x - texel) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k1 + k0);
     float2 b0 = r * k1 + s * k0;
@@ -8395,10 +8395,10 @@ inline float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord
 //              up to 4096, squared is what is wholly lit
 inline float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
                                       float k1, float k2, float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
-    float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
+    float2 texel = metal::floor(x);
+    float2 s = metal::floor((x - texel) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     float2 b0 = r * k1 + s * k0;
@@ -10940,8 +10940,8 @@ fn umbrage_compare_exercise(current: f32, stored: f32, epsilon: f32) -> f32 {
 //   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
 fn umbrage_window_sum3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
+    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
     let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     let r: vec2f = steps - s;
@@ -10971,8 +10971,8 @@ fn umbrage_window_sum3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
 //              up to 4096, squared is what is wholly lit
 fn umbrage_window_sum5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32,
                        k2: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
+    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
     let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     let r: vec2f = steps - s;
@@ -11011,8 +11011,8 @@ fn umbrage_window_sum5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32
 //              up to 4096, squared is what is wholly lit
 fn umbrage_window_sum7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32, k2: f32,
                        k3: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
+    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);
     let texel: vec2f = floor(x * (1.0 / 256.0));
     let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     let r: vec2f = steps - s;
@@ -11463,10 +11463,10 @@ fn umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
 //              up to 4096, squared is what is wholly lit
 fn umbrage_window_hardware3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32,
                             k1: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
-    let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
+    let texel: vec2f = floor(x);
+    let s: vec2f = floor((x - texel) * steps);
     let r: vec2f = steps - s;
     let whole: f32 = steps * (k0 + k1 + k0);
     let b0: vec2f = r * k1 + s * k0;
@@ -11496,10 +11496,10 @@ fn umbrage_window_hardware3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
 //              up to 4096, squared is what is wholly lit
 fn umbrage_window_hardware5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32,
                             k2: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
-    let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
+    let texel: vec2f = floor(x);
+    let s: vec2f = floor((x - texel) * steps);
     let r: vec2f = steps - s;
     let whole: f32 = steps * (k0 + k1 + k2 + k1 + k0);
     let b0: vec2f = r * k1 + s * k0;
@@ -11539,10 +11539,10 @@ fn umbrage_window_hardware5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
 //              up to 4096, squared is what is wholly lit
 fn umbrage_window_hardware7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32,
                             k2: f32, k3: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
-    let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
+    let texel: vec2f = floor(x);
+    let s: vec2f = floor((x - texel) * steps);
     let r: vec2f = steps - s;
     let whole: f32 = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
     let b0: vec2f = r * k1 + s * k0;

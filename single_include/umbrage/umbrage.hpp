@@ -4938,6 +4938,15 @@ template <real T, class Fetch, class Compare = less_equal>
     return pcf_2x2(fetch, glm::clamp(coord, T(-32767), T(32767)), receiver, is_lit);
 }
 
+/// lit_filtered at a point in shares of the map's size: what a sampler takes, where the map is all of its texture.
+/// @param size   of the map, in texels
+/// @param uv     from (0, 0) to (1, 1) over the map, no NaN
+/// @exactness    C, within 1/128 in a shader, as lit_filtered
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T lit_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv, T receiver, Compare is_lit = {}) {
+    return lit_filtered(fetch, uv * size, receiver, is_lit);
+}
+
 /// What the sampler gives, but for the rounding of its weights: pcf_2x2.
 /// @return        visibility, 0 in shadow, 1 lit
 /// @exactness     C, within 1/128 in a shader, as lit_filtered
@@ -5147,6 +5156,27 @@ inline constexpr auto disc_hardware_snippets = list<&lit_at, &disc_hardware<8>, 
 
 namespace umbrage {
 
+/// Stored depth of the texel at a point of the map.
+/// @param fetch   ivec2 texel -> stored depth
+/// @param size    of the map, in texels
+/// @param uv      from (0, 0) to (1, 1) over the map, no NaN
+/// @exactness     C, the fetched depth, but at borders between texels: a sampler takes the nearest to what it rounds
+///                its coordinates to, 2^-10 texel off in a map of 8192
+template <real T, class Fetch>
+[[nodiscard]] T depth_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv) {
+    return T(fetch(glm::ivec2(glm::floor(uv * size))));
+}
+
+/// What of a point of the map lies before a receiver.
+/// @return        (1, depth_at) where that is before the receiver, else (0, 0)
+/// @exactness     C, as depth_at
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] glm::vec<2, T> blocker_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv, T receiver,
+                                        Compare is_lit = {}) {
+    const T stored = depth_at(fetch, size, uv);
+    return is_lit(receiver, stored) ? glm::vec<2, T>(T(0), T(0)) : glm::vec<2, T>(T(1), stored);
+}
+
 /// The texels under a disc's points that lie before a receiver, the points where they fall.
 /// @tparam Points    8, 16 or 32
 /// @param fetch      ivec2 texel -> stored depth; called Points times, texels may lie a radius outside the map
@@ -5156,8 +5186,7 @@ namespace umbrage {
 /// @param turn       as disc_turn gives it
 /// @return           (how many, the sum of their depths); not finite where depths are not
 /// @formula          sum of (1, stored) over the texels under disc_position with stored < receiver
-/// @exactness        C, within an ulp in a shader, but at borders between texels: a sampler takes the nearest to what
-///                   it rounds its coordinates to, 2^-10 texel off in a map of 8192
+/// @exactness        C, within an ulp in a shader, but at borders between texels, as depth_at
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius,
                                                glm::vec<2, T> turn, Compare is_lit = {}) {
@@ -6177,7 +6206,8 @@ constexpr filled_text<32> window_weight(int size, int i) {
 }
 
 /// The beginning of a window's text, as far as its weights.
-constexpr long_text window_head(std::string_view name, std::string_view what, int size) {
+/// @param place   finds `texel`, and `s`, by how many steps the receiver lies beyond it
+constexpr long_text window_head(std::string_view name, std::string_view what, int size, std::string_view place) {
     long_text text = fill<6000>(R"GLSL(
 // umbrage_$f$n: $w
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -6190,12 +6220,10 @@ UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
                                 {{'f', 0, name}, {'n', size}, {'w', 0, what}, {'m', size / 2}});
     for (int i = 2; i <= size / 2; ++i) text.append(", UMBRAGE_HIGHP float k$i", {{'i', i}});
     text.append(R"GLSL() {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
-    UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0)GLSL");
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+$p    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0)GLSL",
+                {{'p', 0, place}});
     for (int i = 1; i < size; ++i) text.append(" + k$i", {{'i', window_parameter(size, i)}});
     text.append(");\n");
     return text;
@@ -6203,8 +6231,12 @@ UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
 
 constexpr long_text window_sum_text(int size) {
     const int middle = size / 2;
-    long_text text = window_head("window_sum",
-                                 "weighted count of the lit texels under weights that slide over the map, whole", size);
+    long_text text =
+        window_head("window_sum", "weighted count of the lit texels under weights that slide over the map, whole", size,
+                    R"GLSL(    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+)GLSL");
     for (int i = 0; i <= size; ++i)
         if (i != middle)
             text.append("    UMBRAGE_HIGHP vec2 w$i = floor($w);\n",
@@ -6285,7 +6317,11 @@ namespace detail {
 constexpr long_text window_hardware_text(int size) {
     long_text text =
         window_head("window_hardware",
-                    "lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit", size);
+                    "lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit", size,
+                    R"GLSL(    UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x);
+    UMBRAGE_HIGHP vec2 s = floor((x - texel) * steps);
+)GLSL");
     for (int k = 0; 2 * k <= size; ++k) {
         const int texel = 2 * k - size / 2;
         text.append(R"GLSL(    UMBRAGE_HIGHP vec2 b$k = $b;

@@ -131,10 +131,10 @@ float umbrage_lit_at(Texture2D<float4> map, float2 size, float2 uv, float receiv
 //              up to 4096, squared is what is wholly lit
 float umbrage_window_hardware5(Texture2D<float4> map, float2 size, float2 coord, float receiver, float steps, float k0,
                                float k1, float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
-    float2 texel = floor(x * (1.0 / 256.0));
-    float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
+    float2 texel = floor(x);
+    float2 s = floor((x - texel) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k2 + k1 + k0);
     float2 b0 = r * k1 + s * k0;

@@ -95,8 +95,8 @@ float4 umbrage_lit_2x2(Texture2D<float4> map, float2 size, float2 texel, float r
 //              up to 4096, squared is what is wholly lit
 float umbrage_window_sum5(Texture2D<float4> map, float2 size, float2 coord, float receiver, float steps, float k0,
                           float k1, float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);
     float2 texel = floor(x * (1.0 / 256.0));
     float2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     float2 r = steps - s;

@@ -136,10 +136,10 @@ inline float umbrage_lit_at(metal::texture2d<float> map, float2 size, float2 uv,
 //              up to 4096, squared is what is wholly lit
 inline float umbrage_window_hardware3(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
                                       float steps, float k0, float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);
-    float2 x = compared ? metal::floor(coord * 256.0) - 128.0 : float2(0.0, 0.0);  // no branch: fetches overlap
-    float2 texel = metal::floor(x * (1.0 / 256.0));
-    float2 s = metal::floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
+    float2 texel = metal::floor(x);
+    float2 s = metal::floor((x - texel) * steps);
     float2 r = steps - s;
     float whole = steps * (k0 + k1 + k0);
     float2 b0 = r * k1 + s * k0;

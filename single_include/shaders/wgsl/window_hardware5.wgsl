@@ -8,10 +8,10 @@
 //              up to 4096, squared is what is wholly lit
 fn umbrage_window_hardware5(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32,
                             k1: f32, k2: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);
-    let x: vec2f = select(vec2f(0.0, 0.0), floor(coord * 256.0) - 128.0, compared);  // no branch: fetches overlap
-    let texel: vec2f = floor(x * (1.0 / 256.0));
-    let s: vec2f = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
+    let texel: vec2f = floor(x);
+    let s: vec2f = floor((x - texel) * steps);
     let r: vec2f = steps - s;
     let whole: f32 = steps * (k0 + k1 + k2 + k1 + k0);
     let b0: vec2f = r * k1 + s * k0;

@@ -25,6 +25,27 @@
 
 namespace umbrage {
 
+/// Stored depth of the texel at a point of the map.
+/// @param fetch   ivec2 texel -> stored depth
+/// @param size    of the map, in texels
+/// @param uv      from (0, 0) to (1, 1) over the map, no NaN
+/// @exactness     C, the fetched depth, but at borders between texels: a sampler takes the nearest to what it rounds
+///                its coordinates to, 2^-10 texel off in a map of 8192
+template <real T, class Fetch>
+[[nodiscard]] T depth_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv) {
+    return T(fetch(glm::ivec2(glm::floor(uv * size))));
+}
+
+/// What of a point of the map lies before a receiver.
+/// @return        (1, depth_at) where that is before the receiver, else (0, 0)
+/// @exactness     C, as depth_at
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] glm::vec<2, T> blocker_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv, T receiver,
+                                        Compare is_lit = {}) {
+    const T stored = depth_at(fetch, size, uv);
+    return is_lit(receiver, stored) ? glm::vec<2, T>(T(0), T(0)) : glm::vec<2, T>(T(1), stored);
+}
+
 /// The texels under a disc's points that lie before a receiver, the points where they fall.
 /// @tparam Points    8, 16 or 32
 /// @param fetch      ivec2 texel -> stored depth; called Points times, texels may lie a radius outside the map
@@ -34,8 +55,7 @@ namespace umbrage {
 /// @param turn       as disc_turn gives it
 /// @return           (how many, the sum of their depths); not finite where depths are not
 /// @formula          sum of (1, stored) over the texels under disc_position with stored < receiver
-/// @exactness        C, within an ulp in a shader, but at borders between texels: a sampler takes the nearest to what
-///                   it rounds its coordinates to, 2^-10 texel off in a map of 8192
+/// @exactness        C, within an ulp in a shader, but at borders between texels, as depth_at
 template <int Points, real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] glm::vec<2, T> blockers_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, T radius,
                                                glm::vec<2, T> turn, Compare is_lit = {}) {

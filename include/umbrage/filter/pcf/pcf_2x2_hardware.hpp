@@ -23,6 +23,15 @@ template <real T, class Fetch, class Compare = less_equal>
     return pcf_2x2(fetch, glm::clamp(coord, T(-32767), T(32767)), receiver, is_lit);
 }
 
+/// lit_filtered at a point in shares of the map's size: what a sampler takes, where the map is all of its texture.
+/// @param size   of the map, in texels
+/// @param uv     from (0, 0) to (1, 1) over the map, no NaN
+/// @exactness    C, within 1/128 in a shader, as lit_filtered
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T lit_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv, T receiver, Compare is_lit = {}) {
+    return lit_filtered(fetch, uv * size, receiver, is_lit);
+}
+
 /// What the sampler gives, but for the rounding of its weights: pcf_2x2.
 /// @return        visibility, 0 in shadow, 1 lit
 /// @exactness     C, within 1/128 in a shader, as lit_filtered

@@ -145,7 +145,8 @@ constexpr filled_text<32> window_weight(int size, int i) {
 }
 
 /// The beginning of a window's text, as far as its weights.
-constexpr long_text window_head(std::string_view name, std::string_view what, int size) {
+/// @param place   finds `texel`, and `s`, by how many steps the receiver lies beyond it
+constexpr long_text window_head(std::string_view name, std::string_view what, int size, std::string_view place) {
     long_text text = fill<6000>(R"GLSL(
 // umbrage_$f$n: $w
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -158,12 +159,10 @@ UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
                                 {{'f', 0, name}, {'n', size}, {'w', 0, what}, {'m', size / 2}});
     for (int i = 2; i <= size / 2; ++i) text.append(", UMBRAGE_HIGHP float k$i", {{'i', i}});
     text.append(R"GLSL() {
-    bool compared = umbrage_is_compared(coord, receiver);
-    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);  // no branch: fetches overlap
-    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
-    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
-    UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0)GLSL");
+    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+$p    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0)GLSL",
+                {{'p', 0, place}});
     for (int i = 1; i < size; ++i) text.append(" + k$i", {{'i', window_parameter(size, i)}});
     text.append(");\n");
     return text;
@@ -171,8 +170,12 @@ UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
 
 constexpr long_text window_sum_text(int size) {
     const int middle = size / 2;
-    long_text text = window_head("window_sum",
-                                 "weighted count of the lit texels under weights that slide over the map, whole", size);
+    long_text text =
+        window_head("window_sum", "weighted count of the lit texels under weights that slide over the map, whole", size,
+                    R"GLSL(    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
+    UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
+)GLSL");
     for (int i = 0; i <= size; ++i)
         if (i != middle)
             text.append("    UMBRAGE_HIGHP vec2 w$i = floor($w);\n",

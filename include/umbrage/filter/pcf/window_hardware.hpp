@@ -39,7 +39,11 @@ namespace detail {
 constexpr long_text window_hardware_text(int size) {
     long_text text =
         window_head("window_hardware",
-                    "lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit", size);
+                    "lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit", size,
+                    R"GLSL(    UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 texel = floor(x);
+    UMBRAGE_HIGHP vec2 s = floor((x - texel) * steps);
+)GLSL");
     for (int k = 0; 2 * k <= size; ++k) {
         const int texel = 2 * k - size / 2;
         text.append(R"GLSL(    UMBRAGE_HIGHP vec2 b$k = $b;

@@ -66,6 +66,18 @@ TEST_CASE("blockers_hardware: count and sum over texels in real numbers, forward
     }
 }
 
+TEST_CASE_TEMPLATE("blocker_at: the texel's depth where it is before the receiver", T, float, double) {
+    using vec2 = glm::vec<2, T>;
+    image<T> map({4, 2}, T(0.25));
+    map[{3, 1}] = T(0.75);
+    const vec2 size(4, 2);
+    CHECK(depth_at(clamped(map), size, vec2(0.875, 0.75)) == T(0.75));
+    CHECK(depth_at(clamped(map), size, vec2(1.5, 1.5)) == T(0.75));  // outside, the nearest one
+    CHECK(blocker_at(clamped(map), size, vec2(0.875, 0.75), T(0.5)) == vec2(0, 0));
+    CHECK(blocker_at(clamped(map), size, vec2(0.875, 0.25), T(0.5)) == vec2(1, 0.25));
+    CHECK(blocker_at(clamped(map), size, vec2(0.875, 0.75), T(0.5), greater_equal{}) == vec2(1, 0.75));
+}
+
 TEST_CASE_TEMPLATE("pcss_radius: by hand, finite whatever comes", T, float, double) {
     using vec2 = glm::vec<2, T>;
     const glm::vec<3, T> soft(T(0.0625), T(16), T(96));  // 256 texels of depth 1, 1 to 6

@@ -16,6 +16,7 @@ TEST_CASE_TEMPLATE("pcf_2x2_hardware: by hand", T, float, double) {
     map[{1, 0}] = T(0.75);
     CHECK(pcf_2x2_hardware(clamped(map), glm::vec<2, T>(1.25, 0.5), T(0.5)) == T(0.75));
     CHECK(pcf_2x2_hardware(clamped(map), glm::vec<2, T>(1.25, 0.5), T(0.5), greater_equal{}) == T(0.25));
+    CHECK(lit_at(clamped(map), glm::vec<2, T>(2, 1), glm::vec<2, T>(0.625, 0.5), T(0.5)) == T(0.75));
     CHECK(pcf_2x2_hardware(clamped(map), glm::vec<2, T>(1), T(2)) == 1);  // beyond the far plane
     CHECK(pcf_2x2_hardware(clamped(map), glm::vec<2, T>(1), std::numeric_limits<T>::quiet_NaN()) == 0);
 }

@@ -33,26 +33,35 @@ std::vector<input_class> receivers_with(Accepted accepted) {
 }
 
 template <int Points>
-void add_sampled_blockers(std::vector<entry>& all, const std::string& name, const umbrage::glsl::binding& as) {
-    all.push_back(bound_filter(glsl::blockers_hardware<Points>, turned_arguments, name, as,
-                               [](auto, const auto&, auto) { return 0.0f; }));
-    entry& e = all.back();
-    e.twin = [as](const sample& s) {
-        const comparison is_lit{as.direction};
-        const vec2 found =
-            blockers_hardware<Points>(s.depth(), at(s), s.x[0].z, turned_radius(s), turned_by(s), is_lit);
-        return vec4(found.x, found.y, 0.0f, 0.0f);
-    };
+constexpr auto search_twin = [](auto fetch, const sample& s, auto is_lit) {
+    const vec2 found = blockers_hardware<Points>(fetch, at(s), s.x[0].z, turned_radius(s), turned_by(s), is_lit);
+    return vec4(found.x, found.y, 0.0f, 0.0f);
+};
+
+/// A search whose points all lie off borders.
+template <int Points>
+void add_search(std::vector<entry>& all, entry e) {
     e.call.insert(e.call.size() - 1, ", 0.0, 0.0");
     e.classes = receivers_with([](const sample& s) {
-        const vec2 turn = turned_by(s);
         for (const ivec2 point : disc_points<Points>)
-            if (!off_borders(disc_position(at(s), vec2(point), turn, clamped_disc_radius(turned_radius(s)))))
+            if (!off_borders(disc_position(at(s), vec2(point), turned_by(s), clamped_disc_radius(turned_radius(s)))))
                 return false;
         return true;
     });
     e.also = {&glsl::disc_turn};
     e.share = Points;
+    all.push_back(std::move(e));
+}
+template <int Points>
+void add_search(std::vector<entry>& all) {
+    add_search<Points>(all, filter(glsl::blockers_hardware<Points>, turned_arguments,
+                                   [](const sample& s) { return search_twin<Points>(s.depth(), s, less_equal{}); }));
+    all.back().alike = Points != 16;
+}
+template <int Points>
+void add_search(std::vector<entry>& all, const std::string& name, const umbrage::glsl::binding& as) {
+    add_search<Points>(all,
+                       bound_filter(glsl::blockers_hardware<Points>, turned_arguments, name, as, search_twin<Points>));
 }
 
 /// How many blockers in x0.x, the sum of their depths in x0.y, the receiver in x0.z; in x1 a softness.
@@ -86,19 +95,21 @@ void add_filter_blocker_pcss_hardware(std::vector<entry>& all) {
                        .call = "vec4(umbrage_pcss_radius(vec2(x0.x, x0.y), x0.z, vec3(x1.x, x1.y, x1.z)))",
                        .map_kind = {.direction = direction}});
     }
-    add_sampled_blockers<8>(all, "", {});
-    add_sampled_blockers<16>(all, "sampler", {.gather = true});
-    add_sampled_blockers<16>(all, "depth, reversed, sampler",
-                             {.texture = texture::depth, .direction = depth_direction::reversed, .gather = true});
-    add_sampled_blockers<16>(all, "region", {.gather = true, .origin = "vec2(5.0, 3.0)"});
-    add_sampled_blockers<32>(all, "array, sampler", {.texture = texture::array, .gather = true});
-    add_sampled_blockers<32>(all, "depth array, sampler", {.texture = texture::depth_array, .gather = true});
+    add_search<8>(all);
+    add_search<16>(all);
+    add_search<32>(all);
+    add_search<16>(all, "sampler", {.gather = true});
+    add_search<16>(all, "depth, reversed, sampler",
+                   {.texture = texture::depth, .direction = depth_direction::reversed, .gather = true});
+    add_search<16>(all, "region", {.gather = true, .origin = "vec2(5.0, 3.0)"});
+    add_search<32>(all, "array, sampler", {.texture = texture::array, .gather = true});
+    add_search<32>(all, "depth array, sampler", {.texture = texture::depth_array, .gather = true});
 
     all.push_back(filter(glsl::depth_at, "",
                          [](const sample& s) { return vec4(fetch_depth(s.depth(), ivec2(glm::floor(at(s))))); }));
     all.push_back(filter(glsl::blocker_at, "", [](const sample& s) {
-        const float stored = fetch_depth(s.depth(), ivec2(glm::floor(at(s))));
-        return s.x[0].z <= stored ? vec4(0.0f) : vec4(1.0f, stored, 0.0f, 0.0f);
+        const vec2 size(s.map.size), found = blocker_at(s.depth(), size, at(s) / size, s.x[0].z);
+        return vec4(found.x, found.y, 0.0f, 0.0f);
     }));
     for (entry* e : {&all.back() - 1, &all.back()}) {
         e->classes = receivers_with([](const sample& s) { return off_borders(at(s)); });

@@ -19,8 +19,9 @@ void add_filter_pcf_pcf_2x2_hardware(std::vector<entry>& all) {
             for (int axis : {0, 1})
                 if (std::isnan(s.x[0][axis])) s.x[0][axis] = 0.5f;
         };
-    all.push_back(
-        filter(glsl::lit_at, "", [](const sample& s) { return vec4(lit_filtered(s.depth(), at(s), s.x[0].z)); }));
+    all.push_back(filter(glsl::lit_at, "", [](const sample& s) {
+        return vec4(lit_at(s.depth(), vec2(s.map.size), at(s) / vec2(s.map.size), s.x[0].z));
+    }));
     all.back().call = "vec4(umbrage_lit_at(map, map_size, vec2(x0.x, x0.y) / map_size, x0.z))";
     for (input_class& c : all.back().classes)
         c.fill = [fill = c.fill](std::uint64_t i, random& r, sample& s) {
