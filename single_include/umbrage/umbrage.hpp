@@ -5207,7 +5207,7 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 /// @param softness   of make_softness: (per_code, least, widest)
 /// @return           in texels, from least / 16 to widest / 16; the former for what is NaN
 /// @formula          |receiver - mean| 4096 per_code, clamped
-/// @exactness        C: a mean off by 4 ulp moves it by 2^-9 per_code
+/// @exactness        C: a mean off by 4 ulp moves it by 2^-9 per_code, 1/1024 up to a per_code of 1/2
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr T pcss_radius(glm::vec<2, T> found, T receiver, glm::vec<3, T> softness, Compare is_lit = {}) {
@@ -17780,7 +17780,7 @@ struct bound {
 }  // namespace umbrage::glsl
 
 // ---- umbrage/shader/texel_hooks.hpp
-// The hooks of hooks.hpp that take texels, one or four, as they are.
+// The hooks of hooks.hpp that say what a map's depths mean, and those that take its texels as they are, one or four.
 //
 
 namespace umbrage::glsl::hooks {
@@ -18509,9 +18509,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
                         "textureGrad(map, vec4((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), "
                         "vec2(0.0, 0.0))",
                     .gather_lit = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
-                    .lit_filtered =
-                        "textureGrad(map, vec4(uv, layer, receiver), vec2(0.0, 0.0), "
-                        "vec2(0.0, 0.0))"};
+                    .lit_filtered = "textureGrad(map, vec4(uv, layer, receiver), vec2(0.0, 0.0), vec2(0.0, 0.0))"};
     }
     return {};
 }
@@ -19180,9 +19178,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
                         "metal::level(0.0))",
                     .gather_lit =
                         "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)",
-                    .lit_filtered =
-                        "map.sample_compare(map_sampler, uv, uint(layer), receiver, "
-                        "metal::level(0.0))"};
+                    .lit_filtered = "map.sample_compare(map_sampler, uv, uint(layer), receiver, metal::level(0.0))"};
     }
     return {};
 }

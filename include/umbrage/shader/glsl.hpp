@@ -107,9 +107,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
                         "textureGrad(map, vec4((at + 0.5) / UMBRAGE_TEXTURE_SIZE, layer, receiver), vec2(0.0, 0.0), "
                         "vec2(0.0, 0.0))",
                     .gather_lit = "textureGather(map, vec3((at + 1.0) / UMBRAGE_TEXTURE_SIZE, layer), receiver)",
-                    .lit_filtered =
-                        "textureGrad(map, vec4(uv, layer, receiver), vec2(0.0, 0.0), "
-                        "vec2(0.0, 0.0))"};
+                    .lit_filtered = "textureGrad(map, vec4(uv, layer, receiver), vec2(0.0, 0.0), vec2(0.0, 0.0))"};
     }
     return {};
 }

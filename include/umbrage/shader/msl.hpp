@@ -112,9 +112,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
                         "metal::level(0.0))",
                     .gather_lit =
                         "map.gather_compare(map_sampler, (at + 1.0) / UMBRAGE_TEXTURE_SIZE, uint(layer), receiver)",
-                    .lit_filtered =
-                        "map.sample_compare(map_sampler, uv, uint(layer), receiver, "
-                        "metal::level(0.0))"};
+                    .lit_filtered = "map.sample_compare(map_sampler, uv, uint(layer), receiver, metal::level(0.0))"};
     }
     return {};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The hooks of hooks.hpp that take texels, one or four, as they are.
+// The hooks of hooks.hpp that say what a map's depths mean, and those that take its texels as they are, one or four.
 //
 #pragma once
 

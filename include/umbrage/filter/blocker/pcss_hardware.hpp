@@ -76,7 +76,7 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 /// @param softness   of make_softness: (per_code, least, widest)
 /// @return           in texels, from least / 16 to widest / 16; the former for what is NaN
 /// @formula          |receiver - mean| 4096 per_code, clamped
-/// @exactness        C: a mean off by 4 ulp moves it by 2^-9 per_code
+/// @exactness        C: a mean off by 4 ulp moves it by 2^-9 per_code, 1/1024 up to a per_code of 1/2
 /// @cite             Fernando: Percentage-closer soft shadows, SIGGRAPH 2005 sketches
 template <real T, class Compare = less_equal>
 [[nodiscard]] constexpr T pcss_radius(glm::vec<2, T> found, T receiver, glm::vec<3, T> softness, Compare is_lit = {}) {

@@ -11,29 +11,11 @@
 #include <umbrage/shader/glsl.hpp>
 
 #include "../../special_values.hpp"
-#include "../maps.hpp"
+#include "../real_discs.hpp"
 
 using namespace umbrage;
 
 namespace {
-
-/// Lit shares of the four texels around each point, in real numbers.
-template <int Points>
-double mean_of_points(const image<float>& map, glm::dvec2 coord, double receiver, double radius, glm::dvec2 turn) {
-    double sum = 0;
-    for (const glm::ivec2 p : disc_points<Points>) {
-        const glm::dvec2 at =
-            coord + glm::dvec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y) * radius / 1024.0;
-        const glm::dvec2 first = glm::floor(at - 0.5), weight = at - 0.5 - first;
-        for (int j : {0, 1})
-            for (int i : {0, 1}) {
-                const bool lit =
-                    receiver <= double(texel_at(map, std::int64_t(first.x) + i, std::int64_t(first.y) + j));
-                sum += lit ? (i ? weight.x : 1 - weight.x) * (j ? weight.y : 1 - weight.y) : 0.0;
-            }
-    }
-    return sum / Points;
-}
 
 template <int Points>
 void check_against_real_numbers() {
@@ -49,8 +31,8 @@ void check_against_real_numbers() {
                     receiver = static_cast<float>(random() % 33) / 32.0f;
         const glm::vec2 turn = disc_turn(glm::vec2(float(i % 4), float(i / 4 % 4)));
         const double ours = double(disc_hardware<Points>(clamped(map), coord, receiver, radius, turn));
-        worst = std::max(worst,
-                         std::abs(ours - mean_of_points<Points>(map, coord, double(receiver), double(radius), turn)));
+        worst = std::max(
+            worst, std::abs(ours - in_reals::lit_share<Points>(map, coord, double(receiver), double(radius), turn)));
     }
     MESSAGE(Points << " points: off by " << worst << " of the bound of " << glsl::disc_hardware<Points>.within);
     CHECK(worst <= double(glsl::disc_hardware<Points>.within));
