@@ -143,6 +143,7 @@ bench-compare:
 # Makes single_include anew: the single header, every snippet as a file, the npm package's module.
 single-header:
 	cmake -P single_include/amalgamate.cmake
+	@mkdir -p build
 	cmake -G Ninja -S . -B build/package -D UMBRAGE_BUILD_EXAMPLES=OFF -D CMAKE_BUILD_TYPE=Debug > build/package.log
 	cmake --build build/package --target package
 
