@@ -66,7 +66,7 @@ using encodings_that = decltype(select_encodings<Kind>(umbrage::encodings{}));
 
 template <class Encoding>
 using is_own = std::bool_constant<umbrage::has_edge<Encoding>>;
-using own = encodings_that<is_own>;
+using own_encodings = encodings_that<is_own>;
 
 /// The texel of a code, by the layout that the header states.
 template <int Bits>

@@ -18,7 +18,7 @@ TEST_CASE_TEMPLATE_DEFINE("encode_*, decode_*: every code round-trips, whatever 
     CAPTURE(Encoding::name);
     CHECK(proof::code_failures<Encoding>(0, Encoding::codes) == 0);
 }
-TEST_CASE_TEMPLATE_APPLY(own_codes, proof::own);
+TEST_CASE_TEMPLATE_APPLY(own_codes, proof::own_encodings);
 
 TEST_CASE_TEMPLATE_DEFINE(
     "encode_*, decode_*: every k / 2^24 within the stated error, in order, at or below its upper edge", Encoding,
@@ -26,7 +26,7 @@ TEST_CASE_TEMPLATE_DEFINE(
     CAPTURE(Encoding::name);
     CHECK(proof::own_failures<Encoding>(proof::nth_depth, 0, (1 << 24) + 1) == 0);
 }
-TEST_CASE_TEMPLATE_APPLY(own_lattice, proof::own);
+TEST_CASE_TEMPLATE_APPLY(own_lattice, proof::own_encodings);
 
 TEST_CASE_TEMPLATE_DEFINE("encode_*, decode_*: the ends of every class of floats", Encoding, own_ends) {
     CAPTURE(Encoding::name);
@@ -36,7 +36,7 @@ TEST_CASE_TEMPLATE_DEFINE("encode_*, decode_*: the ends of every class of floats
         CHECK(proof::own_failures<Encoding>(proof::nth_float, std::max<std::uint64_t>(at, 5000) - 5000,
                                             std::min(at + 5000, all)) == 0);
 }
-TEST_CASE_TEMPLATE_APPLY(own_ends, proof::own);
+TEST_CASE_TEMPLATE_APPLY(own_ends, proof::own_encodings);
 
 TEST_CASE(
     "upper edge: the cleared depth decodes to 1, and nothing shadows itself through quantisation; lower edges do") {

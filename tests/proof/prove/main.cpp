@@ -220,7 +220,7 @@ std::vector<line> make_table() {
     table.push_back({glsl::to_unorm, "channels", 0, 256, each(channel_survives)});
     table.push_back({glsl::from_unorm, "channels, each off by up to 4096 ulp", 0, 256 * 8193, each(channel_is_read)});
     table.push_back({glsl::from_unorm, "0 .. 1", plus_zero, plus_zero + 0x3F800001, each(reads_nearest)});
-    std::apply([&](auto... encoding) { (add_own<decltype(encoding)>(table), ...); }, proof::own{});
+    std::apply([&](auto... encoding) { (add_own<decltype(encoding)>(table), ...); }, proof::own_encodings{});
     table.push_back({glsl::decode_ps14, "codes", 0, 2048, each(decodes_ps14)});
     table.push_back({glsl::encode_float_bits, "every pattern", 0, all_floats, each(keeps_bits)});
     table.push_back({glsl::decode_float_bits, "every pattern", 0, all_floats, each(reads_bits)});
