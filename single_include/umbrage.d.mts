@@ -303,6 +303,8 @@ export const inside_map: Snippet;
 export const fetch_bordered: Snippet;
 /** stored depth of a texel */
 export const fetch_depth: Snippet;
+/** stored depth at a point of the map */
+export const depth_at: Snippet;
 /** receivers behind the far plane */
 export const beyond_far: Snippet;
 /** receivers that a filter compares; it takes the others as lit */
@@ -313,6 +315,8 @@ export const compare: Snippet;
 export const lit: Snippet;
 /** comparisons with the 2x2 texels from one on */
 export const lit_2x2: Snippet;
+/** receivers up to the far plane, NaN is none */
+export const before_far: Snippet;
 /** stored + epsilon < receiver is shadow */
 export const compare_dx_sdk: Snippet;
 /** current < stored + epsilon is lit */
@@ -371,6 +375,8 @@ export const castano7: Snippet;
 export const cube_lit: Snippet;
 /** 2 x 2 comparisons of a cube, over its edges too, bilinear weights */
 export const pcf_2x2_cube: Snippet;
+/** mean of four taps that a sampler of the nearest texel takes */
+export const four_tap_hardware: Snippet;
 /** comparisons around a point, weighted */
 export const lit_filtered: Snippet;
 /** comparisons around a point of the map, weighted */
@@ -409,8 +415,6 @@ export const pcss8: Snippet;
 export const pcss16: Snippet;
 /** percentage-closer soft shadows, 32 points twice */
 export const pcss32: Snippet;
-/** stored depth at a point of the map */
-export const depth_at: Snippet;
 /** whether what a point of the map holds lies before a receiver, and its depth */
 export const blocker_at: Snippet;
 /** radius of a penumbra from the mean depth of blockers */

@@ -51,6 +51,7 @@ function chosen(s, map) {
         case 'cleared_depth':
         case 'compare': return hooks[`${s.role}, ${map.direction}`];
         case 'beyond_far': return hooks[`beyond_far, ${scaled ? 'scaled' : map.direction}`];
+        case 'before_far': return scaled ? s : hooks[`before_far, ${map.direction}`];
         case 'texel':
         case 'fetch_depth':
             if (compares(map)) throw new Error('umbrage: bind: a comparison sampler compares, it gives no depths');
@@ -1312,6 +1313,13 @@ UMBRAGE_HIGHP float umbrage_fetch_depth(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size
     return UMBRAGE_FETCH(map, size, texel);
 }
 `,
+            "depth_at": `
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+`,
             "beyond_far": `
 // UMBRAGE_BEYOND_FAR: receivers behind the far plane, which no map shadows
 #ifndef UMBRAGE_BEYOND_FAR
@@ -1363,6 +1371,14 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float c = umbrage_lit(map, size, texel + vec2(0.0, 1.0), receiver);
     UMBRAGE_HIGHP float d = umbrage_lit(map, size, texel + vec2(1.0, 1.0), receiver);
     return vec4(a, b, c, d);
+}
+`,
+            "before_far": `
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    // two choices, not one of `or`, which compilers take for true
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return umbrage_beyond_far(receiver) ? false : number > 0.5;
 }
 `,
             "compare_dx_sdk": `
@@ -1903,6 +1919,22 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     return compared && sum.y > 0.0 ? sum.x / sum.y : 1.0;
 }
 `,
+            "four_tap_hardware": `
+// umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps, (0.0, 0.0) to (1.0, 1.0) over the map, all lit
+//   where the mean of |x| + |y| is 2^15 texels or more;   receiver  depth, biased
+UMBRAGE_HIGHP float umbrage_four_tap_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 a,
+                                              UMBRAGE_HIGHP vec2 b, UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP vec2 d,
+                                              UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 sum = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
+    bool compared = umbrage_beyond_far(receiver) ? false : sum.x + sum.y < 131072.0;
+    UMBRAGE_HIGHP float count = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
+                                umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
+                                umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +
+                                umbrage_compare(receiver, umbrage_depth_at(map, size, d));
+    return compared ? count * 0.25 : 1.0;
+}
+`,
             "lit_filtered": `
 // umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
 //   coord  in texels, no NaN; what is outside texel space counts as its border
@@ -1928,30 +1960,27 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float lit = umbrage_lit_at(map, size, at / size, receiver);
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? lit * number : 1.0;
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? lit : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "window_hardware3": `
 // umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
+//   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
 UMBRAGE_HIGHP float umbrage_window_hardware3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
-                                        UMBRAGE_HIGHP float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float k0,
+                                             UMBRAGE_HIGHP float k1) {
+    bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x);
-    UMBRAGE_HIGHP vec2 s = floor((x - texel) * steps);
-    UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k0);
-    UMBRAGE_HIGHP vec2 b0 = r * k1 + s * k0;
-    UMBRAGE_HIGHP vec2 w0 = r * k0 + b0;
+    UMBRAGE_HIGHP vec2 s = x - texel;
+    UMBRAGE_HIGHP float whole = k0 + k1 + k0;
+    UMBRAGE_HIGHP vec2 b0 = k1 + s * (k0 - k1);
+    UMBRAGE_HIGHP vec2 w0 = k0 + k1 - s * k1;
     UMBRAGE_HIGHP vec2 p0 = (texel - 0.5 + b0 / w0) / size;
     UMBRAGE_HIGHP vec2 b1 = s * k0;
-    UMBRAGE_HIGHP vec2 w1 = r * k0 + s * k1 + b1;
+    UMBRAGE_HIGHP vec2 w1 = k0 + s * k1;
     UMBRAGE_HIGHP vec2 p1 = (texel + 1.5 + b1 / w1) / size;
     UMBRAGE_HIGHP float n = 0.0;
     UMBRAGE_HIGHP float row = 0.0;
@@ -1962,33 +1991,30 @@ UMBRAGE_HIGHP float umbrage_window_hardware3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p1.y), receiver);
     row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p1.y), receiver);
     n += w1.y * row;
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number / (whole * whole) : 1.0;
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n / (whole * whole) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "window_hardware5": `
 // umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
+//   receiver   depth, biased;   k0 .. k2  weights from the edge to the middle one; the others mirror them
 UMBRAGE_HIGHP float umbrage_window_hardware5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
-                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float k0,
+                                             UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2) {
+    bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x);
-    UMBRAGE_HIGHP vec2 s = floor((x - texel) * steps);
-    UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k1 + k0);
-    UMBRAGE_HIGHP vec2 b0 = r * k1 + s * k0;
-    UMBRAGE_HIGHP vec2 w0 = r * k0 + b0;
+    UMBRAGE_HIGHP vec2 s = x - texel;
+    UMBRAGE_HIGHP float whole = k0 + k1 + k2 + k1 + k0;
+    UMBRAGE_HIGHP vec2 b0 = k1 + s * (k0 - k1);
+    UMBRAGE_HIGHP vec2 w0 = k0 + k1 - s * k1;
     UMBRAGE_HIGHP vec2 p0 = (texel - 1.5 + b0 / w0) / size;
-    UMBRAGE_HIGHP vec2 b1 = r * k1 + s * k2;
-    UMBRAGE_HIGHP vec2 w1 = r * k2 + s * k1 + b1;
+    UMBRAGE_HIGHP vec2 b1 = k1 + s * (k2 - k1);
+    UMBRAGE_HIGHP vec2 w1 = k2 + k1 + s * (k1 - k1);
     UMBRAGE_HIGHP vec2 p1 = (texel + 0.5 + b1 / w1) / size;
     UMBRAGE_HIGHP vec2 b2 = s * k0;
-    UMBRAGE_HIGHP vec2 w2 = r * k0 + s * k1 + b2;
+    UMBRAGE_HIGHP vec2 w2 = k0 + s * k1;
     UMBRAGE_HIGHP vec2 p2 = (texel + 2.5 + b2 / w2) / size;
     UMBRAGE_HIGHP float n = 0.0;
     UMBRAGE_HIGHP float row = 0.0;
@@ -2006,36 +2032,33 @@ UMBRAGE_HIGHP float umbrage_window_hardware5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p2.y), receiver);
     row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p2.y), receiver);
     n += w2.y * row;
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number / (whole * whole) : 1.0;
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n / (whole * whole) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "window_hardware7": `
 // umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
+//   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
 UMBRAGE_HIGHP float umbrage_window_hardware7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
-                                        UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2, UMBRAGE_HIGHP float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float k0,
+                                             UMBRAGE_HIGHP float k1, UMBRAGE_HIGHP float k2, UMBRAGE_HIGHP float k3) {
+    bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x);
-    UMBRAGE_HIGHP vec2 s = floor((x - texel) * steps);
-    UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
-    UMBRAGE_HIGHP vec2 b0 = r * k1 + s * k0;
-    UMBRAGE_HIGHP vec2 w0 = r * k0 + b0;
+    UMBRAGE_HIGHP vec2 s = x - texel;
+    UMBRAGE_HIGHP float whole = k0 + k1 + k2 + k3 + k2 + k1 + k0;
+    UMBRAGE_HIGHP vec2 b0 = k1 + s * (k0 - k1);
+    UMBRAGE_HIGHP vec2 w0 = k0 + k1 - s * k1;
     UMBRAGE_HIGHP vec2 p0 = (texel - 2.5 + b0 / w0) / size;
-    UMBRAGE_HIGHP vec2 b1 = r * k3 + s * k2;
-    UMBRAGE_HIGHP vec2 w1 = r * k2 + s * k1 + b1;
+    UMBRAGE_HIGHP vec2 b1 = k3 + s * (k2 - k3);
+    UMBRAGE_HIGHP vec2 w1 = k2 + k3 + s * (k1 - k3);
     UMBRAGE_HIGHP vec2 p1 = (texel - 0.5 + b1 / w1) / size;
-    UMBRAGE_HIGHP vec2 b2 = r * k1 + s * k2;
-    UMBRAGE_HIGHP vec2 w2 = r * k2 + s * k3 + b2;
+    UMBRAGE_HIGHP vec2 b2 = k1 + s * (k2 - k1);
+    UMBRAGE_HIGHP vec2 w2 = k2 + k1 + s * (k3 - k1);
     UMBRAGE_HIGHP vec2 p2 = (texel + 1.5 + b2 / w2) / size;
     UMBRAGE_HIGHP vec2 b3 = s * k0;
-    UMBRAGE_HIGHP vec2 w3 = r * k0 + s * k1 + b3;
+    UMBRAGE_HIGHP vec2 w3 = k0 + s * k1;
     UMBRAGE_HIGHP vec2 p3 = (texel + 3.5 + b3 / w3) / size;
     UMBRAGE_HIGHP float n = 0.0;
     UMBRAGE_HIGHP float row = 0.0;
@@ -2062,8 +2085,8 @@ UMBRAGE_HIGHP float umbrage_window_hardware7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p3.y), receiver);
     row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p3.y), receiver);
     n += w3.y * row;
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number / (whole * whole) : 1.0;
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n / (whole * whole) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware8": `
@@ -2087,8 +2110,8 @@ UMBRAGE_HIGHP float umbrage_disc_hardware8(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 s
     n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number * (1.0 / 8.0) : 1.0;
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / 8.0) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware16": `
@@ -2120,8 +2143,8 @@ UMBRAGE_HIGHP float umbrage_disc_hardware16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
     n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
     n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number * (1.0 / 16.0) : 1.0;
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / 16.0) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware32": `
@@ -2169,8 +2192,8 @@ UMBRAGE_HIGHP float umbrage_disc_hardware32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
     n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
     n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number * (1.0 / 32.0) : 1.0;
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / 32.0) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "bounds_lit": `
@@ -2355,13 +2378,6 @@ UMBRAGE_HIGHP float umbrage_pcss32(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
     return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-}
-`,
-            "depth_at": `
-// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
-UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
-    return umbrage_fetch_depth(map, size, floor(uv * size));
 }
 `,
             "blocker_at": `
@@ -3431,6 +3447,18 @@ bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
     return false;
 }
 `,
+            "hooks/before_far, forward": `
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    return receiver <= 1.0;
+}
+`,
+            "hooks/before_far, reversed": `
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    return receiver >= 0.0;
+}
+`,
             "hooks/compare, forward": `
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
 UMBRAGE_HIGHP float umbrage_compare(UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float stored) {
@@ -3582,8 +3610,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return lit * number;
+    return umbrage_before_far(receiver) ? lit : 0.0;
 }
 `,
             "hooks/lit_filtered, bordered": `
@@ -3598,8 +3625,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return (outside + inside.x * inside.y * (lit - outside)) * number;
+    return umbrage_before_far(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 `,
             "hooks/lit_at, sampled": `
@@ -4617,6 +4643,13 @@ float4 umbrage_fetch_bordered(UMBRAGE_MAP map, float2 size, float2 texel, float4
     return umbrage_inside_map(size, texel) ? value : border;
 }
 `,
+            "depth_at": `
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+`,
             "is_compared": `
 // umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
 precise bool umbrage_is_compared(float2 coord, float receiver) {
@@ -4638,6 +4671,14 @@ float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receive
     float c = umbrage_lit(map, size, texel + float2(0.0, 1.0), receiver);
     float d = umbrage_lit(map, size, texel + float2(1.0, 1.0), receiver);
     return float4(a, b, c, d);
+}
+`,
+            "before_far": `
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+precise bool umbrage_before_far(float receiver) {
+    // two choices, not one of `or`, which compilers take for true
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return umbrage_beyond_far(receiver) ? false : number > 0.5;
 }
 `,
             "compare_dx_sdk": `
@@ -5150,6 +5191,20 @@ float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, float2 size, float3 at, float receiv
     return compared && sum.y > 0.0 ? sum.x / sum.y : 1.0;
 }
 `,
+            "four_tap_hardware": `
+// umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps, (0.0, 0.0) to (1.0, 1.0) over the map, all lit
+//   where the mean of |x| + |y| is 2^15 texels or more;   receiver  depth, biased
+float umbrage_four_tap_hardware(UMBRAGE_MAP map, float2 size, float2 a, float2 b, float2 c, float2 d, float receiver) {
+    float2 sum = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
+    bool compared = umbrage_beyond_far(receiver) ? false : sum.x + sum.y < 131072.0;
+    float count = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, d));
+    return compared ? count * 0.25 : 1.0;
+}
+`,
             "lit_filtered": `
 // umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
 //   coord  in texels, no NaN; what is outside texel space counts as its border
@@ -5172,29 +5227,25 @@ float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord, float
     bool compared = umbrage_is_compared(coord, receiver);
     float2 at = compared ? coord : float2(0.0, 0.0);
     float lit = umbrage_lit_at(map, size, at / size, receiver);
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? lit * number : 1.0;
+    float visibility = umbrage_before_far(receiver) ? lit : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "window_hardware3": `
 // umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
-                               float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+//   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
+float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float k0, float k1) {
+    bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = floor(x);
-    float2 s = floor((x - texel) * steps);
-    float2 r = steps - s;
-    float whole = steps * (k0 + k1 + k0);
-    float2 b0 = r * k1 + s * k0;
-    float2 w0 = r * k0 + b0;
+    float2 s = x - texel;
+    float whole = k0 + k1 + k0;
+    float2 b0 = k1 + s * (k0 - k1);
+    float2 w0 = k0 + k1 - s * k1;
     float2 p0 = (texel - 0.5 + b0 / w0) / size;
     float2 b1 = s * k0;
-    float2 w1 = r * k0 + s * k1 + b1;
+    float2 w1 = k0 + s * k1;
     float2 p1 = (texel + 1.5 + b1 / w1) / size;
     float n = 0.0;
     float row = 0.0;
@@ -5205,32 +5256,29 @@ float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float
     row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
     row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
     n += w1.y * row;
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number / (whole * whole) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n / (whole * whole) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "window_hardware5": `
 // umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
-                               float k1, float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+//   receiver   depth, biased;   k0 .. k2  weights from the edge to the middle one; the others mirror them
+float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float k0, float k1,
+                               float k2) {
+    bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = floor(x);
-    float2 s = floor((x - texel) * steps);
-    float2 r = steps - s;
-    float whole = steps * (k0 + k1 + k2 + k1 + k0);
-    float2 b0 = r * k1 + s * k0;
-    float2 w0 = r * k0 + b0;
+    float2 s = x - texel;
+    float whole = k0 + k1 + k2 + k1 + k0;
+    float2 b0 = k1 + s * (k0 - k1);
+    float2 w0 = k0 + k1 - s * k1;
     float2 p0 = (texel - 1.5 + b0 / w0) / size;
-    float2 b1 = r * k1 + s * k2;
-    float2 w1 = r * k2 + s * k1 + b1;
+    float2 b1 = k1 + s * (k2 - k1);
+    float2 w1 = k2 + k1 + s * (k1 - k1);
     float2 p1 = (texel + 0.5 + b1 / w1) / size;
     float2 b2 = s * k0;
-    float2 w2 = r * k0 + s * k1 + b2;
+    float2 w2 = k0 + s * k1;
     float2 p2 = (texel + 2.5 + b2 / w2) / size;
     float n = 0.0;
     float row = 0.0;
@@ -5248,35 +5296,32 @@ float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float
     row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p2.y), receiver);
     row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
     n += w2.y * row;
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number / (whole * whole) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n / (whole * whole) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "window_hardware7": `
 // umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
-                               float k1, float k2, float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+//   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
+float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float k0, float k1, float k2,
+                               float k3) {
+    bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = floor(x);
-    float2 s = floor((x - texel) * steps);
-    float2 r = steps - s;
-    float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
-    float2 b0 = r * k1 + s * k0;
-    float2 w0 = r * k0 + b0;
+    float2 s = x - texel;
+    float whole = k0 + k1 + k2 + k3 + k2 + k1 + k0;
+    float2 b0 = k1 + s * (k0 - k1);
+    float2 w0 = k0 + k1 - s * k1;
     float2 p0 = (texel - 2.5 + b0 / w0) / size;
-    float2 b1 = r * k3 + s * k2;
-    float2 w1 = r * k2 + s * k1 + b1;
+    float2 b1 = k3 + s * (k2 - k3);
+    float2 w1 = k2 + k3 + s * (k1 - k3);
     float2 p1 = (texel - 0.5 + b1 / w1) / size;
-    float2 b2 = r * k1 + s * k2;
-    float2 w2 = r * k2 + s * k3 + b2;
+    float2 b2 = k1 + s * (k2 - k1);
+    float2 w2 = k2 + k1 + s * (k3 - k1);
     float2 p2 = (texel + 1.5 + b2 / w2) / size;
     float2 b3 = s * k0;
-    float2 w3 = r * k0 + s * k1 + b3;
+    float2 w3 = k0 + s * k1;
     float2 p3 = (texel + 3.5 + b3 / w3) / size;
     float n = 0.0;
     float row = 0.0;
@@ -5303,8 +5348,8 @@ float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float
     row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p3.y), receiver);
     row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p3.y), receiver);
     n += w3.y * row;
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number / (whole * whole) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n / (whole * whole) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware8": `
@@ -5326,8 +5371,8 @@ float umbrage_disc_hardware8(UMBRAGE_MAP map, float2 size, float2 coord, float r
     n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number * (1.0 / 8.0) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n * (1.0 / 8.0) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware16": `
@@ -5357,8 +5402,8 @@ float umbrage_disc_hardware16(UMBRAGE_MAP map, float2 size, float2 coord, float 
     n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
     n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number * (1.0 / 16.0) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n * (1.0 / 16.0) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware32": `
@@ -5404,8 +5449,8 @@ float umbrage_disc_hardware32(UMBRAGE_MAP map, float2 size, float2 coord, float 
     n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
     n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number * (1.0 / 32.0) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n * (1.0 / 32.0) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "bounds_lit": `
@@ -5576,13 +5621,6 @@ float umbrage_pcss32(UMBRAGE_MAP map, float2 size, float2 coord, float receiver,
     float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
     return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-}
-`,
-            "depth_at": `
-// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
-float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
-    return umbrage_fetch_depth(map, size, floor(uv * size));
 }
 `,
             "blocker_at": `
@@ -6576,6 +6614,18 @@ precise bool umbrage_beyond_far(float receiver) {
     return false;
 }
 `,
+            "hooks/before_far, forward": `
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+precise bool umbrage_before_far(float receiver) {
+    return receiver <= 1.0;
+}
+`,
+            "hooks/before_far, reversed": `
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+precise bool umbrage_before_far(float receiver) {
+    return receiver >= 0.0;
+}
+`,
             "hooks/compare, forward": `
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
 float umbrage_compare(float receiver, float stored) {
@@ -6717,8 +6767,7 @@ float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float rec
     float2 at = texel + UMBRAGE_ORIGIN;
     float2 uv = UMBRAGE_UV;
     float lit = UMBRAGE_LIT_FILTERED;
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return lit * number;
+    return umbrage_before_far(receiver) ? lit : 0.0;
 }
 `,
             "hooks/lit_filtered, bordered": `
@@ -6732,8 +6781,7 @@ float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, float rec
     float lit = UMBRAGE_LIT_FILTERED;
     float2 inside = clamp(min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
     float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return (outside + inside.x * inside.y * (lit - outside)) * number;
+    return umbrage_before_far(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 `,
             "hooks/lit_at, sampled": `
@@ -7750,6 +7798,13 @@ inline float4 umbrage_fetch_bordered(UMBRAGE_MAP map, float2 size, float2 texel,
     return umbrage_inside_map(size, texel) ? value : border;
 }
 `,
+            "depth_at": `
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
+    return umbrage_fetch_depth(map, size, metal::floor(uv * size));
+}
+`,
             "is_compared": `
 // umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
 inline bool umbrage_is_compared(float2 coord, float receiver) {
@@ -7771,6 +7826,14 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
     float c = umbrage_lit(map, size, texel + float2(0.0, 1.0), receiver);
     float d = umbrage_lit(map, size, texel + float2(1.0, 1.0), receiver);
     return float4(a, b, c, d);
+}
+`,
+            "before_far": `
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+inline bool umbrage_before_far(float receiver) {
+    // two choices, not one of `or`, which compilers take for true
+    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return umbrage_beyond_far(receiver) ? false : number > 0.5;
 }
 `,
             "compare_dx_sdk": `
@@ -8284,6 +8347,21 @@ inline float umbrage_pcf_2x2_cube(UMBRAGE_MAP map, float2 size, float3 at, float
     return compared && sum.y > 0.0 ? sum.x / sum.y : 1.0;
 }
 `,
+            "four_tap_hardware": `
+// umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps, (0.0, 0.0) to (1.0, 1.0) over the map, all lit
+//   where the mean of |x| + |y| is 2^15 texels or more;   receiver  depth, biased
+inline float umbrage_four_tap_hardware(UMBRAGE_MAP map, float2 size, float2 a, float2 b, float2 c, float2 d,
+                                       float receiver) {
+    float2 sum = (metal::abs(a) + metal::abs(b) + metal::abs(c) + metal::abs(d)) * size;
+    bool compared = umbrage_beyond_far(receiver) ? false : sum.x + sum.y < 131072.0;
+    float count = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, d));
+    return compared ? count * 0.25 : 1.0;
+}
+`,
             "lit_filtered": `
 // umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
 //   coord  in texels, no NaN; what is outside texel space counts as its border
@@ -8307,29 +8385,25 @@ inline float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, float2 size, float2 coord
     bool compared = umbrage_is_compared(coord, receiver);
     float2 at = compared ? coord : float2(0.0, 0.0);
     float lit = umbrage_lit_at(map, size, at / size, receiver);
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? lit * number : 1.0;
+    float visibility = umbrage_before_far(receiver) ? lit : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "window_hardware3": `
 // umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-inline float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
-                                      float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+//   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
+inline float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float k0, float k1) {
+    bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = metal::floor(x);
-    float2 s = metal::floor((x - texel) * steps);
-    float2 r = steps - s;
-    float whole = steps * (k0 + k1 + k0);
-    float2 b0 = r * k1 + s * k0;
-    float2 w0 = r * k0 + b0;
+    float2 s = x - texel;
+    float whole = k0 + k1 + k0;
+    float2 b0 = k1 + s * (k0 - k1);
+    float2 w0 = k0 + k1 - s * k1;
     float2 p0 = (texel - 0.5 + b0 / w0) / size;
     float2 b1 = s * k0;
-    float2 w1 = r * k0 + s * k1 + b1;
+    float2 w1 = k0 + s * k1;
     float2 p1 = (texel + 1.5 + b1 / w1) / size;
     float n = 0.0;
     float row = 0.0;
@@ -8340,32 +8414,29 @@ inline float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord
     row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
     row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
     n += w1.y * row;
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number / (whole * whole) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n / (whole * whole) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "window_hardware5": `
 // umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-inline float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
-                                      float k1, float k2) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+//   receiver   depth, biased;   k0 .. k2  weights from the edge to the middle one; the others mirror them
+inline float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float k0, float k1,
+                                      float k2) {
+    bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = metal::floor(x);
-    float2 s = metal::floor((x - texel) * steps);
-    float2 r = steps - s;
-    float whole = steps * (k0 + k1 + k2 + k1 + k0);
-    float2 b0 = r * k1 + s * k0;
-    float2 w0 = r * k0 + b0;
+    float2 s = x - texel;
+    float whole = k0 + k1 + k2 + k1 + k0;
+    float2 b0 = k1 + s * (k0 - k1);
+    float2 w0 = k0 + k1 - s * k1;
     float2 p0 = (texel - 1.5 + b0 / w0) / size;
-    float2 b1 = r * k1 + s * k2;
-    float2 w1 = r * k2 + s * k1 + b1;
+    float2 b1 = k1 + s * (k2 - k1);
+    float2 w1 = k2 + k1 + s * (k1 - k1);
     float2 p1 = (texel + 0.5 + b1 / w1) / size;
     float2 b2 = s * k0;
-    float2 w2 = r * k0 + s * k1 + b2;
+    float2 w2 = k0 + s * k1;
     float2 p2 = (texel + 2.5 + b2 / w2) / size;
     float n = 0.0;
     float row = 0.0;
@@ -8383,35 +8454,32 @@ inline float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord
     row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p2.y), receiver);
     row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
     n += w2.y * row;
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number / (whole * whole) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n / (whole * whole) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "window_hardware7": `
 // umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-inline float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float steps, float k0,
-                                      float k1, float k2, float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+//   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
+inline float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float receiver, float k0, float k1,
+                                      float k2, float k3) {
+    bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = metal::floor(x);
-    float2 s = metal::floor((x - texel) * steps);
-    float2 r = steps - s;
-    float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
-    float2 b0 = r * k1 + s * k0;
-    float2 w0 = r * k0 + b0;
+    float2 s = x - texel;
+    float whole = k0 + k1 + k2 + k3 + k2 + k1 + k0;
+    float2 b0 = k1 + s * (k0 - k1);
+    float2 w0 = k0 + k1 - s * k1;
     float2 p0 = (texel - 2.5 + b0 / w0) / size;
-    float2 b1 = r * k3 + s * k2;
-    float2 w1 = r * k2 + s * k1 + b1;
+    float2 b1 = k3 + s * (k2 - k3);
+    float2 w1 = k2 + k3 + s * (k1 - k3);
     float2 p1 = (texel - 0.5 + b1 / w1) / size;
-    float2 b2 = r * k1 + s * k2;
-    float2 w2 = r * k2 + s * k3 + b2;
+    float2 b2 = k1 + s * (k2 - k1);
+    float2 w2 = k2 + k1 + s * (k3 - k1);
     float2 p2 = (texel + 1.5 + b2 / w2) / size;
     float2 b3 = s * k0;
-    float2 w3 = r * k0 + s * k1 + b3;
+    float2 w3 = k0 + s * k1;
     float2 p3 = (texel + 3.5 + b3 / w3) / size;
     float n = 0.0;
     float row = 0.0;
@@ -8438,8 +8506,8 @@ inline float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord
     row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p3.y), receiver);
     row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p3.y), receiver);
     n += w3.y * row;
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number / (whole * whole) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n / (whole * whole) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware8": `
@@ -8462,8 +8530,8 @@ inline float umbrage_disc_hardware8(UMBRAGE_MAP map, float2 size, float2 coord, 
     n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number * (1.0 / 8.0) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n * (1.0 / 8.0) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware16": `
@@ -8494,8 +8562,8 @@ inline float umbrage_disc_hardware16(UMBRAGE_MAP map, float2 size, float2 coord,
     n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
     n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number * (1.0 / 16.0) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n * (1.0 / 16.0) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "disc_hardware32": `
@@ -8542,8 +8610,8 @@ inline float umbrage_disc_hardware32(UMBRAGE_MAP map, float2 size, float2 coord,
     n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
     n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number * (1.0 / 32.0) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n * (1.0 / 32.0) : 0.0;
+    return compared ? visibility : 1.0;
 }
 `,
             "bounds_lit": `
@@ -8717,13 +8785,6 @@ inline float umbrage_pcss32(UMBRAGE_MAP map, float2 size, float2 coord, float re
     float radius = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
     return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-}
-`,
-            "depth_at": `
-// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
-inline float umbrage_depth_at(UMBRAGE_MAP map, float2 size, float2 uv) {
-    return umbrage_fetch_depth(map, size, metal::floor(uv * size));
 }
 `,
             "blocker_at": `
@@ -9723,6 +9784,18 @@ inline bool umbrage_beyond_far(float receiver) {
     return false;
 }
 `,
+            "hooks/before_far, forward": `
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+inline bool umbrage_before_far(float receiver) {
+    return receiver <= 1.0;
+}
+`,
+            "hooks/before_far, reversed": `
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+inline bool umbrage_before_far(float receiver) {
+    return receiver >= 0.0;
+}
+`,
             "hooks/compare, forward": `
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
 inline float umbrage_compare(float receiver, float stored) {
@@ -9864,8 +9937,7 @@ inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, fl
     float2 at = texel + UMBRAGE_ORIGIN;
     float2 uv = UMBRAGE_UV;
     float lit = UMBRAGE_LIT_FILTERED;
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return lit * number;
+    return umbrage_before_far(receiver) ? lit : 0.0;
 }
 `,
             "hooks/lit_filtered, bordered": `
@@ -9879,8 +9951,7 @@ inline float umbrage_lit_filtered(UMBRAGE_MAP map, float2 size, float2 coord, fl
     float lit = UMBRAGE_LIT_FILTERED;
     float2 inside = metal::clamp(metal::min(coord, size - coord) + 0.5, float2(0.0, 0.0), float2(1.0, 1.0));
     float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return (outside + inside.x * inside.y * (lit - outside)) * number;
+    return umbrage_before_far(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 `,
             "hooks/lit_at, sampled": `
@@ -10896,6 +10967,13 @@ fn umbrage_fetch_bordered(UMBRAGE_MAP map, size: vec2f, texel: vec2f, border: ve
     return select(border, value, umbrage_inside_map(size, texel));
 }
 `,
+            "depth_at": `
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+`,
             "is_compared": `
 // umbrage_is_compared: whether a filter compares a receiver; outside texel space and beyond the far plane all is lit
 fn umbrage_is_compared(coord: vec2f, receiver: f32) -> bool {
@@ -10917,6 +10995,14 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
     let c: f32 = umbrage_lit(map, size, texel + vec2f(0.0, 1.0), receiver);
     let d: f32 = umbrage_lit(map, size, texel + vec2f(1.0, 1.0), receiver);
     return vec4f(a, b, c, d);
+}
+`,
+            "before_far": `
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+fn umbrage_before_far(receiver: f32) -> bool {
+    // two choices, not one of `or`, which compilers take for true
+    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
+    return select((number > 0.5), false, umbrage_beyond_far(receiver));
 }
 `,
             "compare_dx_sdk": `
@@ -11429,6 +11515,21 @@ fn umbrage_pcf_2x2_cube(UMBRAGE_MAP map, size: vec2f, at: vec3f, receiver: f32) 
     return select(1.0, sum.x / sum.y, compared && sum.y > 0.0);
 }
 `,
+            "four_tap_hardware": `
+// umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps, (0.0, 0.0) to (1.0, 1.0) over the map, all lit
+//   where the mean of |x| + |y| is 2^15 texels or more;   receiver  depth, biased
+fn umbrage_four_tap_hardware(UMBRAGE_MAP map, size: vec2f, a: vec2f, b: vec2f, c: vec2f, d: vec2f,
+                             receiver: f32) -> f32 {
+    let sum: vec2f = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
+    let compared: bool = select((sum.x + sum.y < 131072.0), false, umbrage_beyond_far(receiver));
+    let count: f32 = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +
+        umbrage_compare(receiver, umbrage_depth_at(map, size, d));
+    return select(1.0, count * 0.25, compared);
+}
+`,
             "lit_filtered": `
 // umbrage_lit_filtered: 2x2 comparisons around a point; this map has no sampler to weigh them; visibility, 1.0 is lit
 //   coord  in texels, no NaN; what is outside texel space counts as its border
@@ -11451,29 +11552,25 @@ fn umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     let compared: bool = umbrage_is_compared(coord, receiver);
     let at: vec2f = select(vec2f(0.0, 0.0), coord, compared);
     let lit: f32 = umbrage_lit_at(map, size, at / size, receiver);
-    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
-    return select(1.0, lit * number, compared);
+    let visibility: f32 = select(0.0, lit, umbrage_before_far(receiver));
+    return select(1.0, visibility, compared);
 }
 `,
             "window_hardware3": `
 // umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-fn umbrage_window_hardware3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32,
-                            k1: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+//   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
+fn umbrage_window_hardware3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, k0: f32, k1: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
     let texel: vec2f = floor(x);
-    let s: vec2f = floor((x - texel) * steps);
-    let r: vec2f = steps - s;
-    let whole: f32 = steps * (k0 + k1 + k0);
-    let b0: vec2f = r * k1 + s * k0;
-    let w0: vec2f = r * k0 + b0;
+    let s: vec2f = x - texel;
+    let whole: f32 = k0 + k1 + k0;
+    let b0: vec2f = k1 + s * (k0 - k1);
+    let w0: vec2f = k0 + k1 - s * k1;
     let p0: vec2f = (texel - 0.5 + b0 / w0) / size;
     let b1: vec2f = s * k0;
-    let w1: vec2f = r * k0 + s * k1 + b1;
+    let w1: vec2f = k0 + s * k1;
     let p1: vec2f = (texel + 1.5 + b1 / w1) / size;
     var n: f32 = 0.0;
     var row: f32 = 0.0;
@@ -11484,32 +11581,29 @@ fn umbrage_window_hardware3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p1.y), receiver);
     row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
     n += w1.y * row;
-    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
-    return select(1.0, n * number / (whole * whole), compared);
+    let visibility: f32 = select(0.0, n / (whole * whole), umbrage_before_far(receiver));
+    return select(1.0, visibility, compared);
 }
 `,
             "window_hardware5": `
 // umbrage_window_hardware5: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k2   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-fn umbrage_window_hardware5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32,
+//   receiver   depth, biased;   k0 .. k2  weights from the edge to the middle one; the others mirror them
+fn umbrage_window_hardware5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, k0: f32, k1: f32,
                             k2: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+    let compared: bool = umbrage_is_compared(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
     let texel: vec2f = floor(x);
-    let s: vec2f = floor((x - texel) * steps);
-    let r: vec2f = steps - s;
-    let whole: f32 = steps * (k0 + k1 + k2 + k1 + k0);
-    let b0: vec2f = r * k1 + s * k0;
-    let w0: vec2f = r * k0 + b0;
+    let s: vec2f = x - texel;
+    let whole: f32 = k0 + k1 + k2 + k1 + k0;
+    let b0: vec2f = k1 + s * (k0 - k1);
+    let w0: vec2f = k0 + k1 - s * k1;
     let p0: vec2f = (texel - 1.5 + b0 / w0) / size;
-    let b1: vec2f = r * k1 + s * k2;
-    let w1: vec2f = r * k2 + s * k1 + b1;
+    let b1: vec2f = k1 + s * (k2 - k1);
+    let w1: vec2f = k2 + k1 + s * (k1 - k1);
     let p1: vec2f = (texel + 0.5 + b1 / w1) / size;
     let b2: vec2f = s * k0;
-    let w2: vec2f = r * k0 + s * k1 + b2;
+    let w2: vec2f = k0 + s * k1;
     let p2: vec2f = (texel + 2.5 + b2 / w2) / size;
     var n: f32 = 0.0;
     var row: f32 = 0.0;
@@ -11527,35 +11621,32 @@ fn umbrage_window_hardware5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p2.y), receiver);
     row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p2.y), receiver);
     n += w2.y * row;
-    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
-    return select(1.0, n * number / (whole * whole), compared);
+    let visibility: f32 = select(0.0, n / (whole * whole), umbrage_before_far(receiver));
+    return select(1.0, visibility, compared);
 }
 `,
             "window_hardware7": `
 // umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-fn umbrage_window_hardware7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32, k1: f32,
-                            k2: f32, k3: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+//   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
+fn umbrage_window_hardware7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, k0: f32, k1: f32, k2: f32,
+                            k3: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
     let texel: vec2f = floor(x);
-    let s: vec2f = floor((x - texel) * steps);
-    let r: vec2f = steps - s;
-    let whole: f32 = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
-    let b0: vec2f = r * k1 + s * k0;
-    let w0: vec2f = r * k0 + b0;
+    let s: vec2f = x - texel;
+    let whole: f32 = k0 + k1 + k2 + k3 + k2 + k1 + k0;
+    let b0: vec2f = k1 + s * (k0 - k1);
+    let w0: vec2f = k0 + k1 - s * k1;
     let p0: vec2f = (texel - 2.5 + b0 / w0) / size;
-    let b1: vec2f = r * k3 + s * k2;
-    let w1: vec2f = r * k2 + s * k1 + b1;
+    let b1: vec2f = k3 + s * (k2 - k3);
+    let w1: vec2f = k2 + k3 + s * (k1 - k3);
     let p1: vec2f = (texel - 0.5 + b1 / w1) / size;
-    let b2: vec2f = r * k1 + s * k2;
-    let w2: vec2f = r * k2 + s * k3 + b2;
+    let b2: vec2f = k1 + s * (k2 - k1);
+    let w2: vec2f = k2 + k1 + s * (k3 - k1);
     let p2: vec2f = (texel + 1.5 + b2 / w2) / size;
     let b3: vec2f = s * k0;
-    let w3: vec2f = r * k0 + s * k1 + b3;
+    let w3: vec2f = k0 + s * k1;
     let p3: vec2f = (texel + 3.5 + b3 / w3) / size;
     var n: f32 = 0.0;
     var row: f32 = 0.0;
@@ -11582,8 +11673,8 @@ fn umbrage_window_hardware7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p3.y), receiver);
     row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p3.y), receiver);
     n += w3.y * row;
-    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
-    return select(1.0, n * number / (whole * whole), compared);
+    let visibility: f32 = select(0.0, n / (whole * whole), umbrage_before_far(receiver));
+    return select(1.0, visibility, compared);
 }
 `,
             "disc_hardware8": `
@@ -11605,8 +11696,8 @@ fn umbrage_disc_hardware8(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: 
     n += umbrage_lit_at(map, size, centre + x * 11.0 + y * 6.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 0.0 + y * 13.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 11.0 - y * 7.0, receiver);
-    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
-    return select(1.0, n * number * (1.0 / 8.0), compared);
+    let visibility: f32 = select(0.0, n * (1.0 / 8.0), umbrage_before_far(receiver));
+    return select(1.0, visibility, compared);
 }
 `,
             "disc_hardware16": `
@@ -11636,8 +11727,8 @@ fn umbrage_disc_hardware16(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver:
     n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
     n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
-    return select(1.0, n * number * (1.0 / 16.0), compared);
+    let visibility: f32 = select(0.0, n * (1.0 / 16.0), umbrage_before_far(receiver));
+    return select(1.0, visibility, compared);
 }
 `,
             "disc_hardware32": `
@@ -11683,8 +11774,8 @@ fn umbrage_disc_hardware32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver:
     n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
     n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
-    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
-    return select(1.0, n * number * (1.0 / 32.0), compared);
+    let visibility: f32 = select(0.0, n * (1.0 / 32.0), umbrage_before_far(receiver));
+    return select(1.0, visibility, compared);
 }
 `,
             "bounds_lit": `
@@ -11855,13 +11946,6 @@ fn umbrage_pcss32(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f32, sof
     let radius: f32 = umbrage_penumbra(z - mean, softness);
     // without a blocker the radius is the search's, whose points are all lit
     return umbrage_disc32(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
-}
-`,
-            "depth_at": `
-// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
-fn umbrage_depth_at(UMBRAGE_MAP map, size: vec2f, uv: vec2f) -> f32 {
-    return umbrage_fetch_depth(map, size, floor(uv * size));
 }
 `,
             "blocker_at": `
@@ -12856,6 +12940,18 @@ fn umbrage_beyond_far(receiver: f32) -> bool {
     return false;
 }
 `,
+            "hooks/before_far, forward": `
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+fn umbrage_before_far(receiver: f32) -> bool {
+    return receiver <= 1.0;
+}
+`,
+            "hooks/before_far, reversed": `
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+fn umbrage_before_far(receiver: f32) -> bool {
+    return receiver >= 0.0;
+}
+`,
             "hooks/compare, forward": `
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
 fn umbrage_compare(receiver: f32, stored: f32) -> f32 {
@@ -12997,8 +13093,7 @@ fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f3
     let at: vec2f = texel + UMBRAGE_ORIGIN;
     let uv: vec2f = UMBRAGE_UV;
     let lit: f32 = UMBRAGE_LIT_FILTERED;
-    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
-    return lit * number;
+    return select(0.0, lit, umbrage_before_far(receiver));
 }
 `,
             "hooks/lit_filtered, bordered": `
@@ -13012,8 +13107,7 @@ fn umbrage_lit_filtered(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver: f3
     let lit: f32 = UMBRAGE_LIT_FILTERED;
     let inside: vec2f = clamp(min(coord, size - coord) + 0.5, vec2f(0.0, 0.0), vec2f(1.0, 1.0));
     let outside: f32 = umbrage_compare(receiver, umbrage_cleared_depth());
-    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
-    return (outside + inside.x * inside.y * (lit - outside)) * number;
+    return select(0.0, outside + inside.x * inside.y * (lit - outside), umbrage_before_far(receiver));
 }
 `,
             "hooks/lit_at, sampled": `
@@ -13152,11 +13246,13 @@ const rows = [
     ["inside_map", "inside_map", "whether a texel is one of the map's", "a", 0, 0, "100", "none", false, []],
     ["fetch_bordered", "fetch_bordered", "texel of a map, outside a border value", "a", 0, 0, "100", "none", false, ["fetch_clamped", "inside_map"]],
     ["fetch_depth", "fetch_depth", "stored depth of a texel", "a", 0, 0, "100", "fetch_depth", false, ["fetch_clamped", "fetch_bordered", "cleared_depth"]],
+    ["depth_at", "depth_at", "stored depth at a point of the map", "c", 1, 0, "100", "depth_at", false, ["fetch_depth"]],
     ["beyond_far", "beyond_far", "receivers behind the far plane", "a", 0, 0, "100", "beyond_far", false, []],
     ["is_compared", "is_compared", "receivers that a filter compares; it takes the others as lit", "a", 0, 0, "100", "none", false, ["inside_texel_space", "beyond_far"]],
     ["compare", "compare", "one comparison", "a", 0, 0, "100", "compare", false, []],
     ["lit", "lit", "one comparison with a texel", "a", 0, 0, "100", "lit", false, ["compare", "fetch_depth"]],
     ["lit_2x2", "lit_2x2", "comparisons with the 2x2 texels from one on", "a", 0, 0, "100", "lit_2x2", false, ["lit"]],
+    ["before_far", "before_far", "receivers up to the far plane, NaN is none", "a", 0, 0, "100", "before_far", false, ["beyond_far"]],
     ["compare_dx_sdk", "compare_dx_sdk", "stored + epsilon < receiver is shadow", "b", 0, 0, "100", "none", false, []],
     ["compare_exercise", "compare_exercise", "current < stored + epsilon is lit", "b", 0, 0, "100", "none", false, []],
     ["window_sum3", "window_sum3", "weighted count of lit texels under a window of 3 x 3", "a", 0, 0, "100", "none", false, ["is_compared", "lit_2x2"]],
@@ -13186,15 +13282,16 @@ const rows = [
     ["castano7", "castano7", "sliding window 1 5 12 16 12 5 1", "b", 0, 0, "100", "none", false, ["window_sum7"]],
     ["cube_lit", "cube_lit", "one comparison with a texel of a cube", "a", 0, 0, "100", "none", false, ["cube_neighbour", "cube_tile", "lit"]],
     ["pcf_2x2_cube", "pcf_2x2_cube", "2 x 2 comparisons of a cube, over its edges too, bilinear weights", "c", 1, 0, "100", "none", false, ["is_compared", "cube_lit"]],
+    ["four_tap_hardware", "four_tap_hardware", "mean of four taps that a sampler of the nearest texel takes", "c", 1, 0, "100", "none", false, ["beyond_far", "compare", "depth_at"]],
     ["lit_filtered", "lit_filtered", "comparisons around a point, weighted", "c", 0, 1 / 128, "100", "lit_filtered", false, ["pcf_2x2"]],
     ["lit_at", "lit_at", "comparisons around a point of the map, weighted", "c", 0, 1 / 128, "100", "lit_at", false, ["lit_filtered"]],
-    ["pcf_2x2_hardware", "pcf_2x2_hardware", "2x2 by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_at"]],
-    ["window_hardware3", "window_hardware3", "window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_at"]],
-    ["window_hardware5", "window_hardware5", "window of 5 x 5 by 9 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_at"]],
-    ["window_hardware7", "window_hardware7", "window of 7 x 7 by 16 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_at"]],
-    ["disc_hardware8", "disc_hardware8", "disc of 8 points by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_at"]],
-    ["disc_hardware16", "disc_hardware16", "disc of 16 points by one", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_at"]],
-    ["disc_hardware32", "disc_hardware32", "disc of 32 points by one", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "lit_at"]],
+    ["pcf_2x2_hardware", "pcf_2x2_hardware", "2x2 by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
+    ["window_hardware3", "window_hardware3", "window of 3 x 3 by 4 look-ups of a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
+    ["window_hardware5", "window_hardware5", "window of 5 x 5 by 9 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
+    ["window_hardware7", "window_hardware7", "window of 7 x 7 by 16 of them", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
+    ["disc_hardware8", "disc_hardware8", "disc of 8 points by a comparison sampler with a linear filter", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
+    ["disc_hardware16", "disc_hardware16", "disc of 16 points by one", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
+    ["disc_hardware32", "disc_hardware32", "disc of 32 points by one", "c", 0, 1 / 128, "100", "none", false, ["is_compared", "before_far", "lit_at"]],
     ["bounds_lit", "bounds_lit", "visibility where bounds of a filter's texels suffice", "a", 0, 0, "100", "none", false, ["is_compared", "compare", "fetch_clamped"]],
     ["distance_code", "distance_code", "a depth as 16 bits of distance from the near plane", "a", 0, 0, "100", "none", false, ["cleared_depth"]],
     ["penumbra", "penumbra", "radius of a penumbra from the distance between blocker and receiver", "a", 0, 0, "100", "none", false, []],
@@ -13205,7 +13302,6 @@ const rows = [
     ["pcss8", "pcss8", "percentage-closer soft shadows, 8 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers8", "floor_divide", "disc8"]],
     ["pcss16", "pcss16", "percentage-closer soft shadows, 16 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers16", "floor_divide", "disc16"]],
     ["pcss32", "pcss32", "percentage-closer soft shadows, 32 points twice", "a", 0, 0, "100", "none", false, ["is_compared", "distance_code", "penumbra", "blockers32", "floor_divide", "disc32"]],
-    ["depth_at", "depth_at", "stored depth at a point of the map", "c", 1, 0, "100", "depth_at", false, ["fetch_depth"]],
     ["blocker_at", "blocker_at", "whether what a point of the map holds lies before a receiver, and its depth", "c", 1, 0, "100", "none", false, ["depth_at", "compare"]],
     ["pcss_radius", "pcss_radius", "radius of a penumbra from the mean depth of blockers", "c", 0, 1 / 1024, "100", "none", false, ["cleared_depth"]],
     ["blockers_hardware8", "blockers_hardware8", "what lies before a receiver at 8 points of a disc, by a sampler of the nearest texel", "c", 1, 0, "100", "none", false, ["is_compared", "blocker_at"]],
@@ -13286,6 +13382,8 @@ const rows = [
     ["hooks/beyond_far, forward", "beyond_far", "beyond_far, forward", "a", 0, 0, "100", "chosen", false, []],
     ["hooks/beyond_far, reversed", "beyond_far", "beyond_far, reversed", "a", 0, 0, "100", "chosen", false, []],
     ["hooks/beyond_far, scaled", "beyond_far", "beyond_far, scaled", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/before_far, forward", "before_far", "before_far, forward", "a", 0, 0, "100", "chosen", false, []],
+    ["hooks/before_far, reversed", "before_far", "before_far, reversed", "a", 0, 0, "100", "chosen", false, []],
     ["hooks/compare, forward", "compare", "compare, forward", "a", 0, 0, "100", "chosen", false, []],
     ["hooks/compare, reversed", "compare", "compare, reversed", "a", 0, 0, "100", "chosen", false, []],
     ["hooks/texel", "texel", "texel", "a", 0, 0, "100", "chosen", false, []],
@@ -13301,8 +13399,8 @@ const rows = [
     ["hooks/lit_2x2, gathered", "lit_2x2", "lit_2x2, gathered", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared"]],
     ["hooks/lit_2x2, gathered in a region", "lit_2x2", "lit_2x2, gathered in a region", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared"]],
     ["hooks/lit_2x2, gathered and bordered", "lit_2x2", "lit_2x2, gathered and bordered", "a", 0, 0, "100", "chosen", false, ["hooks/gather_lit, compared", "inside_map", "compare", "cleared_depth"]],
-    ["hooks/lit_filtered, clamped", "lit_filtered", "lit_filtered, clamped", "a", 0, 0, "100", "chosen", false, []],
-    ["hooks/lit_filtered, bordered", "lit_filtered", "lit_filtered, bordered", "a", 0, 0, "100", "chosen", false, ["compare", "cleared_depth"]],
+    ["hooks/lit_filtered, clamped", "lit_filtered", "lit_filtered, clamped", "a", 0, 0, "100", "chosen", false, ["before_far"]],
+    ["hooks/lit_filtered, bordered", "lit_filtered", "lit_filtered, bordered", "a", 0, 0, "100", "chosen", false, ["before_far", "compare", "cleared_depth"]],
     ["hooks/lit_at, sampled", "lit_at", "lit_at, sampled", "a", 0, 0, "100", "chosen", false, []],
     ["hooks/depth_at, sampled", "depth_at", "depth_at, sampled", "a", 0, 0, "100", "chosen", false, ["hooks/decode"]],
 ];
@@ -13336,4 +13434,4 @@ export const glsl = in_language('glsl');
 export const hlsl = in_language('hlsl');
 export const msl = in_language('msl');
 export const wgsl = in_language('wgsl');
-export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, beyond_far, is_compared, compare, lit, lit_2x2, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, depth_at, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, turn_moments_back, bias_moments, forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, detachment, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;
+export const { shadow_coordinate, tap_coordinate, project_coordinate, cascade_by_depth, cascade_column, cascade_coordinate, inside_cascade, cascade_by_projection, cascade_tile, cascade_weight, cascade_fade, cascade_border_fade, blend_cascades, inside_texel_space, dither_threshold, dithered_cascade, cube_face, cube_view_z, cube_plane, cube_point, cube_coordinate, cube_direction, cube_neighbour, cube_tile, cube_atlas_texel, cube_atlas_direction, dual_paraboloid_coordinate, dual_paraboloid_position, tetrahedron_face, tetrahedron_plane, tetrahedron_view_z, tetrahedron_coordinate, tetrahedron_texel, tetrahedron_face_of, pancaked, texel, from_unorm, page_coordinate, linear_depth, project_depth, distance_depth, reverse_depth, depth_from_ndc, view_z_from_depth, depth_from_view_z, view_z_from_reversed_depth, reversed_depth_from_view_z, view_z_from_orthographic_depth, orthographic_depth_from_view_z, cleared_depth, saturate, mend_quotient, floor_divide, to_unorm, encode_rg9, encode_rg10, encode_rg11, encode_rg12, encode_rg13, encode_rg14, encode_rg15, encode_rg16, encode_rgb24, encode_float_bits, write_threejs_rgba, write_threejs_rgb, write_threejs_rg, write_threejs_legacy, encode_threejs_legacy_repaired, write_base255, encode_base255_repaired, fetch_clamped, encode_rg9_table, encode_rg10_table, encode_rg11_table, encode_rg12_table, encode_rg13_table, encode_rg14_table, encode_rg15_table, encode_rg16_table, decode_rg9, decode_rg10, decode_rg11, decode_rg12, decode_rg13, decode_rg14, decode_rg15, decode_rg16, decode_rgb24, decode_float_bits, decode_threejs_rgba, decode_threejs_rgb, decode_threejs_rg, decode_threejs_legacy, decode_base255, level_rg9, level_rg10, level_rg11, level_rg12, level_rg13, level_rg14, level_rg15, level_rg16, receiver_rg9, receiver_rg10, receiver_rg11, receiver_rg12, receiver_rg13, receiver_rg14, receiver_rg15, receiver_rg16, decode_ps14, receiver_ps14, inside_map, fetch_bordered, fetch_depth, depth_at, beyond_far, is_compared, compare, lit, lit_2x2, before_far, compare_dx_sdk, compare_exercise, window_sum3, window_sum5, window_sum7, disc_turn, disc_tap, disc_radius, disc8, disc16, disc32, hard, four_tap, pcf_2x2, pcf_2x2_dx_sdk, box_count, box_scale, box, tent2, tent3, quadratic_b_spline, binomial5, castano_dyadic5, castano5, binomial7, tent7, castano7, cube_lit, pcf_2x2_cube, four_tap_hardware, lit_filtered, lit_at, pcf_2x2_hardware, window_hardware3, window_hardware5, window_hardware7, disc_hardware8, disc_hardware16, disc_hardware32, bounds_lit, distance_code, penumbra, blocker, blockers8, blockers16, blockers32, pcss8, pcss16, pcss32, blocker_at, pcss_radius, blockers_hardware8, blockers_hardware16, blockers_hardware32, hardened8, hardened16, hardened32, dpcf8, dpcf16, dpcf32, box_moments, summed_variance, box_mean, turn_moments_back, bias_moments, forward_depth, moment_atoms, decode_msm, summed_moments, power_of_two, exp2_polynomial, exp2_steps, chebyshev, bleed_cut, encode_vsm, decode_vsm, encode_deviation, decode_deviation, decode_deviation_rgba8, warp_depth, encode_esm, decode_esm, encode_evsm2, encode_evsm4, decode_evsm2, decode_evsm4, encode_msm, turn_moments, hausdorff_share, decode_msm_hausdorff, fetch_bilinear, vsm, esm, evsm2, evsm4, msm, msm_turned, msm_hausdorff, chebyshev_hardware, decode_vsm_hardware, decode_evsm2_hardware, decode_evsm4_hardware, blur_row3, blur_row5, blur_row7, halve_texels, texels_to_world, clamp_bias, world_to_depth, biased, clamp_slope, plane_slope, slope_bias, normal_offset, kernel_bias, receiver_plane, on_receiver_plane, acne_free_bias, acne_free_disc_bias, detachment, spot_cone, diffuse_ambient, false_colour, overlay_texel } = snippets;

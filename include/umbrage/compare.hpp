@@ -87,6 +87,13 @@ template <real T, class Compare = less_equal>
     else return false;
 }
 
+/// True for receivers up to the far plane; false beyond it, and for NaN, which neither beyond_far nor this is true of.
+/// @exactness     A
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr bool before_far(T receiver, const Compare& is_lit = {}) {
+    return !is_nan(receiver) && !beyond_far(receiver, is_lit);
+}
+
 /// Visibility of one comparison.
 /// @param receiver   depth, biased;   stored  depth from the map
 /// @return           1 when lit, 0 in shadow
@@ -140,6 +147,22 @@ bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
 )GLSL",
 };
 
+inline constexpr snippet before_far{
+    .name = "before_far",
+    .summary = "receivers up to the far plane, NaN is none",
+    .exactness = tier::a,
+    .needs = list<&beyond_far>,
+    .role = hook::before_far,
+    .source = R"GLSL(
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    // two choices, not one of `or`, which compilers take for true
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return umbrage_beyond_far(receiver) ? false : number > 0.5;
+}
+)GLSL",
+};
+
 inline constexpr snippet compare{
     .name = "compare",
     .summary = "one comparison",
@@ -189,7 +212,7 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
 )GLSL",
 };
 
-inline constexpr auto compare_snippets = list<&beyond_far, &compare, &compare_dx_sdk, &compare_exercise>;
+inline constexpr auto compare_snippets = list<&beyond_far, &before_far, &compare, &compare_dx_sdk, &compare_exercise>;
 
 }  // namespace glsl
 }  // namespace umbrage

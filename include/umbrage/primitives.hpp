@@ -39,6 +39,7 @@
 #include <umbrage/filter/pcf/disc.hpp>
 #include <umbrage/filter/pcf/disc_hardware.hpp>
 #include <umbrage/filter/pcf/four_tap.hpp>
+#include <umbrage/filter/pcf/four_tap_hardware.hpp>
 #include <umbrage/filter/pcf/hard.hpp>
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_cube.hpp>

@@ -175,6 +175,7 @@ enum class hook {
     none,
     cleared_depth,
     beyond_far,
+    before_far,
     compare,
     texel,
     fetch_depth,
@@ -508,6 +509,13 @@ template <real T, class Compare = less_equal>
     else return false;
 }
 
+/// True for receivers up to the far plane; false beyond it, and for NaN, which neither beyond_far nor this is true of.
+/// @exactness     A
+template <real T, class Compare = less_equal>
+[[nodiscard]] constexpr bool before_far(T receiver, const Compare& is_lit = {}) {
+    return !is_nan(receiver) && !beyond_far(receiver, is_lit);
+}
+
 /// Visibility of one comparison.
 /// @param receiver   depth, biased;   stored  depth from the map
 /// @return           1 when lit, 0 in shadow
@@ -561,6 +569,22 @@ bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
 )GLSL",
 };
 
+inline constexpr snippet before_far{
+    .name = "before_far",
+    .summary = "receivers up to the far plane, NaN is none",
+    .exactness = tier::a,
+    .needs = list<&beyond_far>,
+    .role = hook::before_far,
+    .source = R"GLSL(
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    // two choices, not one of `or`, which compilers take for true
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return umbrage_beyond_far(receiver) ? false : number > 0.5;
+}
+)GLSL",
+};
+
 inline constexpr snippet compare{
     .name = "compare",
     .summary = "one comparison",
@@ -610,7 +634,7 @@ UMBRAGE_HIGHP float umbrage_compare_exercise(UMBRAGE_HIGHP float current, UMBRAG
 )GLSL",
 };
 
-inline constexpr auto compare_snippets = list<&beyond_far, &compare, &compare_dx_sdk, &compare_exercise>;
+inline constexpr auto compare_snippets = list<&beyond_far, &before_far, &compare, &compare_dx_sdk, &compare_exercise>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -3855,6 +3879,17 @@ template <class Fetch>
     return fetch(texel);
 }
 
+/// Stored depth of the texel at a point of the map.
+/// @param fetch   ivec2 texel -> stored depth
+/// @param size    of the map, in texels
+/// @param uv      from (0, 0) to (1, 1) over the map, no NaN
+/// @exactness     C, the fetched depth, but at borders between texels: a sampler takes the nearest to what it rounds
+///                its coordinates to, 2^-10 texel off in a map of 8192
+template <real T, class Fetch>
+[[nodiscard]] T depth_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv) {
+    return T(fetch(glm::ivec2(glm::floor(uv * size))));
+}
+
 /// Visibility of one comparison with a texel.
 /// @param fetch   ivec2 texel -> stored depth
 /// @return        1 when lit, 0 in shadow
@@ -3977,7 +4012,25 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 )GLSL",
 };
 
-inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_space, &is_compared, &lit, &lit_2x2>;
+/// Of a map with a sampler, which is all of its texture, the sample as it is; of others fetch_depth.
+inline constexpr snippet depth_at{
+    .name = "depth_at",
+    .summary = "stored depth at a point of the map",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&fetch_depth>,
+    .role = hook::depth_at,
+    .source = R"GLSL(
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+)GLSL",
+};
+
+inline constexpr auto texel_space_snippets =
+    list<&fetch_depth, &depth_at, &inside_texel_space, &is_compared, &lit, &lit_2x2>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -4998,7 +5051,7 @@ inline constexpr snippet pcf_2x2_hardware{
     .summary = "2x2 by a comparison sampler with a linear filter",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&is_compared, &lit_at>,
+    .needs = list<&is_compared, &before_far, &lit_at>,
     .source = R"GLSL(
 // umbrage_pcf_2x2_hardware: 2x2 comparisons, weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -5008,8 +5061,8 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float lit = umbrage_lit_at(map, size, at / size, receiver);
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? lit * number : 1.0;
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? lit : 0.0;
+    return compared ? visibility : 1.0;
 }
 )GLSL",
 };
@@ -5108,8 +5161,8 @@ UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
     text.append("    UMBRAGE_HIGHP float n = 0.0;\n");
     for (const disc_point p : disc_points<Points>)
         append_point(text, p, "    n += umbrage_lit_at(map, size, ", ", receiver);\n");
-    text.append(R"GLSL(    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number * (1.0 / $n.0) : 1.0;
+    text.append(R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / $n.0) : 0.0;
+    return compared ? visibility : 1.0;
 }
 )GLSL",
                 {{'n', Points}});
@@ -5128,7 +5181,7 @@ inline constexpr snippet disc_hardware{
                               : "disc of 32 points by one",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&is_compared, &lit_at>,
+    .needs = list<&is_compared, &before_far, &lit_at>,
     .source = disc_hardware_text<Points>.view()};
 
 inline constexpr auto disc_hardware_snippets = list<&lit_at, &disc_hardware<8>, &disc_hardware<16>, &disc_hardware<32>>;
@@ -5155,17 +5208,6 @@ inline constexpr auto disc_hardware_snippets = list<&lit_at, &disc_hardware<8>, 
 // Points of the search within a rounding of a texel's border may read the texel beside it.
 
 namespace umbrage {
-
-/// Stored depth of the texel at a point of the map.
-/// @param fetch   ivec2 texel -> stored depth
-/// @param size    of the map, in texels
-/// @param uv      from (0, 0) to (1, 1) over the map, no NaN
-/// @exactness     C, the fetched depth, but at borders between texels: a sampler takes the nearest to what it rounds
-///                its coordinates to, 2^-10 texel off in a map of 8192
-template <real T, class Fetch>
-[[nodiscard]] T depth_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv) {
-    return T(fetch(glm::ivec2(glm::floor(uv * size))));
-}
 
 /// What of a point of the map lies before a receiver.
 /// @return        (1, depth_at) where that is before the receiver, else (0, 0)
@@ -5239,23 +5281,6 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 }
 
 namespace glsl {
-
-/// Of a map with a sampler, which is all of its texture, the sample as it is; of others fetch_depth.
-inline constexpr snippet depth_at{
-    .name = "depth_at",
-    .summary = "stored depth at a point of the map",
-    .exactness = tier::c,
-    .ulp = 1,
-    .needs = list<&fetch_depth>,
-    .role = hook::depth_at,
-    .source = R"GLSL(
-// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
-UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
-    return umbrage_fetch_depth(map, size, floor(uv * size));
-}
-)GLSL",
-};
 
 inline constexpr snippet blocker_at{
     .name = "blocker_at",
@@ -5331,7 +5356,7 @@ inline constexpr snippet blockers_hardware{
     .source = blockers_hardware_text<Points>.view()};
 
 inline constexpr auto pcss_hardware_snippets =
-    list<&depth_at, &blocker_at, &pcss_radius, &blockers_hardware<8>, &blockers_hardware<16>, &blockers_hardware<32>>;
+    list<&blocker_at, &pcss_radius, &blockers_hardware<8>, &blockers_hardware<16>, &blockers_hardware<32>>;
 
 }  // namespace glsl
 }  // namespace umbrage
@@ -5642,6 +5667,68 @@ struct four_tap {
 };
 
 }  // namespace filters
+}  // namespace umbrage
+
+// ---- umbrage/filter/pcf/four_tap_hardware.hpp
+// four_tap by the sampler, as the Radeon 8500 had it: coordinates that four texture matrices give are the sampler's as
+// they are, and its nearest texel is the tap's.
+//
+//     float visibility = umbrage::four_tap_hardware(umbrage::clamped(map), size, a, b, c, d, depth - bias);
+//
+// In a shader bind it to a map with `gather` set, which says that there is a sampler of the nearest texel. Taps within
+// a rounding of a texel's border may read the texel beside it.
+
+namespace umbrage {
+
+/// @param fetch        ivec2 texel -> stored depth; called four times
+/// @param size         of the map, in texels
+/// @param a, b, c, d   the taps, from (0, 0) to (1, 1) over the map; all are lit where the mean of |x| + |y| in texels
+///                     is 2^15 or more, and for NaN
+/// @param receiver     depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @return             visibility: 0, 1/4, 1/2, 3/4 or 1
+/// @formula            mean of [receiver <= depth_at(tap)]
+/// @exactness          C, four_tap but at borders between texels, as depth_at
+/// @cite               ATI Radeon SDK, ShadowMap sample, 2002
+template <real T, class Fetch, class Compare = less_equal>
+[[nodiscard]] T four_tap_hardware(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> a, glm::vec<2, T> b,
+                                  glm::vec<2, T> c, glm::vec<2, T> d, T receiver, Compare is_lit = {}) {
+    const glm::vec<2, T> sum = (glm::abs(a) + glm::abs(b) + glm::abs(c) + glm::abs(d)) * size;
+    const T far = sum.x + sum.y;
+    if (is_nan(far) || far >= T(1 << 17) || beyond_far(receiver, is_lit)) return T(1);
+    T count(0);
+    for (const glm::vec<2, T>& uv : {a, b, c, d}) count += compare(receiver, T(depth_at(fetch, size, uv)), is_lit);
+    return count * T(0.25);
+}
+
+namespace glsl {
+
+inline constexpr snippet four_tap_hardware{
+    .name = "four_tap_hardware",
+    .summary = "mean of four taps that a sampler of the nearest texel takes",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&beyond_far, &compare, &depth_at>,
+    .source = R"GLSL(
+// umbrage_four_tap_hardware: mean of the shadow test at four taps of the sampler's; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   a, b, c, d  taps, (0.0, 0.0) to (1.0, 1.0) over the map, all lit
+//   where the mean of |x| + |y| is 2^15 texels or more;   receiver  depth, biased
+UMBRAGE_HIGHP float umbrage_four_tap_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 a,
+                                              UMBRAGE_HIGHP vec2 b, UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP vec2 d,
+                                              UMBRAGE_HIGHP float receiver) {
+    UMBRAGE_HIGHP vec2 sum = (abs(a) + abs(b) + abs(c) + abs(d)) * size;
+    bool compared = umbrage_beyond_far(receiver) ? false : sum.x + sum.y < 131072.0;
+    UMBRAGE_HIGHP float count = umbrage_compare(receiver, umbrage_depth_at(map, size, a)) +
+                                umbrage_compare(receiver, umbrage_depth_at(map, size, b)) +
+                                umbrage_compare(receiver, umbrage_depth_at(map, size, c)) +
+                                umbrage_compare(receiver, umbrage_depth_at(map, size, d));
+    return compared ? count * 0.25 : 1.0;
+}
+)GLSL",
+};
+
+inline constexpr auto four_tap_hardware_snippets = list<&four_tap_hardware>;
+
+}  // namespace glsl
 }  // namespace umbrage
 
 // ---- umbrage/filter/pcf/hard.hpp
@@ -6098,6 +6185,11 @@ struct window_row {
     double scale_of_doubles;    ///< the same
     bool quadratic = false;     ///< of two weights, but those of the quadratic B-spline
 
+    /// From one edge to the other, 0 beside the row.
+    [[nodiscard]] constexpr float weight(int i) const {
+        const int mirrored = i < size - 1 - i ? i : size - 1 - i;
+        return mirrored < 0 ? 0.0f : half[static_cast<std::size_t>(mirrored)];
+    }
     [[nodiscard]] constexpr int touched() const { return size + 1; }  ///< texels along an axis
     /// From a receiver to the farthest point of its texels, in texels; never attained.
     [[nodiscard]] constexpr float reach() const { return static_cast<float>(size + 1) * 0.5f; }
@@ -6130,15 +6222,12 @@ struct window_row {
 ///                  what is left. Quadratic: floor((256 - s)^2 / 32), what is left, floor(s^2 / 32)
 template <real T>
 constexpr void window_weights(const window_row& row, int moved, T* weights) {
-    const auto k = [&](int i) {
-        const int mirrored = i < row.size - 1 - i ? i : row.size - 1 - i;
-        return mirrored < 0 ? 0.0f : row.half[static_cast<std::size_t>(mirrored)];  // beside the row
-    };
     const int steps = row.steps, s = moved * steps / 256, middle = row.size / 2, ahead = 256 - moved;
     int left = static_cast<int>(row.whole);
     for (int i = 0; i <= row.size; ++i) {
         if (i == middle) continue;
-        int weight = static_cast<int>(k(i) * static_cast<float>(steps - s) + k(i - 1) * static_cast<float>(s));
+        int weight =
+            static_cast<int>(row.weight(i) * static_cast<float>(steps - s) + row.weight(i - 1) * static_cast<float>(s));
         if (row.quadratic) weight = i == 0 ? ahead * ahead / 32 : moved * moved / 32;
         weights[i] = static_cast<T>(weight);
         left -= weight;
@@ -6294,45 +6383,87 @@ inline constexpr auto window_snippets = list<&window_sum<3>, &window_sum<5>, &wi
 
 namespace umbrage {
 
-/// What the sampler gives, but for the rounding of its weights: window.
+/// Window of weights that slides over the map, in floats: by so much of a texel as the receiver lies beyond it.
 ///
 /// The two texels of a look-up divide between them what it weighs. A sampler whose fractions are off by up to e moves
 /// no more than e of that from one to the other: of all weights of an axis e, of both axes 2 e.
 ///
-/// @param row     of 3, 5 or 7 weights above zero, times its steps whole numbers: then window floors nothing
-/// @return        visibility, 0 in shadow, 1 lit
-/// @exactness     C, within 1/128 in a shader: e is 1/256 of a sampler that rounds or truncates to it; on top its
-///                coordinates round, by 2^-10 texel in a map of 8192
-/// @cite          Castano: Shadow mapping summary, part 1, 2013
+/// @param fetch      ivec2 texel -> stored depth; called row.touched()^2 times, texels may lie as far outside the map
+///                   as half of them
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param row        of an odd number of weights above zero, 3, 5 or 7 in a shader; its steps do not count
+/// @return           visibility, 0 in shadow, 1 lit
+/// @formula          sum of w_i w_j [receiver <= fetch(texel + (i, j) - size / 2)] / (sum of the weights)^2,
+///                   w_i = K_i + s (K_(i-1) - K_i), texel + s = coord - 1/2
+/// @exactness        C, within 1/128 in a shader: e is 1/256 of a sampler that rounds or truncates to it; on top its
+///                   coordinates round, by 2^-10 texel in a map of 8192
+/// @cite             Castano: Shadow mapping summary, part 1, 2013
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T window_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
                                 Compare is_lit = {}) {
-    return window(fetch, coord, receiver, row, is_lit);
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const glm::vec<2, T> x = coord - T(0.5), texel = glm::floor(x), s = x - texel;
+    const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;
+    const auto weight = [&](int i, T moved) {
+        const T here(row.weight(i)), before(row.weight(i - 1));
+        return here + moved * (before - here);
+    };
+    T sum(0), whole(0);
+    for (int i = 0; i < row.size; ++i) whole += T(row.weight(i));
+    for (int j = 0; j <= row.size; ++j)
+        for (int i = 0; i <= row.size; ++i)
+            sum += weight(i, s.x) * weight(j, s.y) * lit(fetch, first + glm::ivec2(i, j), receiver, is_lit);
+    return sum / (whole * whole);
 }
 
 namespace glsl {
 namespace detail {
 
+/// What an axis' texels 2 k and 2 k + 1 weigh together (w), and the latter alone (b).
+constexpr filled_text<160> pair_weights(int size, int k) {
+    const constant number{'k', k}, before{'a', window_parameter(size, 2 * k - 1)},
+        here{'b', window_parameter(size, 2 * k)}, after{'c', window_parameter(size, 2 * k + 1)};
+    if (k == 0)
+        return fill<160>(
+            "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
+            "    UMBRAGE_HIGHP vec2 w$k = k$b + k$c - s * k$c;\n",
+            {number, here, after});
+    if (2 * k + 1 == size)
+        return fill<160>(
+            "    UMBRAGE_HIGHP vec2 b$k = s * k$b;\n"
+            "    UMBRAGE_HIGHP vec2 w$k = k$b + s * k$a;\n",
+            {number, before, here});
+    return fill<160>(
+        "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
+        "    UMBRAGE_HIGHP vec2 w$k = k$b + k$c + s * (k$a - k$c);\n",
+        {number, before, here, after});
+}
+
 /// For each look-up along an axis: what the farther of its texels weighs, what both do, and where it lies.
 constexpr long_text window_hardware_text(int size) {
-    long_text text =
-        window_head("window_hardware",
-                    "lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit", size,
-                    R"GLSL(    UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
+    long_text text = fill<6000>(R"GLSL(
+// umbrage_window_hardware$n: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   k0 .. k$m  weights from the edge to the middle one; the others mirror them
+UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float k0,
+                                             UMBRAGE_HIGHP float k1)GLSL",
+                                {{'n', size}, {'m', size / 2}});
+    for (int i = 2; i <= size / 2; ++i) text.append(", UMBRAGE_HIGHP float k$i", {{'i', i}});
+    text.append(R"GLSL() {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x);
-    UMBRAGE_HIGHP vec2 s = floor((x - texel) * steps);
-)GLSL");
+    UMBRAGE_HIGHP vec2 s = x - texel;
+    UMBRAGE_HIGHP float whole = k0)GLSL");
+    for (int i = 1; i < size; ++i) text.append(" + k$i", {{'i', window_parameter(size, i)}});
+    text.append(";\n");
     for (int k = 0; 2 * k <= size; ++k) {
         const int texel = 2 * k - size / 2;
-        text.append(R"GLSL(    UMBRAGE_HIGHP vec2 b$k = $b;
-    UMBRAGE_HIGHP vec2 w$k = $a + b$k;
-    UMBRAGE_HIGHP vec2 p$k = (texel $s $t.5 + b$k / w$k) / size;
-)GLSL",
-                    {{'k', k},
-                     {'a', 0, window_weight(size, 2 * k).view()},
-                     {'b', 0, window_weight(size, 2 * k + 1).view()},
-                     {'s', 0, texel < 0 ? "-" : "+"},
-                     {'t', texel < 0 ? -texel - 1 : texel}});
+        text.append(pair_weights(size, k).view());
+        text.append("    UMBRAGE_HIGHP vec2 p$k = (texel $s $t.5 + b$k / w$k) / size;\n",
+                    {{'k', k}, {'s', 0, texel < 0 ? "-" : "+"}, {'t', texel < 0 ? -texel - 1 : texel}});
     }
     text.append("    UMBRAGE_HIGHP float n = 0.0;\n");
     for (int j = 0; 2 * j <= size; ++j) {
@@ -6342,8 +6473,8 @@ constexpr long_text window_hardware_text(int size) {
                         {{'i', i}, {'j', j}});
         text.append("    n += w$j.y * row;\n", {{'j', j}});
     }
-    text.append(R"GLSL(    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number / (whole * whole) : 1.0;
+    text.append(R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n / (whole * whole) : 0.0;
+    return compared ? visibility : 1.0;
 }
 )GLSL");
     return text;
@@ -6361,7 +6492,7 @@ inline constexpr snippet window_hardware{
                            : "window of 7 x 7 by 16 of them",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&is_compared, &lit_at>,
+    .needs = list<&is_compared, &before_far, &lit_at>,
     .source = window_hardware_text<Size>.view()};
 
 inline constexpr auto window_hardware_snippets = list<&window_hardware<3>, &window_hardware<5>, &window_hardware<7>>;
@@ -17825,6 +17956,22 @@ bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
 }
 )GLSL"};
 
+inline constexpr snippet forward_before_far{
+    .name = "before_far", .summary = "before_far, forward", .role = hook::chosen, .source = R"GLSL(
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    return receiver <= 1.0;
+}
+)GLSL"};
+
+inline constexpr snippet reversed_before_far{
+    .name = "before_far", .summary = "before_far, reversed", .role = hook::chosen, .source = R"GLSL(
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    return receiver >= 0.0;
+}
+)GLSL"};
+
 inline constexpr snippet forward_compare{
     .name = "compare", .summary = "compare, forward", .role = hook::chosen, .source = R"GLSL(
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
@@ -18032,8 +18179,11 @@ namespace umbrage::glsl::hooks {
 
 // The sampler weighs: coordinates stay half a texel inside, so that what is beside the map has no weight.
 
-inline constexpr snippet clamped_lit_filtered{
-    .name = "lit_filtered", .summary = "lit_filtered, clamped", .role = hook::chosen, .source = R"GLSL(
+inline constexpr snippet clamped_lit_filtered{.name = "lit_filtered",
+                                              .summary = "lit_filtered, clamped",
+                                              .needs = list<&before_far>,
+                                              .role = hook::chosen,
+                                              .source = R"GLSL(
 // umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler; a NaN is in shadow
 //   coord  in texels, no NaN
 UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
@@ -18042,14 +18192,13 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return lit * number;
+    return umbrage_before_far(receiver) ? lit : 0.0;
 }
 )GLSL"};
 
 inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
                                                .summary = "lit_filtered, bordered",
-                                               .needs = list<&compare, &cleared_depth>,
+                                               .needs = list<&before_far, &compare, &cleared_depth>,
                                                .role = hook::chosen,
                                                .source = R"GLSL(
 // umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
@@ -18063,8 +18212,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return (outside + inside.x * inside.y * (lit - outside)) * number;
+    return umbrage_before_far(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 )GLSL"};
 
@@ -18092,10 +18240,10 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 /// Every one of them, for printers and packages.
 inline constexpr auto all =
     list<&forward_cleared_depth, &reversed_cleared_depth, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far,
-         &forward_compare, &reversed_compare, &texel, &decode, &clamped_depth, &bordered_depth, &lit_texel,
-         &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels, &gathered,
-         &gathered_region, &gathered_bordered, &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit,
-         &sampled_depth>;
+         &forward_before_far, &reversed_before_far, &forward_compare, &reversed_compare, &texel, &decode,
+         &clamped_depth, &bordered_depth, &lit_texel, &clamped_lit, &bordered_lit, &gather_compared,
+         &gather_one_channel, &gather_two_channels, &gathered, &gathered_region, &gathered_bordered,
+         &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_depth>;
 
 }  // namespace umbrage::glsl::hooks
 
@@ -18239,6 +18387,7 @@ template <class Replacement>
         case hook::cleared_depth: return forward ? hooks::forward_cleared_depth : hooks::reversed_cleared_depth;
         case hook::beyond_far:
             return scaled ? hooks::scaled_beyond_far : forward ? hooks::forward_beyond_far : hooks::reversed_beyond_far;
+        case hook::before_far: return scaled ? s : forward ? hooks::forward_before_far : hooks::reversed_before_far;
         case hook::compare: return forward ? hooks::forward_compare : hooks::reversed_compare;
         case hook::texel:
         case hook::fetch_depth:
@@ -19289,9 +19438,9 @@ inline constexpr auto codes = collect(scalar_snippets, floor_divide_snippets, un
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps =
     collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
-            filters, pcf_2x2_cube_snippets, pcf_2x2_hardware_snippets, window_hardware_snippets, disc_hardware_snippets,
-            bounds_lit_snippets, penumbra_snippets, pcss_snippets, pcss_hardware_snippets, dpcf_snippets,
-            summed_variance_snippets, summed_moments_snippets);
+            filters, pcf_2x2_cube_snippets, four_tap_hardware_snippets, pcf_2x2_hardware_snippets,
+            window_hardware_snippets, disc_hardware_snippets, bounds_lit_snippets, penumbra_snippets, pcss_snippets,
+            pcss_hardware_snippets, dpcf_snippets, summed_variance_snippets, summed_moments_snippets);
 inline constexpr auto prefiltered =
     collect(exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
             hausdorff_snippets, look_up_snippets, decode_hardware_snippets, reduce_snippets);

@@ -59,6 +59,7 @@ std::string_view role(glsl::hook h) {
         case glsl::hook::none: return "none";
         case glsl::hook::cleared_depth: return "cleared_depth";
         case glsl::hook::beyond_far: return "beyond_far";
+        case glsl::hook::before_far: return "before_far";
         case glsl::hook::compare: return "compare";
         case glsl::hook::texel: return "texel";
         case glsl::hook::fetch_depth: return "fetch_depth";

@@ -43,6 +43,17 @@ template <class Fetch>
     return fetch(texel);
 }
 
+/// Stored depth of the texel at a point of the map.
+/// @param fetch   ivec2 texel -> stored depth
+/// @param size    of the map, in texels
+/// @param uv      from (0, 0) to (1, 1) over the map, no NaN
+/// @exactness     C, the fetched depth, but at borders between texels: a sampler takes the nearest to what it rounds
+///                its coordinates to, 2^-10 texel off in a map of 8192
+template <real T, class Fetch>
+[[nodiscard]] T depth_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv) {
+    return T(fetch(glm::ivec2(glm::floor(uv * size))));
+}
+
 /// Visibility of one comparison with a texel.
 /// @param fetch   ivec2 texel -> stored depth
 /// @return        1 when lit, 0 in shadow
@@ -165,7 +176,25 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 )GLSL",
 };
 
-inline constexpr auto texel_space_snippets = list<&fetch_depth, &inside_texel_space, &is_compared, &lit, &lit_2x2>;
+/// Of a map with a sampler, which is all of its texture, the sample as it is; of others fetch_depth.
+inline constexpr snippet depth_at{
+    .name = "depth_at",
+    .summary = "stored depth at a point of the map",
+    .exactness = tier::c,
+    .ulp = 1,
+    .needs = list<&fetch_depth>,
+    .role = hook::depth_at,
+    .source = R"GLSL(
+// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
+//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
+UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
+    return umbrage_fetch_depth(map, size, floor(uv * size));
+}
+)GLSL",
+};
+
+inline constexpr auto texel_space_snippets =
+    list<&fetch_depth, &depth_at, &inside_texel_space, &is_compared, &lit, &lit_2x2>;
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -12,8 +12,11 @@ namespace umbrage::glsl::hooks {
 
 // The sampler weighs: coordinates stay half a texel inside, so that what is beside the map has no weight.
 
-inline constexpr snippet clamped_lit_filtered{
-    .name = "lit_filtered", .summary = "lit_filtered, clamped", .role = hook::chosen, .source = R"GLSL(
+inline constexpr snippet clamped_lit_filtered{.name = "lit_filtered",
+                                              .summary = "lit_filtered, clamped",
+                                              .needs = list<&before_far>,
+                                              .role = hook::chosen,
+                                              .source = R"GLSL(
 // umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler; a NaN is in shadow
 //   coord  in texels, no NaN
 UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
@@ -22,14 +25,13 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP vec2 at = texel + UMBRAGE_ORIGIN;
     UMBRAGE_HIGHP vec2 uv = UMBRAGE_UV;
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return lit * number;
+    return umbrage_before_far(receiver) ? lit : 0.0;
 }
 )GLSL"};
 
 inline constexpr snippet bordered_lit_filtered{.name = "lit_filtered",
                                                .summary = "lit_filtered, bordered",
-                                               .needs = list<&compare, &cleared_depth>,
+                                               .needs = list<&before_far, &compare, &cleared_depth>,
                                                .role = hook::chosen,
                                                .source = R"GLSL(
 // umbrage_lit_filtered: 2x2 comparisons around a point, weighted by the sampler, outside the map with the far plane; a
@@ -43,8 +45,7 @@ UMBRAGE_HIGHP float umbrage_lit_filtered(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 siz
     UMBRAGE_HIGHP float lit = UMBRAGE_LIT_FILTERED;
     UMBRAGE_HIGHP vec2 inside = clamp(min(coord, size - coord) + 0.5, vec2(0.0, 0.0), vec2(1.0, 1.0));
     UMBRAGE_HIGHP float outside = umbrage_compare(receiver, umbrage_cleared_depth());
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return (outside + inside.x * inside.y * (lit - outside)) * number;
+    return umbrage_before_far(receiver) ? outside + inside.x * inside.y * (lit - outside) : 0.0;
 }
 )GLSL"};
 
@@ -72,9 +73,9 @@ UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, U
 /// Every one of them, for printers and packages.
 inline constexpr auto all =
     list<&forward_cleared_depth, &reversed_cleared_depth, &forward_beyond_far, &reversed_beyond_far, &scaled_beyond_far,
-         &forward_compare, &reversed_compare, &texel, &decode, &clamped_depth, &bordered_depth, &lit_texel,
-         &clamped_lit, &bordered_lit, &gather_compared, &gather_one_channel, &gather_two_channels, &gathered,
-         &gathered_region, &gathered_bordered, &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit,
-         &sampled_depth>;
+         &forward_before_far, &reversed_before_far, &forward_compare, &reversed_compare, &texel, &decode,
+         &clamped_depth, &bordered_depth, &lit_texel, &clamped_lit, &bordered_lit, &gather_compared,
+         &gather_one_channel, &gather_two_channels, &gathered, &gathered_region, &gathered_bordered,
+         &clamped_lit_filtered, &bordered_lit_filtered, &sampled_lit, &sampled_depth>;
 
 }  // namespace umbrage::glsl::hooks

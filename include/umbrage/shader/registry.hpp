@@ -29,6 +29,7 @@
 #include <umbrage/filter/bounds_lit.hpp>
 #include <umbrage/filter/filters.hpp>
 #include <umbrage/filter/pcf/disc_hardware.hpp>
+#include <umbrage/filter/pcf/four_tap_hardware.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_cube.hpp>
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 #include <umbrage/filter/pcf/window_hardware.hpp>
@@ -131,9 +132,9 @@ inline constexpr auto codes = collect(scalar_snippets, floor_divide_snippets, un
 inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
 inline constexpr auto maps =
     collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
-            filters, pcf_2x2_cube_snippets, pcf_2x2_hardware_snippets, window_hardware_snippets, disc_hardware_snippets,
-            bounds_lit_snippets, penumbra_snippets, pcss_snippets, pcss_hardware_snippets, dpcf_snippets,
-            summed_variance_snippets, summed_moments_snippets);
+            filters, pcf_2x2_cube_snippets, four_tap_hardware_snippets, pcf_2x2_hardware_snippets,
+            window_hardware_snippets, disc_hardware_snippets, bounds_lit_snippets, penumbra_snippets, pcss_snippets,
+            pcss_hardware_snippets, dpcf_snippets, summed_variance_snippets, summed_moments_snippets);
 inline constexpr auto prefiltered =
     collect(exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
             hausdorff_snippets, look_up_snippets, decode_hardware_snippets, reduce_snippets);

@@ -53,6 +53,7 @@ enum class hook {
     none,
     cleared_depth,
     beyond_far,
+    before_far,
     compare,
     texel,
     fetch_depth,

@@ -48,6 +48,22 @@ bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
 }
 )GLSL"};
 
+inline constexpr snippet forward_before_far{
+    .name = "before_far", .summary = "before_far, forward", .role = hook::chosen, .source = R"GLSL(
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    return receiver <= 1.0;
+}
+)GLSL"};
+
+inline constexpr snippet reversed_before_far{
+    .name = "before_far", .summary = "before_far, reversed", .role = hook::chosen, .source = R"GLSL(
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    return receiver >= 0.0;
+}
+)GLSL"};
+
 inline constexpr snippet forward_compare{
     .name = "compare", .summary = "compare, forward", .role = hook::chosen, .source = R"GLSL(
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth

@@ -57,6 +57,16 @@ bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver)
 }
 #endif
 
+#ifndef UMBRAGE_HAS_BEFORE_FAR
+#define UMBRAGE_HAS_BEFORE_FAR
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    // two choices, not one of `or`, which compilers take for true
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return umbrage_beyond_far(receiver) ? false : number > 0.5;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE
 // UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
@@ -228,7 +238,7 @@ UMBRAGE_HIGHP float umbrage_disc_hardware16(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
     n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
     n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number * (1.0 / 16.0) : 1.0;
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / 16.0) : 0.0;
+    return compared ? visibility : 1.0;
 }
 #endif

@@ -57,6 +57,16 @@ bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver)
 }
 #endif
 
+#ifndef UMBRAGE_HAS_BEFORE_FAR
+#define UMBRAGE_HAS_BEFORE_FAR
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    // two choices, not one of `or`, which compilers take for true
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return umbrage_beyond_far(receiver) ? false : number > 0.5;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE
 // UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
@@ -208,7 +218,7 @@ UMBRAGE_HIGHP float umbrage_pcf_2x2_hardware(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 at = compared ? coord : vec2(0.0, 0.0);
     UMBRAGE_HIGHP float lit = umbrage_lit_at(map, size, at / size, receiver);
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? lit * number : 1.0;
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? lit : 0.0;
+    return compared ? visibility : 1.0;
 }
 #endif

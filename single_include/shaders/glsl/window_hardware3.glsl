@@ -57,6 +57,16 @@ bool umbrage_is_compared(UMBRAGE_HIGHP vec2 coord, UMBRAGE_HIGHP float receiver)
 }
 #endif
 
+#ifndef UMBRAGE_HAS_BEFORE_FAR
+#define UMBRAGE_HAS_BEFORE_FAR
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
+    // two choices, not one of `or`, which compilers take for true
+    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
+    return umbrage_beyond_far(receiver) ? false : number > 0.5;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE
 // UMBRAGE_LIT: 1.0 when the receiver is no farther than the stored depth, after #define UMBRAGE_REVERSED no less
@@ -202,23 +212,20 @@ UMBRAGE_HIGHP float umbrage_lit_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 #define UMBRAGE_HAS_WINDOW_HARDWARE3
 // umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
+//   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
 UMBRAGE_HIGHP float umbrage_window_hardware3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
-                                        UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
-                                        UMBRAGE_HIGHP float k1) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float k0,
+                                             UMBRAGE_HIGHP float k1) {
+    bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x);
-    UMBRAGE_HIGHP vec2 s = floor((x - texel) * steps);
-    UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0 + k1 + k0);
-    UMBRAGE_HIGHP vec2 b0 = r * k1 + s * k0;
-    UMBRAGE_HIGHP vec2 w0 = r * k0 + b0;
+    UMBRAGE_HIGHP vec2 s = x - texel;
+    UMBRAGE_HIGHP float whole = k0 + k1 + k0;
+    UMBRAGE_HIGHP vec2 b0 = k1 + s * (k0 - k1);
+    UMBRAGE_HIGHP vec2 w0 = k0 + k1 - s * k1;
     UMBRAGE_HIGHP vec2 p0 = (texel - 0.5 + b0 / w0) / size;
     UMBRAGE_HIGHP vec2 b1 = s * k0;
-    UMBRAGE_HIGHP vec2 w1 = r * k0 + s * k1 + b1;
+    UMBRAGE_HIGHP vec2 w1 = k0 + s * k1;
     UMBRAGE_HIGHP vec2 p1 = (texel + 1.5 + b1 / w1) / size;
     UMBRAGE_HIGHP float n = 0.0;
     UMBRAGE_HIGHP float row = 0.0;
@@ -229,7 +236,7 @@ UMBRAGE_HIGHP float umbrage_window_hardware3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p1.y), receiver);
     row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p1.y), receiver);
     n += w1.y * row;
-    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number / (whole * whole) : 1.0;
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n / (whole * whole) : 0.0;
+    return compared ? visibility : 1.0;
 }
 #endif

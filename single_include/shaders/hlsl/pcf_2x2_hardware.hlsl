@@ -26,6 +26,14 @@ precise bool umbrage_is_compared(float2 coord, float receiver) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_BEFORE_FAR
+#define UMBRAGE_HAS_BEFORE_FAR
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+precise bool umbrage_before_far(float receiver) {
+    return receiver <= 1.0;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
@@ -131,7 +139,7 @@ float umbrage_pcf_2x2_hardware(Texture2D<float4> map, float2 size, float2 coord,
     bool compared = umbrage_is_compared(coord, receiver);
     float2 at = compared ? coord : float2(0.0, 0.0);
     float lit = umbrage_lit_at(map, size, at / size, receiver);
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? lit * number : 1.0;
+    float visibility = umbrage_before_far(receiver) ? lit : 0.0;
+    return compared ? visibility : 1.0;
 }
 #endif

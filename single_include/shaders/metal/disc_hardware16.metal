@@ -30,6 +30,14 @@ inline bool umbrage_is_compared(float2 coord, float receiver) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_BEFORE_FAR
+#define UMBRAGE_HAS_BEFORE_FAR
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+inline bool umbrage_before_far(float receiver) {
+    return receiver <= 1.0;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
@@ -156,7 +164,7 @@ inline float umbrage_disc_hardware16(metal::texture2d<float> map, float2 size, f
     n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
     n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number * (1.0 / 16.0) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n * (1.0 / 16.0) : 0.0;
+    return compared ? visibility : 1.0;
 }
 #endif

@@ -30,6 +30,14 @@ inline bool umbrage_is_compared(float2 coord, float receiver) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_BEFORE_FAR
+#define UMBRAGE_HAS_BEFORE_FAR
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+inline bool umbrage_before_far(float receiver) {
+    return receiver <= 1.0;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
@@ -172,7 +180,7 @@ inline float umbrage_disc_hardware32(metal::texture2d<float> map, float2 size, f
     n += umbrage_lit_at(map, size, centre - x * 4.0 + y * 14.0, receiver);
     n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 13.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 0.0 - y * 15.0, receiver);
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number * (1.0 / 32.0) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n * (1.0 / 32.0) : 0.0;
+    return compared ? visibility : 1.0;
 }
 #endif

@@ -30,6 +30,14 @@ inline bool umbrage_is_compared(float2 coord, float receiver) {
 }
 #endif
 
+#ifndef UMBRAGE_HAS_BEFORE_FAR
+#define UMBRAGE_HAS_BEFORE_FAR
+// umbrage_before_far: whether a receiver is a number, and not behind the far plane
+inline bool umbrage_before_far(float receiver) {
+    return receiver <= 1.0;
+}
+#endif
+
 #ifndef UMBRAGE_HAS_COMPARE
 #define UMBRAGE_HAS_COMPARE
 // umbrage_compare: 1.0 when the receiver is no farther than the stored depth
@@ -131,28 +139,25 @@ inline float umbrage_lit_at(metal::texture2d<float> map, float2 size, float2 uv,
 #define UMBRAGE_HAS_WINDOW_HARDWARE7
 // umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-inline float umbrage_window_hardware7(metal::texture2d<float> map, float2 size, float2 coord, float receiver,
-                                      float steps, float k0, float k1, float k2, float k3) {
-    bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+//   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
+inline float umbrage_window_hardware7(metal::texture2d<float> map, float2 size, float2 coord, float receiver, float k0,
+                                      float k1, float k2, float k3) {
+    bool compared = umbrage_is_compared(coord, receiver);
     float2 x = compared ? coord - 0.5 : float2(0.0, 0.0);
     float2 texel = metal::floor(x);
-    float2 s = metal::floor((x - texel) * steps);
-    float2 r = steps - s;
-    float whole = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
-    float2 b0 = r * k1 + s * k0;
-    float2 w0 = r * k0 + b0;
+    float2 s = x - texel;
+    float whole = k0 + k1 + k2 + k3 + k2 + k1 + k0;
+    float2 b0 = k1 + s * (k0 - k1);
+    float2 w0 = k0 + k1 - s * k1;
     float2 p0 = (texel - 2.5 + b0 / w0) / size;
-    float2 b1 = r * k3 + s * k2;
-    float2 w1 = r * k2 + s * k1 + b1;
+    float2 b1 = k3 + s * (k2 - k3);
+    float2 w1 = k2 + k3 + s * (k1 - k3);
     float2 p1 = (texel - 0.5 + b1 / w1) / size;
-    float2 b2 = r * k1 + s * k2;
-    float2 w2 = r * k2 + s * k3 + b2;
+    float2 b2 = k1 + s * (k2 - k1);
+    float2 w2 = k2 + k1 + s * (k3 - k1);
     float2 p2 = (texel + 1.5 + b2 / w2) / size;
     float2 b3 = s * k0;
-    float2 w3 = r * k0 + s * k1 + b3;
+    float2 w3 = k0 + s * k1;
     float2 p3 = (texel + 3.5 + b3 / w3) / size;
     float n = 0.0;
     float row = 0.0;
@@ -179,7 +184,7 @@ inline float umbrage_window_hardware7(metal::texture2d<float> map, float2 size, 
     row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p3.y), receiver);
     row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p3.y), receiver);
     n += w3.y * row;
-    float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number / (whole * whole) : 1.0;
+    float visibility = umbrage_before_far(receiver) ? n / (whole * whole) : 0.0;
+    return compared ? visibility : 1.0;
 }
 #endif

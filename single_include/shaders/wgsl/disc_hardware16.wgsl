@@ -1,5 +1,5 @@
 // umbrage 0.1.0, MIT License: disc_hardware16
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl, lit_at.wgsl
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, before_far.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl, lit_at.wgsl
 
 // umbrage_disc_hardware16: 16 points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -28,6 +28,6 @@ fn umbrage_disc_hardware16(map: texture_2d<f32>, size: vec2f, coord: vec2f, rece
     n += umbrage_lit_at(map, size, centre + x * 7.0 - y * 12.0, receiver);
     n += umbrage_lit_at(map, size, centre - x * 7.0 - y * 12.0, receiver);
     n += umbrage_lit_at(map, size, centre + x * 14.0 - y * 2.0, receiver);
-    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
-    return select(1.0, n * number * (1.0 / 16.0), compared);
+    let visibility: f32 = select(0.0, n * (1.0 / 16.0), umbrage_before_far(receiver));
+    return select(1.0, visibility, compared);
 }

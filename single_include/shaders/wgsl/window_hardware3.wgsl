@@ -1,24 +1,20 @@
 // umbrage 0.1.0, MIT License: window_hardware3
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl, lit_at.wgsl
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, before_far.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl, lit_at.wgsl
 
 // umbrage_window_hardware3: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k1   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-fn umbrage_window_hardware3(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32,
-                            k1: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+//   receiver   depth, biased;   k0 .. k1  weights from the edge to the middle one; the others mirror them
+fn umbrage_window_hardware3(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, k0: f32, k1: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
     let texel: vec2f = floor(x);
-    let s: vec2f = floor((x - texel) * steps);
-    let r: vec2f = steps - s;
-    let whole: f32 = steps * (k0 + k1 + k0);
-    let b0: vec2f = r * k1 + s * k0;
-    let w0: vec2f = r * k0 + b0;
+    let s: vec2f = x - texel;
+    let whole: f32 = k0 + k1 + k0;
+    let b0: vec2f = k1 + s * (k0 - k1);
+    let w0: vec2f = k0 + k1 - s * k1;
     let p0: vec2f = (texel - 0.5 + b0 / w0) / size;
     let b1: vec2f = s * k0;
-    let w1: vec2f = r * k0 + s * k1 + b1;
+    let w1: vec2f = k0 + s * k1;
     let p1: vec2f = (texel + 1.5 + b1 / w1) / size;
     var n: f32 = 0.0;
     var row: f32 = 0.0;
@@ -29,6 +25,6 @@ fn umbrage_window_hardware3(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
     row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p1.y), receiver);
     row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
     n += w1.y * row;
-    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
-    return select(1.0, n * number / (whole * whole), compared);
+    let visibility: f32 = select(0.0, n / (whole * whole), umbrage_before_far(receiver));
+    return select(1.0, visibility, compared);
 }

@@ -1,30 +1,27 @@
 // umbrage 0.1.0, MIT License: window_hardware7
-// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl, lit_at.wgsl
+// Paste along: inside_texel_space.wgsl, beyond_far.wgsl, is_compared.wgsl, before_far.wgsl, compare.wgsl, texel.wgsl, fetch_clamped.wgsl, decode.wgsl, fetch_depth.wgsl, lit.wgsl, lit_2x2.wgsl, pcf_2x2.wgsl, lit_filtered.wgsl, lit_at.wgsl
 
 // umbrage_window_hardware7: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
-//   receiver   depth, biased;   steps  of a texel, a power of two up to 256
-//   k0 .. k3   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
-//              up to 4096, squared is what is wholly lit
-fn umbrage_window_hardware7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, steps: f32, k0: f32,
-                            k1: f32, k2: f32, k3: f32) -> f32 {
-    let compared: bool = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
+//   receiver   depth, biased;   k0 .. k3  weights from the edge to the middle one; the others mirror them
+fn umbrage_window_hardware7(map: texture_2d<f32>, size: vec2f, coord: vec2f, receiver: f32, k0: f32, k1: f32, k2: f32,
+                            k3: f32) -> f32 {
+    let compared: bool = umbrage_is_compared(coord, receiver);
     let x: vec2f = select(vec2f(0.0, 0.0), coord - 0.5, compared);
     let texel: vec2f = floor(x);
-    let s: vec2f = floor((x - texel) * steps);
-    let r: vec2f = steps - s;
-    let whole: f32 = steps * (k0 + k1 + k2 + k3 + k2 + k1 + k0);
-    let b0: vec2f = r * k1 + s * k0;
-    let w0: vec2f = r * k0 + b0;
+    let s: vec2f = x - texel;
+    let whole: f32 = k0 + k1 + k2 + k3 + k2 + k1 + k0;
+    let b0: vec2f = k1 + s * (k0 - k1);
+    let w0: vec2f = k0 + k1 - s * k1;
     let p0: vec2f = (texel - 2.5 + b0 / w0) / size;
-    let b1: vec2f = r * k3 + s * k2;
-    let w1: vec2f = r * k2 + s * k1 + b1;
+    let b1: vec2f = k3 + s * (k2 - k3);
+    let w1: vec2f = k2 + k3 + s * (k1 - k3);
     let p1: vec2f = (texel - 0.5 + b1 / w1) / size;
-    let b2: vec2f = r * k1 + s * k2;
-    let w2: vec2f = r * k2 + s * k3 + b2;
+    let b2: vec2f = k1 + s * (k2 - k1);
+    let w2: vec2f = k2 + k1 + s * (k3 - k1);
     let p2: vec2f = (texel + 1.5 + b2 / w2) / size;
     let b3: vec2f = s * k0;
-    let w3: vec2f = r * k0 + s * k1 + b3;
+    let w3: vec2f = k0 + s * k1;
     let p3: vec2f = (texel + 3.5 + b3 / w3) / size;
     var n: f32 = 0.0;
     var row: f32 = 0.0;
@@ -51,6 +48,6 @@ fn umbrage_window_hardware7(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
     row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p3.y), receiver);
     row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p3.y), receiver);
     n += w3.y * row;
-    let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
-    return select(1.0, n * number / (whole * whole), compared);
+    let visibility: f32 = select(0.0, n / (whole * whole), umbrage_before_far(receiver));
+    return select(1.0, visibility, compared);
 }

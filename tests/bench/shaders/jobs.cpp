@@ -69,6 +69,24 @@ std::vector<job> jobs(const std::string& folder) {
                           (map.texture == glsl::texture::shadow ? "depth_map" : "map") + ", map_size, x1.xy, x1.z" +
                           numbers + "))"};
     };
+    // The same where the shader asks first and skips what is lit anyway, as Babylon.js' functions do; what is in such a
+    // branch counts half.
+    const auto early = [&](const std::string& name, const snippet& of, const glsl::binding& map,
+                           const std::string& numbers = "") {
+        shader asking = row(name + ", early", of, map, numbers);
+        asking.result = "vec4(1.0); if (umbrage_is_compared_bound(x1.xy, x1.z)) result = " + asking.result;
+        return asking;
+    };
+    // A peer's that has no such tests, with ours about it.
+    const auto tested = [&](const std::string& name, const std::string& text, const std::string& call) {
+        return shader{playcanvas,
+                      name + ", with our tests",
+                      text,
+                      {glsl::is_compared, glsl::before_far},
+                      "vec4(" + call +
+                          "); result = umbrage_before_far(x1.z) ? result : vec4(0.0); "
+                          "result = umbrage_is_compared(x1.xy, x1.z) ? result : vec4(1.0)"};
+    };
     const auto taps = [](const std::string& receiver) {
         return "vec4(umbrage_four_tap(map, map_size, x1.xy - 0.5, x1.xy + vec2(0.5, -0.5), "
                "x1.xy + vec2(-0.5, 0.5), x1.xy + 0.5, " +
@@ -78,6 +96,15 @@ std::vector<job> jobs(const std::string& folder) {
 
     glsl::binding gathered = level;
     gathered.gather = true;
+
+    // Taps where Babylon.js has them, about its points of a Poisson disc.
+    const std::vector<glsl::bound> by_sampler = {glsl::receiver_rg<11>, glsl::inside_texel_space,
+                                                 filter(glsl::four_tap_hardware, gathered)};
+    const std::string sampled_taps =
+        "vec4(umbrage_four_tap_hardware(map, map_size, x0.xy + vec2(-0.942, -0.399) / map_size.x, "
+        "x0.xy + vec2(0.946, -0.769) / map_size.x, x0.xy + vec2(-0.094, -0.929) / map_size.x, "
+        "x0.xy + vec2(0.345, 0.294) / map_size.x, " +
+        receiver + "))";
 
     return {
         {"nothing", {{us, "nothing", "", {}, "x0"}}},
@@ -150,6 +177,9 @@ std::vector<job> jobs(const std::string& folder) {
         {"four taps, packed map",
          {{us, "rg11 by level", "", by_level(glsl::four_tap), taps(receiver)},
           {us, "rg11", "", {filter(glsl::four_tap, rg11)}, taps("x1.z")},
+          {us, "rg11 by level, by the sampler", "", by_sampler, sampled_taps},
+          {us, "rg11 by level, by the sampler, early", "", by_sampler,
+           "vec4(1.0); if (umbrage_inside_texel_space(x1.xy)) result = " + sampled_taps},
           {babylon,
            "computeShadowWithPoissonSampling",
            babylon_shadow,
@@ -195,6 +225,7 @@ std::vector<job> jobs(const std::string& folder) {
            {bind(glsl::pcf_2x2, "sampled", {.texture = glsl::texture::shadow, .gather = true})},
            "vec4(umbrage_pcf_2x2_sampled(depth_map, map_size, x1.xy, x1.z))"},
           row("pcf_2x2_hardware, by the sampler", glsl::pcf_2x2_hardware, sampled),
+          early("pcf_2x2_hardware", glsl::pcf_2x2_hardware, sampled),
           {babylon,
            "computeShadowWithPCF1, by the sampler",
            babylon_shadow,
@@ -204,7 +235,8 @@ std::vector<job> jobs(const std::string& folder) {
            "getShadowPCF1x1, by the sampler",
            playcanvas_shadow,
            {},
-           "vec4(getShadowPCF1x1(depth_map, x0.xyz, x1))"}}},
+           "vec4(getShadowPCF1x1(depth_map, x0.xyz, x1))"},
+          tested("getShadowPCF1x1", playcanvas_shadow, "getShadowPCF1x1(depth_map, x0.xyz, x1)")}},
         cascades(),
         {"soft, 3x3 texels and about",
          {{us, "box, r = 1, rg11 by level", "", by_level(glsl::box),
@@ -213,7 +245,8 @@ std::vector<job> jobs(const std::string& folder) {
           row("tent3", glsl::tent<3>, {}),
           row("tent3, 4 gathers", glsl::tent<3>, depths_at_once),
           row("tent3, 4 gathers of comparisons", glsl::tent<3>, comparisons_at_once),
-          row("window_hardware3, 4 look-ups", glsl::window_hardware<3>, sampled, ", 256.0, 4.0, 8.0"),
+          row("window_hardware3, 4 look-ups", glsl::window_hardware<3>, sampled, ", 1.0, 2.0"),
+          early("window_hardware3", glsl::window_hardware<3>, sampled, ", 1.0, 2.0"),
           {three,
            "getShadow, 5 taps by the sampler",
            "#define SHADOWMAP_TYPE_PCF\n" + three_shadow,
@@ -228,7 +261,9 @@ std::vector<job> jobs(const std::string& folder) {
            "getShadowPCF3x3, by the sampler",
            playcanvas_shadow,
            {},
-           "vec4(getShadowPCF3x3(depth_map, x0.xyz, vec4(map_size, 0.0, 0.0)))"}}},
+           "vec4(getShadowPCF3x3(depth_map, x0.xyz, vec4(map_size, 0.0, 0.0)))"},
+          tested("getShadowPCF3x3", playcanvas_shadow,
+                 "getShadowPCF3x3(depth_map, x0.xyz, vec4(map_size, 0.0, 0.0))")}},
         {"soft, 5x5 texels",
          {{us, "box, r = 2, rg11 by level", "", by_level(glsl::box),
            "vec4(umbrage_box(map, map_size, x1.xy, " + receiver + ", 2))"},
@@ -236,7 +271,8 @@ std::vector<job> jobs(const std::string& folder) {
           row("castano_dyadic5", glsl::castano_dyadic<5>, {}),
           row("castano_dyadic5, 9 gathers", glsl::castano_dyadic<5>, depths_at_once),
           row("castano_dyadic5, 9 gathers of comparisons", glsl::castano_dyadic<5>, comparisons_at_once),
-          row("window_hardware5, 9 look-ups", glsl::window_hardware<5>, sampled, ", 256.0, 1.0, 3.0, 4.0"),
+          row("window_hardware5, 9 look-ups", glsl::window_hardware<5>, sampled, ", 1.0, 3.0, 4.0"),
+          early("window_hardware5", glsl::window_hardware<5>, sampled, ", 1.0, 3.0, 4.0"),
           {babylon,
            "computeShadowWithPCF5, by the sampler",
            babylon_shadow,
@@ -246,7 +282,9 @@ std::vector<job> jobs(const std::string& folder) {
            "getShadowPCF5x5, by the sampler",
            playcanvas_shadow,
            {},
-           "vec4(getShadowPCF5x5(depth_map, x0.xyz, vec4(map_size, 0.0, 0.0)))"}}},
+           "vec4(getShadowPCF5x5(depth_map, x0.xyz, vec4(map_size, 0.0, 0.0)))"},
+          tested("getShadowPCF5x5", playcanvas_shadow,
+                 "getShadowPCF5x5(depth_map, x0.xyz, vec4(map_size, 0.0, 0.0))")}},
     };
 }
 

@@ -28,15 +28,18 @@ std::vector<input_class> pairs() {
 void add_compare(std::vector<entry>& all) {
     namespace glsl = umbrage::glsl;
 
-    for (const auto direction : {depth_direction::forward, depth_direction::reversed})
-        all.push_back(
-            {.primitive = &glsl::beyond_far,
-             .variant = direction == depth_direction::forward ? "" : "reversed",
-             .classes = pairs(),
-             .twin = [direction](
-                         const sample& s) { return vec4(beyond_far(s.x[0].x, comparison{direction}) ? 1.0f : 0.0f); },
-             .call = "vec4(umbrage_beyond_far(x0.x) ? 1.0 : 0.0)",
-             .map_kind = {.direction = direction}});
+    const auto at_far = [&](const glsl::snippet& one, auto twin) {
+        for (const auto direction : {depth_direction::forward, depth_direction::reversed})
+            all.push_back(
+                {.primitive = &one,
+                 .variant = direction == depth_direction::forward ? "" : "reversed",
+                 .classes = pairs(),
+                 .twin = [=](const sample& s) { return vec4(twin(s.x[0].x, comparison{direction}) ? 1.0f : 0.0f); },
+                 .call = "vec4(umbrage_" + std::string(one.name) + "(x0.x) ? 1.0 : 0.0)",
+                 .map_kind = {.direction = direction}});
+    };
+    at_far(glsl::beyond_far, [](float receiver, comparison is_lit) { return beyond_far(receiver, is_lit); });
+    at_far(glsl::before_far, [](float receiver, comparison is_lit) { return before_far(receiver, is_lit); });
     all.push_back({.primitive = &glsl::compare,
                    .classes = pairs(),
                    .twin = [](const sample& s) { return vec4(umbrage::compare(s.x[0].x, s.x[0].y)); },

@@ -145,6 +145,9 @@ void suite::all() const {
         "beyond_far", inputs, [](source& s) { return s.level(); },
         [](float v) { return glm::vec2(beyond_far(v), beyond_far(v, greater_equal{})); });
     run(
+        "before_far", inputs, [](source& s) { return s.level(); },
+        [](float v) { return glm::vec2(before_far(v), before_far(v, greater_equal{})); });
+    run(
         "cleared_depth", inputs, [](source& s) { return s.one_in(2); },
         [](bool back) { return cleared_depth(back ? depth_direction::reversed : depth_direction::forward); });
     each_of_light([&](const char* name, int of, auto draw_one, auto op) { run(name, inputs / of, draw_one, op); },

@@ -47,6 +47,17 @@ TEST_CASE("fetch_depth: the callable's answer") {
     CHECK(fetch_depth(bordered(map, 0.5f), {-1, 0}) == 0.5f);
 }
 
+TEST_CASE_TEMPLATE("depth_at: the texel's under a point of the map", T, float, double) {
+    using vec2 = glm::vec<2, T>;
+    image<T> map({4, 2}, T(0.25));
+    map[{3, 1}] = T(0.75);
+    const vec2 size(4, 2);
+    CHECK(depth_at(clamped(map), size, vec2(0.875, 0.75)) == T(0.75));
+    CHECK(depth_at(clamped(map), size, vec2(0.875, 0.25)) == T(0.25));
+    CHECK(depth_at(clamped(map), size, vec2(0.75, 0.5)) == T(0.75));  // its first corner
+    CHECK(depth_at(clamped(map), size, vec2(1.5, 1.5)) == T(0.75));   // outside, the nearest one
+}
+
 TEST_CASE("decoded: a packed map filters as the map of its decoded depths") {
     std::mt19937 random(1);
     std::uniform_real_distribution<float> depth(0, 1), coordinate(-2, 10);

@@ -25,17 +25,6 @@
 
 namespace umbrage {
 
-/// Stored depth of the texel at a point of the map.
-/// @param fetch   ivec2 texel -> stored depth
-/// @param size    of the map, in texels
-/// @param uv      from (0, 0) to (1, 1) over the map, no NaN
-/// @exactness     C, the fetched depth, but at borders between texels: a sampler takes the nearest to what it rounds
-///                its coordinates to, 2^-10 texel off in a map of 8192
-template <real T, class Fetch>
-[[nodiscard]] T depth_at(Fetch&& fetch, glm::vec<2, T> size, glm::vec<2, T> uv) {
-    return T(fetch(glm::ivec2(glm::floor(uv * size))));
-}
-
 /// What of a point of the map lies before a receiver.
 /// @return        (1, depth_at) where that is before the receiver, else (0, 0)
 /// @exactness     C, as depth_at
@@ -108,23 +97,6 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 }
 
 namespace glsl {
-
-/// Of a map with a sampler, which is all of its texture, the sample as it is; of others fetch_depth.
-inline constexpr snippet depth_at{
-    .name = "depth_at",
-    .summary = "stored depth at a point of the map",
-    .exactness = tier::c,
-    .ulp = 1,
-    .needs = list<&fetch_depth>,
-    .role = hook::depth_at,
-    .source = R"GLSL(
-// umbrage_depth_at: stored depth of the texel at a point; on a border it may be the texel beside
-//   uv  over the map, (0.0, 0.0) to (1.0, 1.0), no NaN
-UMBRAGE_HIGHP float umbrage_depth_at(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 uv) {
-    return umbrage_fetch_depth(map, size, floor(uv * size));
-}
-)GLSL",
-};
 
 inline constexpr snippet blocker_at{
     .name = "blocker_at",
@@ -200,7 +172,7 @@ inline constexpr snippet blockers_hardware{
     .source = blockers_hardware_text<Points>.view()};
 
 inline constexpr auto pcss_hardware_snippets =
-    list<&depth_at, &blocker_at, &pcss_radius, &blockers_hardware<8>, &blockers_hardware<16>, &blockers_hardware<32>>;
+    list<&blocker_at, &pcss_radius, &blockers_hardware<8>, &blockers_hardware<16>, &blockers_hardware<32>>;
 
 }  // namespace glsl
 }  // namespace umbrage

@@ -94,8 +94,8 @@ UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 
     text.append("    UMBRAGE_HIGHP float n = 0.0;\n");
     for (const disc_point p : disc_points<Points>)
         append_point(text, p, "    n += umbrage_lit_at(map, size, ", ", receiver);\n");
-    text.append(R"GLSL(    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number * (1.0 / $n.0) : 1.0;
+    text.append(R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / $n.0) : 0.0;
+    return compared ? visibility : 1.0;
 }
 )GLSL",
                 {{'n', Points}});
@@ -114,7 +114,7 @@ inline constexpr snippet disc_hardware{
                               : "disc of 32 points by one",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&is_compared, &lit_at>,
+    .needs = list<&is_compared, &before_far, &lit_at>,
     .source = disc_hardware_text<Points>.view()};
 
 inline constexpr auto disc_hardware_snippets = list<&lit_at, &disc_hardware<8>, &disc_hardware<16>, &disc_hardware<32>>;

@@ -37,6 +37,11 @@ struct window_row {
     double scale_of_doubles;    ///< the same
     bool quadratic = false;     ///< of two weights, but those of the quadratic B-spline
 
+    /// From one edge to the other, 0 beside the row.
+    [[nodiscard]] constexpr float weight(int i) const {
+        const int mirrored = i < size - 1 - i ? i : size - 1 - i;
+        return mirrored < 0 ? 0.0f : half[static_cast<std::size_t>(mirrored)];
+    }
     [[nodiscard]] constexpr int touched() const { return size + 1; }  ///< texels along an axis
     /// From a receiver to the farthest point of its texels, in texels; never attained.
     [[nodiscard]] constexpr float reach() const { return static_cast<float>(size + 1) * 0.5f; }
@@ -69,15 +74,12 @@ struct window_row {
 ///                  what is left. Quadratic: floor((256 - s)^2 / 32), what is left, floor(s^2 / 32)
 template <real T>
 constexpr void window_weights(const window_row& row, int moved, T* weights) {
-    const auto k = [&](int i) {
-        const int mirrored = i < row.size - 1 - i ? i : row.size - 1 - i;
-        return mirrored < 0 ? 0.0f : row.half[static_cast<std::size_t>(mirrored)];  // beside the row
-    };
     const int steps = row.steps, s = moved * steps / 256, middle = row.size / 2, ahead = 256 - moved;
     int left = static_cast<int>(row.whole);
     for (int i = 0; i <= row.size; ++i) {
         if (i == middle) continue;
-        int weight = static_cast<int>(k(i) * static_cast<float>(steps - s) + k(i - 1) * static_cast<float>(s));
+        int weight =
+            static_cast<int>(row.weight(i) * static_cast<float>(steps - s) + row.weight(i - 1) * static_cast<float>(s));
         if (row.quadratic) weight = i == 0 ? ahead * ahead / 32 : moved * moved / 32;
         weights[i] = static_cast<T>(weight);
         left -= weight;

@@ -16,45 +16,87 @@
 
 namespace umbrage {
 
-/// What the sampler gives, but for the rounding of its weights: window.
+/// Window of weights that slides over the map, in floats: by so much of a texel as the receiver lies beyond it.
 ///
 /// The two texels of a look-up divide between them what it weighs. A sampler whose fractions are off by up to e moves
 /// no more than e of that from one to the other: of all weights of an axis e, of both axes 2 e.
 ///
-/// @param row     of 3, 5 or 7 weights above zero, times its steps whole numbers: then window floors nothing
-/// @return        visibility, 0 in shadow, 1 lit
-/// @exactness     C, within 1/128 in a shader: e is 1/256 of a sampler that rounds or truncates to it; on top its
-///                coordinates round, by 2^-10 texel in a map of 8192
-/// @cite          Castano: Shadow mapping summary, part 1, 2013
+/// @param fetch      ivec2 texel -> stored depth; called row.touched()^2 times, texels may lie as far outside the map
+///                   as half of them
+/// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
+/// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
+/// @param row        of an odd number of weights above zero, 3, 5 or 7 in a shader; its steps do not count
+/// @return           visibility, 0 in shadow, 1 lit
+/// @formula          sum of w_i w_j [receiver <= fetch(texel + (i, j) - size / 2)] / (sum of the weights)^2,
+///                   w_i = K_i + s (K_(i-1) - K_i), texel + s = coord - 1/2
+/// @exactness        C, within 1/128 in a shader: e is 1/256 of a sampler that rounds or truncates to it; on top its
+///                   coordinates round, by 2^-10 texel in a map of 8192
+/// @cite             Castano: Shadow mapping summary, part 1, 2013
 template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T window_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
                                 Compare is_lit = {}) {
-    return window(fetch, coord, receiver, row, is_lit);
+    if (!is_compared(coord, receiver, is_lit)) return T(1);
+    const glm::vec<2, T> x = coord - T(0.5), texel = glm::floor(x), s = x - texel;
+    const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;
+    const auto weight = [&](int i, T moved) {
+        const T here(row.weight(i)), before(row.weight(i - 1));
+        return here + moved * (before - here);
+    };
+    T sum(0), whole(0);
+    for (int i = 0; i < row.size; ++i) whole += T(row.weight(i));
+    for (int j = 0; j <= row.size; ++j)
+        for (int i = 0; i <= row.size; ++i)
+            sum += weight(i, s.x) * weight(j, s.y) * lit(fetch, first + glm::ivec2(i, j), receiver, is_lit);
+    return sum / (whole * whole);
 }
 
 namespace glsl {
 namespace detail {
 
+/// What an axis' texels 2 k and 2 k + 1 weigh together (w), and the latter alone (b).
+constexpr filled_text<160> pair_weights(int size, int k) {
+    const constant number{'k', k}, before{'a', window_parameter(size, 2 * k - 1)},
+        here{'b', window_parameter(size, 2 * k)}, after{'c', window_parameter(size, 2 * k + 1)};
+    if (k == 0)
+        return fill<160>(
+            "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
+            "    UMBRAGE_HIGHP vec2 w$k = k$b + k$c - s * k$c;\n",
+            {number, here, after});
+    if (2 * k + 1 == size)
+        return fill<160>(
+            "    UMBRAGE_HIGHP vec2 b$k = s * k$b;\n"
+            "    UMBRAGE_HIGHP vec2 w$k = k$b + s * k$a;\n",
+            {number, before, here});
+    return fill<160>(
+        "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
+        "    UMBRAGE_HIGHP vec2 w$k = k$b + k$c + s * (k$a - k$c);\n",
+        {number, before, here, after});
+}
+
 /// For each look-up along an axis: what the farther of its texels weighs, what both do, and where it lies.
 constexpr long_text window_hardware_text(int size) {
-    long_text text =
-        window_head("window_hardware",
-                    "lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit", size,
-                    R"GLSL(    UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
+    long_text text = fill<6000>(R"GLSL(
+// umbrage_window_hardware$n: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
+//   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
+//   receiver   depth, biased;   k0 .. k$m  weights from the edge to the middle one; the others mirror them
+UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float k0,
+                                             UMBRAGE_HIGHP float k1)GLSL",
+                                {{'n', size}, {'m', size / 2}});
+    for (int i = 2; i <= size / 2; ++i) text.append(", UMBRAGE_HIGHP float k$i", {{'i', i}});
+    text.append(R"GLSL() {
+    bool compared = umbrage_is_compared(coord, receiver);
+    UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x);
-    UMBRAGE_HIGHP vec2 s = floor((x - texel) * steps);
-)GLSL");
+    UMBRAGE_HIGHP vec2 s = x - texel;
+    UMBRAGE_HIGHP float whole = k0)GLSL");
+    for (int i = 1; i < size; ++i) text.append(" + k$i", {{'i', window_parameter(size, i)}});
+    text.append(";\n");
     for (int k = 0; 2 * k <= size; ++k) {
         const int texel = 2 * k - size / 2;
-        text.append(R"GLSL(    UMBRAGE_HIGHP vec2 b$k = $b;
-    UMBRAGE_HIGHP vec2 w$k = $a + b$k;
-    UMBRAGE_HIGHP vec2 p$k = (texel $s $t.5 + b$k / w$k) / size;
-)GLSL",
-                    {{'k', k},
-                     {'a', 0, window_weight(size, 2 * k).view()},
-                     {'b', 0, window_weight(size, 2 * k + 1).view()},
-                     {'s', 0, texel < 0 ? "-" : "+"},
-                     {'t', texel < 0 ? -texel - 1 : texel}});
+        text.append(pair_weights(size, k).view());
+        text.append("    UMBRAGE_HIGHP vec2 p$k = (texel $s $t.5 + b$k / w$k) / size;\n",
+                    {{'k', k}, {'s', 0, texel < 0 ? "-" : "+"}, {'t', texel < 0 ? -texel - 1 : texel}});
     }
     text.append("    UMBRAGE_HIGHP float n = 0.0;\n");
     for (int j = 0; 2 * j <= size; ++j) {
@@ -64,8 +106,8 @@ constexpr long_text window_hardware_text(int size) {
                         {{'i', i}, {'j', j}});
         text.append("    n += w$j.y * row;\n", {{'j', j}});
     }
-    text.append(R"GLSL(    UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
-    return compared ? n * number / (whole * whole) : 1.0;
+    text.append(R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n / (whole * whole) : 0.0;
+    return compared ? visibility : 1.0;
 }
 )GLSL");
     return text;
@@ -83,7 +125,7 @@ inline constexpr snippet window_hardware{
                            : "window of 7 x 7 by 16 of them",
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
-    .needs = list<&is_compared, &lit_at>,
+    .needs = list<&is_compared, &before_far, &lit_at>,
     .source = window_hardware_text<Size>.view()};
 
 inline constexpr auto window_hardware_snippets = list<&window_hardware<3>, &window_hardware<5>, &window_hardware<7>>;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "../entries.hpp"
+#include "off_borders.hpp"
 
 namespace parity {
 namespace {
@@ -31,6 +31,11 @@ void add_filter_texel_space(std::vector<entry>& all) {
                    .classes = whole_texels(),
                    .twin = [](const sample& s) { return vec4(fetch_depth(s.depth(), texel_of(s))); },
                    .call = "vec4(umbrage_fetch_depth(map, map_size, vec2(x0.x, x0.y)))",
+                   .maps = depth_maps()});
+    all.push_back({.primitive = &glsl::depth_at,
+                   .classes = points_of_texels(),
+                   .twin = [](const sample& s) { return vec4(fetch_depth(s.depth(), ivec2(glm::floor(at(s))))); },
+                   .call = "vec4(umbrage_depth_at(map, map_size, vec2(x0.x, x0.y) / map_size))",
                    .maps = depth_maps()});
     for (const auto direction : {depth_direction::forward, depth_direction::reversed}) {
         const bool forward = direction == depth_direction::forward;

@@ -1,36 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <umbrage/filter/blocker/pcss_hardware.hpp>
 
-#include <cmath>
-
+#include "../off_borders.hpp"
 #include "../turned.hpp"
 
 namespace parity {
 namespace {
 
 using namespace umbrage;
-
-/// Whether a position is no rounding away from a border between texels, where samplers may take either.
-bool off_borders(vec2 position) {
-    const vec2 within = position - glm::floor(position);
-    return std::min(std::min(within.x, within.y), 1.0f - std::max(within.x, within.y)) > 1.0f / 512.0f;
-}
-
-/// Inputs with a coordinate near the map that `accepted` accepts.
-template <class Accepted>
-std::vector<input_class> receivers_with(Accepted accepted) {
-    std::vector<input_class> all = receivers();
-    for (input_class& c : all)
-        c.fill = [fill = c.fill, accepted](std::uint64_t i, random& r, sample& s) {
-            fill(i, r, s);
-            if (!inside_texel_space(at(s))) return;  // which is not looked up
-            const glm::vec2 texel = glm::clamp(glm::floor(at(s)), -200.0f, 200.0f);
-            do
-                for (int axis : {0, 1}) s.x[0][axis] = texel[axis] + static_cast<float>(2 * r.below(128) + 1) / 256.0f;
-            while (!accepted(s));
-        };
-    return all;
-}
 
 template <int Points>
 constexpr auto search_twin = [](auto fetch, const sample& s, auto is_lit) {
@@ -105,21 +82,11 @@ void add_filter_blocker_pcss_hardware(std::vector<entry>& all) {
     add_search<32>(all, "array, sampler", {.texture = texture::array, .gather = true});
     add_search<32>(all, "depth array, sampler", {.texture = texture::depth_array, .gather = true});
 
-    all.push_back(filter(glsl::depth_at, "",
-                         [](const sample& s) { return vec4(fetch_depth(s.depth(), ivec2(glm::floor(at(s))))); }));
     all.push_back(filter(glsl::blocker_at, "", [](const sample& s) {
         const vec2 size(s.map.size), found = blocker_at(s.depth(), size, at(s) / size, s.x[0].z);
         return vec4(found.x, found.y, 0.0f, 0.0f);
     }));
-    for (entry* e : {&all.back() - 1, &all.back()}) {
-        e->classes = receivers_with([](const sample& s) { return off_borders(at(s)); });
-        for (input_class& c : e->classes)
-            c.fill = [fill = c.fill](std::uint64_t i, random& r, sample& s) {
-                fill(i, r, s);
-                if (!inside_texel_space(at(s))) s.x[0].x = s.x[0].y = 0.5f;
-            };
-    }
-    (&all.back() - 1)->call = "vec4(umbrage_depth_at(map, map_size, vec2(x0.x, x0.y) / map_size))";
+    all.back().classes = points_of_texels();
     all.back().call = "vec4(umbrage_blocker_at(map, map_size, vec2(x0.x, x0.y) / map_size, x0.z), 0.0, 0.0)";
 }
 
