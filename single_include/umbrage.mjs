@@ -2011,7 +2011,7 @@ UMBRAGE_HIGHP float umbrage_window_hardware5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     UMBRAGE_HIGHP vec2 w0 = k0 + k1 - s * k1;
     UMBRAGE_HIGHP vec2 p0 = (texel - 1.5 + b0 / w0) / size;
     UMBRAGE_HIGHP vec2 b1 = k1 + s * (k2 - k1);
-    UMBRAGE_HIGHP vec2 w1 = k2 + k1 + s * (k1 - k1);
+    UMBRAGE_HIGHP vec2 w1 = vec2(k2 + k1, k2 + k1);
     UMBRAGE_HIGHP vec2 p1 = (texel + 0.5 + b1 / w1) / size;
     UMBRAGE_HIGHP vec2 b2 = s * k0;
     UMBRAGE_HIGHP vec2 w2 = k0 + s * k1;
@@ -5275,7 +5275,7 @@ float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float
     float2 w0 = k0 + k1 - s * k1;
     float2 p0 = (texel - 1.5 + b0 / w0) / size;
     float2 b1 = k1 + s * (k2 - k1);
-    float2 w1 = k2 + k1 + s * (k1 - k1);
+    float2 w1 = float2(k2 + k1, k2 + k1);
     float2 p1 = (texel + 0.5 + b1 / w1) / size;
     float2 b2 = s * k0;
     float2 w2 = k0 + s * k1;
@@ -8433,7 +8433,7 @@ inline float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord
     float2 w0 = k0 + k1 - s * k1;
     float2 p0 = (texel - 1.5 + b0 / w0) / size;
     float2 b1 = k1 + s * (k2 - k1);
-    float2 w1 = k2 + k1 + s * (k1 - k1);
+    float2 w1 = float2(k2 + k1, k2 + k1);
     float2 p1 = (texel + 0.5 + b1 / w1) / size;
     float2 b2 = s * k0;
     float2 w2 = k0 + s * k1;
@@ -11600,7 +11600,7 @@ fn umbrage_window_hardware5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     let w0: vec2f = k0 + k1 - s * k1;
     let p0: vec2f = (texel - 1.5 + b0 / w0) / size;
     let b1: vec2f = k1 + s * (k2 - k1);
-    let w1: vec2f = k2 + k1 + s * (k1 - k1);
+    let w1: vec2f = vec2f(k2 + k1, k2 + k1);
     let p1: vec2f = (texel + 0.5 + b1 / w1) / size;
     let b2: vec2f = s * k0;
     let w2: vec2f = k0 + s * k1;

@@ -225,7 +225,7 @@ UMBRAGE_HIGHP float umbrage_window_hardware5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     UMBRAGE_HIGHP vec2 w0 = k0 + k1 - s * k1;
     UMBRAGE_HIGHP vec2 p0 = (texel - 1.5 + b0 / w0) / size;
     UMBRAGE_HIGHP vec2 b1 = k1 + s * (k2 - k1);
-    UMBRAGE_HIGHP vec2 w1 = k2 + k1 + s * (k1 - k1);
+    UMBRAGE_HIGHP vec2 w1 = vec2(k2 + k1, k2 + k1);
     UMBRAGE_HIGHP vec2 p1 = (texel + 0.5 + b1 / w1) / size;
     UMBRAGE_HIGHP vec2 b2 = s * k0;
     UMBRAGE_HIGHP vec2 w2 = k0 + s * k1;

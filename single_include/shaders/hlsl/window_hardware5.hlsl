@@ -146,7 +146,7 @@ float umbrage_window_hardware5(Texture2D<float4> map, float2 size, float2 coord,
     float2 w0 = k0 + k1 - s * k1;
     float2 p0 = (texel - 1.5 + b0 / w0) / size;
     float2 b1 = k1 + s * (k2 - k1);
-    float2 w1 = k2 + k1 + s * (k1 - k1);
+    float2 w1 = float2(k2 + k1, k2 + k1);
     float2 p1 = (texel + 0.5 + b1 / w1) / size;
     float2 b2 = s * k0;
     float2 w2 = k0 + s * k1;

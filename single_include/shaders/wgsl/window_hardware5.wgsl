@@ -15,7 +15,7 @@ fn umbrage_window_hardware5(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
     let w0: vec2f = k0 + k1 - s * k1;
     let p0: vec2f = (texel - 1.5 + b0 / w0) / size;
     let b1: vec2f = k1 + s * (k2 - k1);
-    let w1: vec2f = k2 + k1 + s * (k1 - k1);
+    let w1: vec2f = vec2f(k2 + k1, k2 + k1);
     let p1: vec2f = (texel + 0.5 + b1 / w1) / size;
     let b2: vec2f = s * k0;
     let w2: vec2f = k0 + s * k1;

@@ -67,6 +67,11 @@ constexpr filled_text<160> pair_weights(int size, int k) {
             "    UMBRAGE_HIGHP vec2 b$k = s * k$b;\n"
             "    UMBRAGE_HIGHP vec2 w$k = k$b + s * k$a;\n",
             {number, before, here});
+    if (2 * k == size / 2)  // the middle two of all, wherever the window is
+        return fill<160>(
+            "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
+            "    UMBRAGE_HIGHP vec2 w$k = vec2(k$b + k$c, k$b + k$c);\n",
+            {number, here, after});
     return fill<160>(
         "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
         "    UMBRAGE_HIGHP vec2 w$k = k$b + k$c + s * (k$a - k$c);\n",

@@ -27,14 +27,15 @@ void add(std::vector<entry>& all, const snippet& one, const std::string& numbers
 void add_filter_pcf_window_hardware(std::vector<entry>& all) {
     namespace glsl = umbrage::glsl;
     using glsl::texture;
-    add(all, glsl::window_hardware<3>, ", 1.0, 2.0", tent_row<3>,
+    add(all, glsl::window_hardware<3>, ", 4.0, 8.0", tent_row<3>,
         {{"shadow", {.texture = texture::shadow}},
          {"shadow region, lit outside",
           {.texture = texture::shadow, .outside_lit = true, .origin = "vec2(5.0, 3.0)"}}});
-    add(all, glsl::window_hardware<5>, ", 2.0, 6.0, 8.0", make_window_row(5, {2, 6, 8}, 128),
+    add(all, glsl::window_hardware<5>, ", 0.25, 0.75, 1.0", make_window_row(5, {0.25f, 0.75f, 1}, 128),
         {{"shadow, reversed, lit outside",
           {.texture = texture::shadow, .direction = depth_direction::reversed, .outside_lit = true}}});
-    add(all, glsl::window_hardware<7>, ", 2.0, 10.0, 24.0, 32.0", make_window_row(7, {2, 10, 24, 32}, 32),
+    add(all, glsl::window_hardware<7>, ", 0.0625, 0.3125, 0.75, 1.0",
+        make_window_row(7, {0.0625f, 0.3125f, 0.75f, 1}, 32),
         {{"shadow array, reversed", {.texture = texture::shadow_array, .direction = depth_direction::reversed}}});
 }
 
