@@ -47,7 +47,7 @@ template <real T, class Fetch, class Compare = less_equal>
     for (int j = 0; j <= row.size; ++j)
         for (int i = 0; i <= row.size; ++i)
             sum += weight(i, s.x) * weight(j, s.y) * lit(fetch, first + glm::ivec2(i, j), receiver, is_lit);
-    return sum / (whole * whole);
+    return glm::min(sum / (whole * whole), T(1));  // weights round
 }
 
 namespace glsl {
@@ -111,7 +111,7 @@ UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
                         {{'i', i}, {'j', j}});
         text.append("    n += w$j.y * row;\n", {{'j', j}});
     }
-    text.append(R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n / (whole * whole) : 0.0;
+    text.append(R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 )GLSL");

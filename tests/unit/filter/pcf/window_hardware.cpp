@@ -97,6 +97,8 @@ TEST_CASE("window_hardware: between texels the sum in real numbers, on the steps
                 const glm::vec2 coord = glm::vec2(moved) + 5.5f;
                 const float got = window_hardware(clamped(map), coord, 0.5f, r.row);
                 CHECK(std::abs(got - wanted) <= 1e-6);
+                CHECK(window_hardware(clamped(map), coord, 0.0f, r.row) <= 1.0f);
+                CHECK(window_hardware(clamped(map), coord, 0.0f, r.row) >= 1.0f - 1e-6f);
                 if (floored || x * r.row.steps % 512 != 0 || y * r.row.steps % 512 != 0) continue;
                 CHECK(std::abs(got - window(clamped(map), coord, 0.5f, r.row)) <= 1e-6f);
             }
