@@ -1376,7 +1376,7 @@ UMBRAGE_HIGHP vec4 umbrage_lit_2x2(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
             "before_far": `
 // umbrage_before_far: whether a receiver is a number, and not behind the far plane
 bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
-    // two choices, not one of `or`, which compilers take for true
+    // a sum of choices, not an or of comparisons, which compilers take for true
     UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return umbrage_beyond_far(receiver) ? false : number > 0.5;
 }
@@ -4676,7 +4676,7 @@ float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float receive
             "before_far": `
 // umbrage_before_far: whether a receiver is a number, and not behind the far plane
 precise bool umbrage_before_far(float receiver) {
-    // two choices, not one of `or`, which compilers take for true
+    // a sum of choices, not an or of comparisons, which compilers take for true
     float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return umbrage_beyond_far(receiver) ? false : number > 0.5;
 }
@@ -7831,7 +7831,7 @@ inline float4 umbrage_lit_2x2(UMBRAGE_MAP map, float2 size, float2 texel, float 
             "before_far": `
 // umbrage_before_far: whether a receiver is a number, and not behind the far plane
 inline bool umbrage_before_far(float receiver) {
-    // two choices, not one of `or`, which compilers take for true
+    // a sum of choices, not an or of comparisons, which compilers take for true
     float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return umbrage_beyond_far(receiver) ? false : number > 0.5;
 }
@@ -11000,7 +11000,7 @@ fn umbrage_lit_2x2(UMBRAGE_MAP map, size: vec2f, texel: vec2f, receiver: f32) ->
             "before_far": `
 // umbrage_before_far: whether a receiver is a number, and not behind the far plane
 fn umbrage_before_far(receiver: f32) -> bool {
-    // two choices, not one of `or`, which compilers take for true
+    // a sum of choices, not an or of comparisons, which compilers take for true
     let number: f32 = select(0.0, 1.0, receiver > 0.0) + select(0.0, 1.0, receiver <= 0.0);
     return select((number > 0.5), false, umbrage_beyond_far(receiver));
 }

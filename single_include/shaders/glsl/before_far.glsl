@@ -35,7 +35,7 @@ bool umbrage_beyond_far(UMBRAGE_HIGHP float receiver) {
 #define UMBRAGE_HAS_BEFORE_FAR
 // umbrage_before_far: whether a receiver is a number, and not behind the far plane
 bool umbrage_before_far(UMBRAGE_HIGHP float receiver) {
-    // two choices, not one of `or`, which compilers take for true
+    // a sum of choices, not an or of comparisons, which compilers take for true
     UMBRAGE_HIGHP float number = (receiver > 0.0 ? 1.0 : 0.0) + (receiver <= 0.0 ? 1.0 : 0.0);
     return umbrage_beyond_far(receiver) ? false : number > 0.5;
 }

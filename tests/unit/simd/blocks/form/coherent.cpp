@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // visibility over images where receivers follow each other: whole blocks inside a map, and at the end of texel space.
-#include "one_by_one.hpp"
+#include "../one_by_one.hpp"
 
 namespace {
 
