@@ -27,7 +27,8 @@ std::vector<input_class> taps_off_borders() {
             s.x[1] = {b.x, b.y, c.x, c.y};
             s.x[2] = {d.x, d.y, 0.0f, 0.0f};
             const auto lane = static_cast<int>(r.below(8));  // of one of the taps
-            const int input[] = {0, 0, 1, 1, 1, 1, 2, 2}, within[] = {0, 1, 0, 1, 2, 3, 0, 1};
+            const std::size_t input[] = {0, 0, 1, 1, 1, 1, 2, 2};
+            const int within[] = {0, 1, 0, 1, 2, 3, 0, 1};
             if (looked_up && i % 4 == 3) s.x[input[lane]][within[lane]] = i % 8 == 3 ? 3e5f : -3e5f;
         };
     return classes;
