@@ -78,10 +78,10 @@ std::vector<job> jobs(const std::string& folder) {
         return asking;
     };
     // A peer's that has no such tests, with ours about it.
-    const auto tested = [&](const std::string& name, const std::string& text, const std::string& call) {
+    const auto tested = [&](const std::string& name, const std::string& functions, const std::string& call) {
         return shader{playcanvas,
                       name + ", with our tests",
-                      text,
+                      functions,
                       {glsl::is_compared, glsl::before_far},
                       "vec4(" + call +
                           "); result = umbrage_before_far(x1.z) ? result : vec4(0.0); "
