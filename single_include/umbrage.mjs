@@ -1991,7 +1991,8 @@ UMBRAGE_HIGHP float umbrage_window_hardware3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p1.y), receiver);
     row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p1.y), receiver);
     n += w1.y * row;
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
@@ -2032,7 +2033,8 @@ UMBRAGE_HIGHP float umbrage_window_hardware5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p2.y), receiver);
     row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p2.y), receiver);
     n += w2.y * row;
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
@@ -2085,7 +2087,8 @@ UMBRAGE_HIGHP float umbrage_window_hardware7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p3.y), receiver);
     row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p3.y), receiver);
     n += w3.y * row;
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
@@ -5256,7 +5259,8 @@ float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord, float
     row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
     row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
     n += w1.y * row;
-    float visibility = umbrage_before_far(receiver) ? clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    float share = clamp(n / (whole * whole), 0.0, 1.0);
+    float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
@@ -5296,7 +5300,8 @@ float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord, float
     row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p2.y), receiver);
     row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
     n += w2.y * row;
-    float visibility = umbrage_before_far(receiver) ? clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    float share = clamp(n / (whole * whole), 0.0, 1.0);
+    float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
@@ -5348,7 +5353,8 @@ float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord, float
     row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p3.y), receiver);
     row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p3.y), receiver);
     n += w3.y * row;
-    float visibility = umbrage_before_far(receiver) ? clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    float share = clamp(n / (whole * whole), 0.0, 1.0);
+    float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
@@ -8414,7 +8420,8 @@ inline float umbrage_window_hardware3(UMBRAGE_MAP map, float2 size, float2 coord
     row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
     row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
     n += w1.y * row;
-    float visibility = umbrage_before_far(receiver) ? metal::clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
+    float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
@@ -8454,7 +8461,8 @@ inline float umbrage_window_hardware5(UMBRAGE_MAP map, float2 size, float2 coord
     row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p2.y), receiver);
     row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
     n += w2.y * row;
-    float visibility = umbrage_before_far(receiver) ? metal::clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
+    float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
@@ -8506,7 +8514,8 @@ inline float umbrage_window_hardware7(UMBRAGE_MAP map, float2 size, float2 coord
     row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p3.y), receiver);
     row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p3.y), receiver);
     n += w3.y * row;
-    float visibility = umbrage_before_far(receiver) ? metal::clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
+    float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 `,
@@ -11581,7 +11590,8 @@ fn umbrage_window_hardware3(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p1.y), receiver);
     row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
     n += w1.y * row;
-    let visibility: f32 = select(0.0, clamp(n / (whole * whole), 0.0, 1.0), umbrage_before_far(receiver));
+    let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
+    let visibility: f32 = select(0.0, share, umbrage_before_far(receiver));
     return select(1.0, visibility, compared);
 }
 `,
@@ -11621,7 +11631,8 @@ fn umbrage_window_hardware5(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p2.y), receiver);
     row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p2.y), receiver);
     n += w2.y * row;
-    let visibility: f32 = select(0.0, clamp(n / (whole * whole), 0.0, 1.0), umbrage_before_far(receiver));
+    let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
+    let visibility: f32 = select(0.0, share, umbrage_before_far(receiver));
     return select(1.0, visibility, compared);
 }
 `,
@@ -11673,7 +11684,8 @@ fn umbrage_window_hardware7(UMBRAGE_MAP map, size: vec2f, coord: vec2f, receiver
     row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p3.y), receiver);
     row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p3.y), receiver);
     n += w3.y * row;
-    let visibility: f32 = select(0.0, clamp(n / (whole * whole), 0.0, 1.0), umbrage_before_far(receiver));
+    let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
+    let visibility: f32 = select(0.0, share, umbrage_before_far(receiver));
     return select(1.0, visibility, compared);
 }
 `,

@@ -236,7 +236,8 @@ UMBRAGE_HIGHP float umbrage_window_hardware3(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     row += w0.x * umbrage_lit_at(map, size, vec2(p0.x, p1.y), receiver);
     row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p1.y), receiver);
     n += w1.y * row;
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 #endif

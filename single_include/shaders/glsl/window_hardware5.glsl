@@ -246,7 +246,8 @@ UMBRAGE_HIGHP float umbrage_window_hardware5(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     row += w1.x * umbrage_lit_at(map, size, vec2(p1.x, p2.y), receiver);
     row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p2.y), receiver);
     n += w2.y * row;
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 #endif

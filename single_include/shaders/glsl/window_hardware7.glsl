@@ -258,7 +258,8 @@ UMBRAGE_HIGHP float umbrage_window_hardware7(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2
     row += w2.x * umbrage_lit_at(map, size, vec2(p2.x, p3.y), receiver);
     row += w3.x * umbrage_lit_at(map, size, vec2(p3.x, p3.y), receiver);
     n += w3.y * row;
-    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 #endif

@@ -156,7 +156,8 @@ float umbrage_window_hardware3(Texture2D<float4> map, float2 size, float2 coord,
     row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
     row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
     n += w1.y * row;
-    float visibility = umbrage_before_far(receiver) ? clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    float share = clamp(n / (whole * whole), 0.0, 1.0);
+    float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 #endif

@@ -167,7 +167,8 @@ float umbrage_window_hardware5(Texture2D<float4> map, float2 size, float2 coord,
     row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p2.y), receiver);
     row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p2.y), receiver);
     n += w2.y * row;
-    float visibility = umbrage_before_far(receiver) ? clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    float share = clamp(n / (whole * whole), 0.0, 1.0);
+    float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 #endif

@@ -162,7 +162,8 @@ inline float umbrage_window_hardware3(metal::texture2d<float> map, float2 size, 
     row += w0.x * umbrage_lit_at(map, size, float2(p0.x, p1.y), receiver);
     row += w1.x * umbrage_lit_at(map, size, float2(p1.x, p1.y), receiver);
     n += w1.y * row;
-    float visibility = umbrage_before_far(receiver) ? metal::clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
+    float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 #endif

@@ -184,7 +184,8 @@ inline float umbrage_window_hardware7(metal::texture2d<float> map, float2 size, 
     row += w2.x * umbrage_lit_at(map, size, float2(p2.x, p3.y), receiver);
     row += w3.x * umbrage_lit_at(map, size, float2(p3.x, p3.y), receiver);
     n += w3.y * row;
-    float visibility = umbrage_before_far(receiver) ? metal::clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    float share = metal::clamp(n / (whole * whole), 0.0, 1.0);
+    float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 #endif

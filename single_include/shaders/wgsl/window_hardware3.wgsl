@@ -25,6 +25,7 @@ fn umbrage_window_hardware3(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
     row += w0.x * umbrage_lit_at(map, size, vec2f(p0.x, p1.y), receiver);
     row += w1.x * umbrage_lit_at(map, size, vec2f(p1.x, p1.y), receiver);
     n += w1.y * row;
-    let visibility: f32 = select(0.0, clamp(n / (whole * whole), 0.0, 1.0), umbrage_before_far(receiver));
+    let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
+    let visibility: f32 = select(0.0, share, umbrage_before_far(receiver));
     return select(1.0, visibility, compared);
 }

@@ -48,6 +48,7 @@ fn umbrage_window_hardware7(map: texture_2d<f32>, size: vec2f, coord: vec2f, rec
     row += w2.x * umbrage_lit_at(map, size, vec2f(p2.x, p3.y), receiver);
     row += w3.x * umbrage_lit_at(map, size, vec2f(p3.x, p3.y), receiver);
     n += w3.y * row;
-    let visibility: f32 = select(0.0, clamp(n / (whole * whole), 0.0, 1.0), umbrage_before_far(receiver));
+    let share: f32 = clamp(n / (whole * whole), 0.0, 1.0);
+    let visibility: f32 = select(0.0, share, umbrage_before_far(receiver));
     return select(1.0, visibility, compared);
 }

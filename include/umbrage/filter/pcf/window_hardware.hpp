@@ -111,7 +111,8 @@ UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec
                         {{'i', i}, {'j', j}});
         text.append("    n += w$j.y * row;\n", {{'j', j}});
     }
-    text.append(R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? clamp(n / (whole * whole), 0.0, 1.0) : 0.0;
+    text.append(R"GLSL(    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
 )GLSL");
