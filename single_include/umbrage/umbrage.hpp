@@ -5696,7 +5696,7 @@ template <real T, class Fetch, class Compare = less_equal>
     const T far = sum.x + sum.y;
     if (is_nan(far) || far >= T(1 << 17) || beyond_far(receiver, is_lit)) return T(1);
     T count(0);
-    for (const glm::vec<2, T>& uv : {a, b, c, d}) count += compare(receiver, T(depth_at(fetch, size, uv)), is_lit);
+    for (const glm::vec<2, T>& uv : {a, b, c, d}) count += compare(receiver, depth_at(fetch, size, uv), is_lit);
     return count * T(0.25);
 }
 
@@ -6294,38 +6294,28 @@ constexpr filled_text<32> window_weight(int size, int i) {
     return fill<32>(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
 }
 
-/// The beginning of a window's text, as far as its weights.
-/// @param place   finds `texel`, and `s`, by how many steps the receiver lies beyond it
-constexpr long_text window_head(std::string_view name, std::string_view what, int size, std::string_view place) {
+constexpr long_text window_sum_text(int size) {
+    const int middle = size / 2;
     long_text text = fill<6000>(R"GLSL(
-// umbrage_$f$n: $w
+// umbrage_window_sum$n: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k$m   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
-UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
                                         UMBRAGE_HIGHP float k1)GLSL",
-                                {{'f', 0, name}, {'n', size}, {'w', 0, what}, {'m', size / 2}});
-    for (int i = 2; i <= size / 2; ++i) text.append(", UMBRAGE_HIGHP float k$i", {{'i', i}});
+                                {{'n', size}, {'m', middle}});
+    for (int i = 2; i <= middle; ++i) text.append(", UMBRAGE_HIGHP float k$i", {{'i', i}});
     text.append(R"GLSL() {
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
-$p    UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0)GLSL",
-                {{'p', 0, place}});
-    for (int i = 1; i < size; ++i) text.append(" + k$i", {{'i', window_parameter(size, i)}});
-    text.append(");\n");
-    return text;
-}
-
-constexpr long_text window_sum_text(int size) {
-    const int middle = size / 2;
-    long_text text =
-        window_head("window_sum", "weighted count of the lit texels under weights that slide over the map, whole", size,
-                    R"GLSL(    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
-)GLSL");
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0)GLSL");
+    for (int i = 1; i < size; ++i) text.append(" + k$i", {{'i', window_parameter(size, i)}});
+    text.append(");\n");
     for (int i = 0; i <= size; ++i)
         if (i != middle)
             text.append("    UMBRAGE_HIGHP vec2 w$i = floor($w);\n",
@@ -6376,7 +6366,7 @@ inline constexpr auto window_snippets = list<&window_sum<3>, &window_sum<5>, &wi
 //
 //     constexpr umbrage::window_row row = umbrage::castano_row<5>;
 //     float visibility = umbrage::window_hardware(umbrage::clamped(map), coord, depth - bias, row);
-//     // in a shader umbrage_window_hardware5(map, size, coord, receiver, 256.0, 1.0, 3.0, 4.0)
+//     // in a shader umbrage_window_hardware5(map, size, coord, receiver, 1.0, 3.0, 4.0)
 //
 // Maps and samplers are as for pcf_2x2_hardware.hpp.
 //
@@ -6392,10 +6382,10 @@ namespace umbrage {
 ///                   as half of them
 /// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param row        of an odd number of weights above zero, 3, 5 or 7 in a shader; its steps do not count
+/// @param row        of weights above zero, 3, 5 or 7 in a shader; its steps, and that it is quadratic, do not count
 /// @return           visibility, 0 in shadow, 1 lit
 /// @formula          sum of w_i w_j [receiver <= fetch(texel + (i, j) - size / 2)] / (sum of the weights)^2,
-///                   w_i = K_i + s (K_(i-1) - K_i), texel + s = coord - 1/2
+///                   w_i = K_i + s (K_(i-1) - K_i), texel + s = coord - 1/2 for an odd size, coord for an even
 /// @exactness        C, within 1/128 in a shader: e is 1/256 of a sampler that rounds or truncates to it; on top its
 ///                   coordinates round, by 2^-10 texel in a map of 8192
 /// @cite             Castano: Shadow mapping summary, part 1, 2013
@@ -6403,7 +6393,7 @@ template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T window_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
                                 Compare is_lit = {}) {
     if (!is_compared(coord, receiver, is_lit)) return T(1);
-    const glm::vec<2, T> x = coord - T(0.5), texel = glm::floor(x), s = x - texel;
+    const glm::vec<2, T> x = coord - T(row.size % 2 ? 0.5 : 0.0), texel = glm::floor(x), s = x - texel;
     const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;
     const auto weight = [&](int i, T moved) {
         const T here(row.weight(i)), before(row.weight(i - 1));

@@ -97,7 +97,7 @@ std::vector<job> jobs(const std::string& folder) {
     glsl::binding gathered = level;
     gathered.gather = true;
 
-    // Taps where Babylon.js has them, about its points of a Poisson disc.
+    // Taps at Babylon.js' points of a Poisson disc, rounded.
     const std::vector<glsl::bound> by_sampler = {glsl::receiver_rg<11>, glsl::inside_texel_space,
                                                  filter(glsl::four_tap_hardware, gathered)};
     const std::string sampled_taps =

@@ -29,7 +29,7 @@ template <real T, class Fetch, class Compare = less_equal>
     const T far = sum.x + sum.y;
     if (is_nan(far) || far >= T(1 << 17) || beyond_far(receiver, is_lit)) return T(1);
     T count(0);
-    for (const glm::vec<2, T>& uv : {a, b, c, d}) count += compare(receiver, T(depth_at(fetch, size, uv)), is_lit);
+    for (const glm::vec<2, T>& uv : {a, b, c, d}) count += compare(receiver, depth_at(fetch, size, uv), is_lit);
     return count * T(0.25);
 }
 

@@ -146,38 +146,28 @@ constexpr filled_text<32> window_weight(int size, int i) {
     return fill<32>(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
 }
 
-/// The beginning of a window's text, as far as its weights.
-/// @param place   finds `texel`, and `s`, by how many steps the receiver lies beyond it
-constexpr long_text window_head(std::string_view name, std::string_view what, int size, std::string_view place) {
+constexpr long_text window_sum_text(int size) {
+    const int middle = size / 2;
     long_text text = fill<6000>(R"GLSL(
-// umbrage_$f$n: $w
+// umbrage_window_sum$n: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
 //   k0 .. k$m   weights from the edge to the middle one; the others mirror them. Steps times their sum, a whole number
 //              up to 4096, squared is what is wholly lit
-UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
+UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
                                         UMBRAGE_HIGHP float k1)GLSL",
-                                {{'f', 0, name}, {'n', size}, {'w', 0, what}, {'m', size / 2}});
-    for (int i = 2; i <= size / 2; ++i) text.append(", UMBRAGE_HIGHP float k$i", {{'i', i}});
+                                {{'n', size}, {'m', middle}});
+    for (int i = 2; i <= middle; ++i) text.append(", UMBRAGE_HIGHP float k$i", {{'i', i}});
     text.append(R"GLSL() {
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
-$p    UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0)GLSL",
-                {{'p', 0, place}});
-    for (int i = 1; i < size; ++i) text.append(" + k$i", {{'i', window_parameter(size, i)}});
-    text.append(");\n");
-    return text;
-}
-
-constexpr long_text window_sum_text(int size) {
-    const int middle = size / 2;
-    long_text text =
-        window_head("window_sum", "weighted count of the lit texels under weights that slide over the map, whole", size,
-                    R"GLSL(    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
+    UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
-)GLSL");
+    UMBRAGE_HIGHP vec2 r = steps - s;
+    UMBRAGE_HIGHP float whole = steps * (k0)GLSL");
+    for (int i = 1; i < size; ++i) text.append(" + k$i", {{'i', window_parameter(size, i)}});
+    text.append(");\n");
     for (int i = 0; i <= size; ++i)
         if (i != middle)
             text.append("    UMBRAGE_HIGHP vec2 w$i = floor($w);\n",

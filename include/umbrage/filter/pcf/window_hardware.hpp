@@ -5,7 +5,7 @@
 //
 //     constexpr umbrage::window_row row = umbrage::castano_row<5>;
 //     float visibility = umbrage::window_hardware(umbrage::clamped(map), coord, depth - bias, row);
-//     // in a shader umbrage_window_hardware5(map, size, coord, receiver, 256.0, 1.0, 3.0, 4.0)
+//     // in a shader umbrage_window_hardware5(map, size, coord, receiver, 1.0, 3.0, 4.0)
 //
 // Maps and samplers are as for pcf_2x2_hardware.hpp.
 //
@@ -25,10 +25,10 @@ namespace umbrage {
 ///                   as half of them
 /// @param coord      receiver in texels, the first texel's centre is (0.5, 0.5); outside texel space, or NaN: lit
 /// @param receiver   depth, biased; beyond the far plane: lit; NaN is in shadow
-/// @param row        of an odd number of weights above zero, 3, 5 or 7 in a shader; its steps do not count
+/// @param row        of weights above zero, 3, 5 or 7 in a shader; its steps, and that it is quadratic, do not count
 /// @return           visibility, 0 in shadow, 1 lit
 /// @formula          sum of w_i w_j [receiver <= fetch(texel + (i, j) - size / 2)] / (sum of the weights)^2,
-///                   w_i = K_i + s (K_(i-1) - K_i), texel + s = coord - 1/2
+///                   w_i = K_i + s (K_(i-1) - K_i), texel + s = coord - 1/2 for an odd size, coord for an even
 /// @exactness        C, within 1/128 in a shader: e is 1/256 of a sampler that rounds or truncates to it; on top its
 ///                   coordinates round, by 2^-10 texel in a map of 8192
 /// @cite             Castano: Shadow mapping summary, part 1, 2013
@@ -36,7 +36,7 @@ template <real T, class Fetch, class Compare = less_equal>
 [[nodiscard]] T window_hardware(Fetch&& fetch, glm::vec<2, T> coord, T receiver, const window_row& row,
                                 Compare is_lit = {}) {
     if (!is_compared(coord, receiver, is_lit)) return T(1);
-    const glm::vec<2, T> x = coord - T(0.5), texel = glm::floor(x), s = x - texel;
+    const glm::vec<2, T> x = coord - T(row.size % 2 ? 0.5 : 0.0), texel = glm::floor(x), s = x - texel;
     const glm::ivec2 first = glm::ivec2(texel) - row.size / 2;
     const auto weight = [&](int i, T moved) {
         const T here(row.weight(i)), before(row.weight(i - 1));

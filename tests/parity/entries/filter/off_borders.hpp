@@ -11,7 +11,7 @@
 
 namespace parity {
 
-/// Whether a position is no rounding away from a border between texels, where samplers may take either.
+/// Whether a position is more than a rounding away from borders between texels, where samplers may take either.
 [[nodiscard]] inline bool off_borders(vec2 position) {
     const vec2 within = position - glm::floor(position);
     return std::min(std::min(within.x, within.y), 1.0f - std::max(within.x, within.y)) > 1.0f / 512.0f;
@@ -33,7 +33,7 @@ template <class Accepted>
     return all;
 }
 
-/// Those at which every texel is the sampler's, too: inside texel space.
+/// receivers() off borders, all of them inside texel space.
 [[nodiscard]] inline std::vector<input_class> points_of_texels() {
     std::vector<input_class> all = receivers_with([](const sample& s) { return off_borders(at(s)); });
     for (input_class& c : all)
