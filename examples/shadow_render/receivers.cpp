@@ -24,22 +24,24 @@ void place_row(const view& v, const example::bias_light& light, const Bias& bias
         for (int x = first; x < last; x += lanes) {
             const int count = std::min(lanes, last - x);
             example::vectors weights, at;
-            example::receiver_bias by[lanes];
+            float off_depth[lanes], slope_x[lanes], slope_y[lanes];
             on.locate({x, y}, weights, at);
             for (int i = 0; i < lanes; ++i) {
                 const glm::vec3 world = at[i];
                 const float w = v.lamp.w(world);
-                by[i] = bias(light, {world, on.face_normal(world), v.lamp.way(world, w), w});
-                at.set(i, world + by[i].offset);
+                const example::receiver_bias by = bias(light, {world, on.face_normal(world), v.lamp.way(world, w), w});
+                at.set(i, world + by.offset);
+                off_depth[i] = by.depth;
+                slope_x[i] = by.slope.x, slope_y[i] = by.slope.y;
             }
             for (int i = 0; i < lanes; ++i)
                 at.set(i, umbrage::project_coordinate(umbrage::shadow_coordinate(to_texels, at[i])));
             for (int i = 0; i < lanes; ++i)
-                at.z[i] = umbrage::biased(v.lamp.even_depth(umbrage::biased(at.z[i], by[i].depth)), error);
+                at.z[i] = umbrage::biased(v.lamp.even_depth(umbrage::biased(at.z[i], off_depth[i])), error);
             if (projected)
                 for (float& z : at.z) z = v.lamp.projected_depth(z);
             if (!out.slope.empty())
-                for (int i = 0; i < count; ++i) out.slope[{x + i, y}] = by[i].slope;
+                for (int i = 0; i < count; ++i) out.slope[{x + i, y}] = {slope_x[i], slope_y[i]};
             std::copy_n(at.x, count, to_x + x);
             std::copy_n(at.y, count, to_y + x);
             std::copy_n(at.z, count, to_depth + x);

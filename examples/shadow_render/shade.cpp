@@ -16,17 +16,20 @@ void shade_row(const view& v, const umbrage::image<float>& visibility, int y, gl
     std::fill_n(out, v.seen.size().x, background);
     example::for_each_run(v.seen, y, [&](int first, int last, std::uint32_t triangle) {
         const example::seen_triangle on = v.triangle(triangle);
-        const float* const lit = visibility.view().row(y);
+        const float* const visible = visibility.view().row(y);
         for (int x = first; x < last; x += lanes) {
+            const int count = std::min(lanes, last - x);
             example::vectors weights, at, normals, colours;
-            float reach[lanes], n_dot_l[lanes];
+            float lit[lanes]{}, n_dot_l[lanes];
+            std::copy_n(visible + x, count, lit);
             on.locate({x, y}, weights, at);
             on.paint(weights, at, colours);
             for (int i = 0; i < lanes; ++i) normals.set(i, on.normal(weights[i], on.face_normal(at[i])));
             for (int i = 0; i < lanes; ++i) n_dot_l[i] = glm::dot(normals[i], v.lamp.to_light(at[i]));
-            for (int i = 0; i < lanes; ++i) reach[i] = v.lamp.cone(at[i]);
-            for (int i = 0; i < std::min(lanes, last - x); ++i)
-                out[x + i] = umbrage::diffuse_ambient(colours[i], ambient, n_dot_l[i], lit[x + i] * reach[i]);
+            for (int i = 0; i < lanes; ++i) lit[i] *= v.lamp.cone(at[i]);
+            for (int i = 0; i < lanes; ++i)
+                colours.set(i, umbrage::diffuse_ambient(colours[i], ambient, n_dot_l[i], lit[i]));
+            for (int i = 0; i < count; ++i) out[x + i] = colours[i];
         }
     });
 }

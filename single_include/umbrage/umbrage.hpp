@@ -1692,7 +1692,8 @@ template <real T>
     const T along = width * std::sqrt(x * x + y * y + z * z) + error_world * std::abs(straight);
     const glm::vec<3, T> offset = normal * along;
     const T extent = std::abs(offset.x) + std::abs(offset.y) + std::abs(offset.z);
-    return !is_nan(extent) && extent < T(0x1p64) ? offset : glm::vec<3, T>(0);
+    const bool finite = !is_nan(extent) & (extent < T(0x1p64));  // no branch: loops become vectors
+    return {finite ? offset.x : T(0), finite ? offset.y : T(0), finite ? offset.z : T(0)};
 }
 
 namespace glsl {
