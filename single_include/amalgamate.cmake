@@ -21,9 +21,11 @@ function(made name new old)
     endif()
 endfunction()
 
-# The primitives: every header but those of whole images, which bring simd/ along, and those that make texts.
+# The primitives: every header but those of whole images, which bring simd/ along, those that make texts, and those that
+# fit lights to a scene or keep account of what they drew: geometry and containers, which take their time to compile.
 file(GLOB_RECURSE primitives RELATIVE ${root}/include ${root}/include/*.hpp)
-list(FILTER primitives EXCLUDE REGEX "/(images|simd|shader)/|/(umbrage|primitives|filters)\\.hpp$")
+list(FILTER primitives EXCLUDE REGEX "/(images|simd|shader|warp)/|/(umbrage|primitives|filters)\\.hpp$")
+list(FILTER primitives EXCLUDE REGEX "/light/([a-z]+_fit|bounds|sweep|cascades/(cascades|warped)|adaptive/(pages|root))\\.hpp$")
 list(SORT primitives)
 list(TRANSFORM primitives REPLACE "(.+)" "#include <\\1>\n")
 list(JOIN primitives "" primitives)
@@ -33,8 +35,9 @@ if(NOT OUTPUT STREQUAL "${committed}")
 endif()
 file(WRITE ${folder}/primitives.hpp "// SPDX-License-Identifier: MIT
 //
-// The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them, and
-// the texts of snippets come with <umbrage/umbrage.hpp>. Made by single_include/amalgamate.cmake.
+// The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them,
+// lights that are fitted to a scene (directional_fit, spot_fit, cascades, warp, adaptive) and the texts of snippets
+// come with <umbrage/umbrage.hpp> or in headers of their own. Made by single_include/amalgamate.cmake.
 #pragma once
 
 ${primitives}")

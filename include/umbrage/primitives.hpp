@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them, and
-// the texts of snippets come with <umbrage/umbrage.hpp>. Made by single_include/amalgamate.cmake.
+// The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them,
+// lights that are fitted to a scene (directional_fit, spot_fit, cascades, warp, adaptive) and the texts of snippets
+// come with <umbrage/umbrage.hpp> or in headers of their own. Made by single_include/amalgamate.cmake.
 #pragma once
 
 #include <umbrage/bias/acne_free.hpp>
@@ -64,34 +65,20 @@
 #include <umbrage/floor_divide.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
-#include <umbrage/light/adaptive/pages.hpp>
-#include <umbrage/light/adaptive/root.hpp>
-#include <umbrage/light/bounds.hpp>
 #include <umbrage/light/cascades/blend.hpp>
-#include <umbrage/light/cascades/cascades.hpp>
 #include <umbrage/light/cascades/select.hpp>
 #include <umbrage/light/cascades/splits.hpp>
-#include <umbrage/light/cascades/warped.hpp>
 #include <umbrage/light/cube_atlas.hpp>
 #include <umbrage/light/cube_map.hpp>
-#include <umbrage/light/directional_fit.hpp>
 #include <umbrage/light/directional_light.hpp>
 #include <umbrage/light/dual_paraboloid.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/pancake.hpp>
 #include <umbrage/light/point_light.hpp>
-#include <umbrage/light/spot_fit.hpp>
 #include <umbrage/light/spot_light.hpp>
-#include <umbrage/light/sweep.hpp>
 #include <umbrage/light/tetrahedron.hpp>
 #include <umbrage/light/tetrahedron_light.hpp>
 #include <umbrage/light/texture_matrix.hpp>
-#include <umbrage/light/warp/lamp.hpp>
-#include <umbrage/light/warp/light_space_perspective.hpp>
-#include <umbrage/light/warp/perspective.hpp>
-#include <umbrage/light/warp/plane_optimal.hpp>
-#include <umbrage/light/warp/trapezoidal.hpp>
-#include <umbrage/light/warp/warp_fit.hpp>
 #include <umbrage/list.hpp>
 #include <umbrage/scalar.hpp>
 #include <umbrage/shade/lighting.hpp>

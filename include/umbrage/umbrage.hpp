@@ -6,7 +6,6 @@
 #include <umbrage/primitives.hpp>
 
 #include <umbrage/filter/filters.hpp>
-
 #include <umbrage/images/blur.hpp>
 #include <umbrage/images/depth_span.hpp>
 #include <umbrage/images/dual_paraboloid_pass.hpp>
@@ -29,7 +28,20 @@
 #include <umbrage/images/tetrahedron_pass.hpp>
 #include <umbrage/images/variance_table.hpp>
 #include <umbrage/images/visibility.hpp>
-
+#include <umbrage/light/adaptive/pages.hpp>
+#include <umbrage/light/adaptive/root.hpp>
+#include <umbrage/light/bounds.hpp>
+#include <umbrage/light/cascades/cascades.hpp>
+#include <umbrage/light/cascades/warped.hpp>
+#include <umbrage/light/directional_fit.hpp>
+#include <umbrage/light/spot_fit.hpp>
+#include <umbrage/light/sweep.hpp>
+#include <umbrage/light/warp/lamp.hpp>
+#include <umbrage/light/warp/light_space_perspective.hpp>
+#include <umbrage/light/warp/perspective.hpp>
+#include <umbrage/light/warp/plane_optimal.hpp>
+#include <umbrage/light/warp/trapezoidal.hpp>
+#include <umbrage/light/warp/warp_fit.hpp>
 #include <umbrage/shader/glsl.hpp>
 #include <umbrage/shader/hlsl.hpp>
 #include <umbrage/shader/msl.hpp>

@@ -202,6 +202,20 @@ struct snippet_span {
     [[nodiscard]] constexpr const snippet* const* end() const { return first + size; }
 };
 
+/// A snippet's GLSL: as it is written down, or what a function puts together each time it is asked for, which spares
+/// whoever includes the header the work.
+class snippet_text {
+public:
+    constexpr snippet_text(const char* written) : written_(written) {}
+    constexpr snippet_text(std::string (*make)()) : make_(make) {}
+
+    [[nodiscard]] std::string str() const { return make_ ? make_() : written_; }
+
+private:
+    const char* written_ = "";
+    std::string (*make_)() = nullptr;
+};
+
 /// One GLSL function (with its overloads) and what is known of it.
 struct snippet {
     std::string_view name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
@@ -213,7 +227,7 @@ struct snippet {
     snippet_span needs{};            ///< a list<>
     hook role = hook::none;
     bool scaled = false;  ///< makes depths on a scale of their own, on which 1.0 is not the far plane
-    std::string_view source;
+    snippet_text source;
 
     /// No two have one name.
     friend constexpr bool operator==(const snippet& a, const snippet& b) { return a.name == b.name; }
@@ -236,44 +250,46 @@ struct constant {
     std::string_view text{};  ///< in place of the value's digits, though it be ""
 };
 
-/// Text with the constants of one member of a family filled in, at compile time. Plain arrays, for the sake of every
-/// user's compile time.
-template <std::size_t Capacity>
-struct filled_text {
-    char data[Capacity]{};
-    std::size_t size = 0;
-    [[nodiscard]] constexpr std::string_view view() const { return {data, size}; }
-    constexpr void append(std::string_view text) {
-        for (char letter : text) data[size++] = letter;
-    }
-    /// With each `$key` replaced by the decimal digits of its value, or its text.
-    constexpr void append(std::string_view text, std::initializer_list<constant> constants) {
-        for (std::size_t i = 0; i < text.size(); ++i) {
-            if (text[i] != '$') {
-                data[size++] = text[i];
-                continue;
-            }
-            ++i;
-            for (const constant& c : constants) {
-                if (c.key != text[i]) continue;
-                append(c.text);
-                if (c.text.data() != nullptr) continue;
-                if (c.value < 0) data[size++] = '-';
-                const int digits = c.value < 0 ? -c.value : c.value;
-                int unit = 1;
-                while (digits / unit >= 10) unit *= 10;
-                for (; unit > 0; unit /= 10) data[size++] = static_cast<char>('0' + digits / unit % 10);
-            }
+/// Appends `text` with each `$key` replaced by the decimal digits of its value, or its text.
+template <class Text>
+constexpr void append(Text& out, std::string_view text, std::initializer_list<constant> constants) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '$') {
+            out.push_back(text[i]);
+            continue;
+        }
+        ++i;
+        for (const constant& c : constants) {
+            if (c.key != text[i]) continue;
+            for (char letter : c.text) out.push_back(letter);
+            if (c.text.data() != nullptr) continue;
+            if (c.value < 0) out.push_back('-');
+            const int digits = c.value < 0 ? -c.value : c.value;
+            int unit = 1;
+            while (digits / unit >= 10) unit *= 10;
+            for (; unit > 0; unit /= 10) out.push_back(static_cast<char>('0' + digits / unit % 10));
         }
     }
-};
+}
 
-template <std::size_t Capacity>
-constexpr filled_text<Capacity> fill(std::string_view text, std::initializer_list<constant> constants) {
-    filled_text<Capacity> out;
-    out.append(text, constants);
+/// Of a family's member: its text.
+[[nodiscard]] inline std::string filled(std::string_view text, std::initializer_list<constant> constants) {
+    std::string out;
+    append(out, text, constants);
     return out;
 }
+
+/// Its name, at compile time.
+struct short_name {
+    char data[24]{};
+    std::size_t size = 0;
+
+    constexpr short_name(std::string_view text, std::initializer_list<constant> constants) {
+        append(*this, text, constants);
+    }
+    constexpr void push_back(char letter) { data[size++] = letter; }
+    [[nodiscard]] constexpr std::string_view view() const { return {data, size}; }
+};
 
 }  // namespace detail
 }  // namespace umbrage::glsl
@@ -3102,10 +3118,10 @@ template <int Bits, real T>
 namespace glsl {
 
 template <int Bits>
-inline constexpr auto encode_rg_name = detail::fill<16>("encode_rg$b", {{'b', Bits}});
+inline constexpr detail::short_name encode_rg_name("encode_rg$b", {{'b', Bits}});
 template <int Bits>
-inline constexpr auto encode_rg_text =
-    detail::fill<1024>(R"GLSL(
+[[nodiscard]] std::string encode_rg_text() {
+    return detail::filled(R"GLSL(
 // umbrage_encode_rg$b: depth to the two channels of a $b-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
 //   depth   clamped to [0, 1], NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
@@ -3114,18 +3130,20 @@ UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
     return vec2(x - high * 256.0, high * $s.0);
 }
 )GLSL",
-                       {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}, {'s', 1 << (16 - Bits)}});
+                          {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}, {'s', 1 << (16 - Bits)}});
+}
 template <int Bits>
 inline constexpr snippet encode_rg{.name = encode_rg_name<Bits>.view(),
                                    .summary = "depth to two channels, R the low byte",
                                    .exactness = tier::a,
                                    .needs = list<&saturate>,
-                                   .source = encode_rg_text<Bits>.view()};
+                                   .source = encode_rg_text<Bits>};
 
 template <int Bits>
-inline constexpr auto decode_rg_name = detail::fill<16>("decode_rg$b", {{'b', Bits}});
+inline constexpr detail::short_name decode_rg_name("decode_rg$b", {{'b', Bits}});
 template <int Bits>
-inline constexpr auto decode_rg_text = detail::fill<1024>(R"GLSL(
+[[nodiscard]] std::string decode_rg_text() {
+    return detail::filled(R"GLSL(
 // umbrage_decode_rg$b: two channels of a $b-bit code, as sampled, to depth
 //   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
@@ -3133,13 +3151,14 @@ UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP floa
     return (k.x + k.y * $g.0 + edge) * (1.0 / $n.0);
 }
 )GLSL",
-                                                          {{'b', Bits}, {'n', 1 << Bits}, {'g', 1 << (Bits - 8)}});
+                          {{'b', Bits}, {'n', 1 << Bits}, {'g', 1 << (Bits - 8)}});
+}
 template <int Bits>
 inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
                                    .summary = "two channels, R the low byte, to depth",
                                    .exactness = tier::a,
                                    .needs = list<&from_unorm>,
-                                   .source = decode_rg_text<Bits>.view()};
+                                   .source = decode_rg_text<Bits>};
 
 }  // namespace glsl
 
@@ -3147,7 +3166,7 @@ inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
 template <int Bits>
 struct rg {
     using texel = glm::u8vec2;
-    static constexpr auto name_text = glsl::detail::fill<8>("rg$b", {{'b', Bits}});
+    static constexpr glsl::detail::short_name name_text{"rg$b", {{'b', Bits}}};
     static constexpr std::string_view name = name_text.view();
     static constexpr std::string_view summary = "Two channels: R the low byte, G the rest in its high bits.";
     static constexpr const glsl::snippet* writer = &glsl::encode_rg<Bits>;
@@ -3727,27 +3746,30 @@ template <int Bits, real T>
 namespace glsl {
 
 template <int Bits>
-inline constexpr auto level_rg_name = detail::fill<16>("level_rg$b", {{'b', Bits}});
+inline constexpr detail::short_name level_rg_name("level_rg$b", {{'b', Bits}});
 template <int Bits>
-inline constexpr auto level_rg_text = detail::fill<512>(R"GLSL(
+[[nodiscard]] std::string level_rg_text() {
+    return detail::filled(R"GLSL(
 // umbrage_level_rg$b: two channels of a $b-bit code, as sampled, to the scale of umbrage_receiver_rg$b, on which 1.0 is
 //   not the far plane
 UMBRAGE_HIGHP float umbrage_level_rg$b(UMBRAGE_HIGHP vec2 c) {
     return c.x + c.y * $g.0;  // an exact product: fused or not, it rounds once
 }
 )GLSL",
-                                                        {{'b', Bits}, {'g', 1 << (Bits - 8)}});
+                          {{'b', Bits}, {'g', 1 << (Bits - 8)}});
+}
 template <int Bits>
 inline constexpr snippet level_rg{.name = level_rg_name<Bits>.view(),
                                   .summary = "two channels to a level to compare with",
                                   .exactness = tier::b,
                                   .scaled = true,
-                                  .source = level_rg_text<Bits>.view()};
+                                  .source = level_rg_text<Bits>};
 
 template <int Bits>
-inline constexpr auto receiver_rg_name = detail::fill<16>("receiver_rg$b", {{'b', Bits}});
+inline constexpr detail::short_name receiver_rg_name("receiver_rg$b", {{'b', Bits}});
 template <int Bits>
-inline constexpr auto receiver_rg_text = detail::fill<768>(R"GLSL(
+[[nodiscard]] std::string receiver_rg_text() {
+    return detail::filled(R"GLSL(
 // umbrage_receiver_rg$b: receiver on the scale of umbrage_level_rg$b: it is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg$b(texel, edge), or beyond the far plane
 UMBRAGE_HIGHP float umbrage_receiver_rg$b(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
@@ -3755,12 +3777,13 @@ UMBRAGE_HIGHP float umbrage_receiver_rg$b(UMBRAGE_HIGHP float depth, UMBRAGE_HIG
     return depth > 1.0 ? -1.0 : level;
 }
 )GLSL",
-                                                           {{'b', Bits}, {'n', 1 << Bits}});
+                          {{'b', Bits}, {'n', 1 << Bits}});
+}
 template <int Bits>
 inline constexpr snippet receiver_rg{.name = receiver_rg_name<Bits>.view(),
                                      .summary = "receiver to a level, for maps that are not decoded",
                                      .exactness = tier::b,
-                                     .source = receiver_rg_text<Bits>.view()};
+                                     .source = receiver_rg_text<Bits>};
 
 /// Of the members named: texts are filled in where they are asked for.
 template <int... Bits>
@@ -3815,9 +3838,10 @@ template <int Bits, real T, class Fetch>
 namespace glsl {
 
 template <int Bits>
-inline constexpr auto encode_rg_table_name = detail::fill<24>("encode_rg$b_table", {{'b', Bits}});
+inline constexpr detail::short_name encode_rg_table_name("encode_rg$b_table", {{'b', Bits}});
 template <int Bits>
-inline constexpr auto encode_rg_table_text = detail::fill<1024>(R"GLSL(
+[[nodiscard]] std::string encode_rg_table_text() {
+    return detail::filled(R"GLSL(
 // umbrage_encode_rg$b_table: depth to the two channels of a $b-bit code through a look-up table, whole numbers 0..255
 //   table   $w x $h texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
@@ -3828,17 +3852,18 @@ UMBRAGE_HIGHP vec2 umbrage_encode_rg$b_table(UMBRAGE_MAP table, UMBRAGE_HIGHP fl
     return vec2(k.x, k.y);
 }
 )GLSL",
-                                                                {{'b', Bits},
-                                                                 {'n', 1 << Bits},
-                                                                 {'l', (1 << Bits) - 1},
-                                                                 {'w', rg_table_width<Bits>},
-                                                                 {'h', (1 << Bits) / rg_table_width<Bits>}});
+                          {{'b', Bits},
+                           {'n', 1 << Bits},
+                           {'l', (1 << Bits) - 1},
+                           {'w', rg_table_width<Bits>},
+                           {'h', (1 << Bits) / rg_table_width<Bits>}});
+}
 template <int Bits>
 inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view(),
                                          .summary = "depth to two channels through a look-up texture",
                                          .exactness = tier::a,
                                          .needs = list<&saturate, &from_unorm, &fetch_clamped>,
-                                         .source = encode_rg_table_text<Bits>.view()};
+                                         .source = encode_rg_table_text<Bits>};
 
 /// Of the members named: texts are filled in where they are asked for.
 template <int... Bits>
@@ -4216,8 +4241,8 @@ namespace detail {
 
 /// A disc's text, its points a line each.
 template <int Points>
-constexpr filled_text<(Points + 12) * 120> disc_text() {
-    filled_text<(Points + 12)* 120> text = fill<(Points + 12) * 120>(R"GLSL(
+[[nodiscard]] std::string disc_text() {
+    std::string text = filled(R"GLSL(
 // umbrage_disc$n: lit share of $n points of a disc; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
@@ -4228,18 +4253,16 @@ UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     UMBRAGE_HIGHP float n = 0.0;
 )GLSL",
-                                                                     {{'n', Points}});
+                              {{'n', Points}});
     for (const disc_point p : disc_points<Points>)
-        text.append("    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), turn, rho), receiver);\n",
-                    {{'x', p.x}, {'y', p.y}});
-    text.append("    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', Points}});
+        append(text, "    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), turn, rho), receiver);\n",
+               {{'x', p.x}, {'y', p.y}});
+    append(text, "    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', Points}});
     return text;
 }
 
 }  // namespace detail
 
-template <int Points>
-inline constexpr auto disc_text = detail::disc_text<Points>();
 template <int Points>
 inline constexpr snippet disc{.name = Points == 8 ? "disc8" : (Points == 16 ? "disc16" : "disc32"),
                               .summary = Points == 8    ? "disc of 8 points, turned by the pixel"
@@ -4247,7 +4270,7 @@ inline constexpr snippet disc{.name = Points == 8 ? "disc8" : (Points == 16 ? "d
                                                         : "disc of 32 points, turned by the pixel",
                               .exactness = tier::a,
                               .needs = list<&is_compared, &disc_radius, &disc_tap, &lit>,
-                              .source = disc_text<Points>.view()};
+                              .source = detail::disc_text<Points>};
 
 inline constexpr auto disc_snippets = list<&disc_turn, &disc_tap, &disc_radius, &disc<8>, &disc<16>, &disc<32>>;
 
@@ -4516,8 +4539,8 @@ namespace detail {
 
 /// The search's text, its points a line each.
 template <int Points>
-constexpr filled_text<(Points + 12) * 120> blockers_text() {
-    filled_text<(Points + 12)* 120> text = fill<(Points + 12) * 120>(R"GLSL(
+[[nodiscard]] std::string blockers_text() {
+    std::string text = filled(R"GLSL(
 // umbrage_blockers$n: how many of a disc's $n points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
 //   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
@@ -4526,26 +4549,24 @@ UMBRAGE_HIGHP vec2 umbrage_blockers$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                       UMBRAGE_HIGHP vec2 turn) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
 )GLSL",
-                                                                     {{'n', Points}});
+                              {{'n', Points}});
     for (const disc_point p : disc_points<Points>)
-        text.append(
-            "    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2($x.0, $y.0), turn, radius), "
-            "receiver);\n",
-            {{'x', p.x}, {'y', p.y}});
-    text.append("    return n;\n}\n");
+        append(text,
+               "    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2($x.0, $y.0), turn, radius), "
+               "receiver);\n",
+               {{'x', p.x}, {'y', p.y}});
+    text += "    return n;\n}\n";
     return text;
 }
 
 }  // namespace detail
 
 template <int Points>
-inline constexpr auto blockers_text = detail::blockers_text<Points>();
-template <int Points>
 inline constexpr snippet blockers{.name = Points == 8 ? "blockers8" : (Points == 16 ? "blockers16" : "blockers32"),
                                   .summary = "texels under a disc's points that lie before a receiver",
                                   .exactness = tier::a,
                                   .needs = list<&disc_tap, &blocker>,
-                                  .source = blockers_text<Points>.view()};
+                                  .source = detail::blockers_text<Points>};
 
 inline constexpr auto penumbra_snippets =
     list<&distance_code, &penumbra, &blocker, &blockers<8>, &blockers<16>, &blockers<32>>;
@@ -4605,9 +4626,9 @@ namespace glsl {
 namespace detail {
 
 template <int Points>
-constexpr filled_text<1200> hardened_text() {
+[[nodiscard]] std::string hardened_text() {
     constexpr int n = Points;
-    return fill<1200>(R"GLSL(
+    return filled(R"GLSL(
 // umbrage_hardened$n: the share of $n points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 UMBRAGE_HIGHP float umbrage_hardened$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
@@ -4618,12 +4639,12 @@ UMBRAGE_HIGHP float umbrage_hardened$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGH
     return (hard * (256.0 - ratio) + blocked * ratio * $s.0) * (1.0 / $w.0);
 }
 )GLSL",
-                      {{'n', n}, {'c', n * n * n}, {'s', 2 * n * n}, {'w', 512 * n * n * n}});
+                  {{'n', n}, {'c', n * n * n}, {'s', 2 * n * n}, {'w', 512 * n * n * n}});
 }
 
 template <int Points>
-constexpr filled_text<2000> dpcf_text() {
-    return fill<2000>(R"GLSL(
+[[nodiscard]] std::string dpcf_text() {
+    return filled(R"GLSL(
 // umbrage_dpcf$n: contact hardening by $n points; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
@@ -4642,21 +4663,17 @@ UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     return compared ? 1.0 - dark : 1.0;
 }
 )GLSL",
-                      {{'n', Points}});
+                  {{'n', Points}});
 }
 
 }  // namespace detail
 
 template <int Points>
-inline constexpr auto hardened_text = detail::hardened_text<Points>();
-template <int Points>
 inline constexpr snippet hardened{.name = Points == 8 ? "hardened8" : (Points == 16 ? "hardened16" : "hardened32"),
                                   .summary = "a disc's share in shadow, steepened",
                                   .exactness = tier::a,
-                                  .source = hardened_text<Points>.view()};
+                                  .source = detail::hardened_text<Points>};
 
-template <int Points>
-inline constexpr auto dpcf_text = detail::dpcf_text<Points>();
 template <int Points>
 inline constexpr snippet dpcf{
     .name = Points == 8 ? "dpcf8" : (Points == 16 ? "dpcf16" : "dpcf32"),
@@ -4665,7 +4682,7 @@ inline constexpr snippet dpcf{
                               : "contact hardening by 32 points",
     .exactness = tier::a,
     .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &hardened<Points>>,
-    .source = dpcf_text<Points>.view()};
+    .source = detail::dpcf_text<Points>};
 
 inline constexpr auto dpcf_snippets = list<&hardened<8>, &hardened<16>, &hardened<32>, &dpcf<8>, &dpcf<16>, &dpcf<32>>;
 
@@ -4748,8 +4765,8 @@ namespace glsl {
 namespace detail {
 
 template <int Points>
-constexpr filled_text<2000> pcss_text() {
-    return fill<2000>(R"GLSL(
+[[nodiscard]] std::string pcss_text() {
+    return filled(R"GLSL(
 // umbrage_pcss$n: percentage-closer soft shadows, $n points twice; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
@@ -4767,13 +4784,11 @@ UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     return umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 )GLSL",
-                      {{'n', Points}});
+                  {{'n', Points}});
 }
 
 }  // namespace detail
 
-template <int Points>
-inline constexpr auto pcss_text = detail::pcss_text<Points>();
 template <int Points>
 inline constexpr snippet pcss{
     .name = Points == 8 ? "pcss8" : (Points == 16 ? "pcss16" : "pcss32"),
@@ -4782,7 +4797,7 @@ inline constexpr snippet pcss{
                               : "percentage-closer soft shadows, 32 points twice",
     .exactness = tier::a,
     .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
-    .source = pcss_text<Points>.view()};
+    .source = detail::pcss_text<Points>};
 
 inline constexpr auto pcss_snippets = list<&pcss<8>, &pcss<16>, &pcss<32>>;
 
@@ -5137,43 +5152,39 @@ inline constexpr std::string_view disc_in_uv = R"GLSL(
 )GLSL";
 
 /// `text` with the point's place in uv: centre + x $x + y $y.
-template <std::size_t Capacity>
-constexpr void append_point(filled_text<Capacity>& text, disc_point p, std::string_view before,
-                            std::string_view after) {
+inline void append_point(std::string& text, disc_point p, std::string_view before, std::string_view after) {
     const auto sign = [](int v) { return v < 0 ? std::string_view("-") : std::string_view("+"); };
     const auto size = [](int v) { return v < 0 ? -v : v; };
-    text.append(before);
-    text.append("centre $s x * $x.0 $t y * $y.0",
-                {{'s', 0, sign(p.x)}, {'x', size(p.x)}, {'t', 0, sign(p.y)}, {'y', size(p.y)}});
-    text.append(after);
+    text += before;
+    append(text, "centre $s x * $x.0 $t y * $y.0",
+           {{'s', 0, sign(p.x)}, {'x', size(p.x)}, {'t', 0, sign(p.y)}, {'y', size(p.y)}});
+    text += after;
 }
 
 template <int Points>
-constexpr auto disc_hardware_text() {
-    auto text = fill<(Points + 16) * 120>(R"GLSL(
+[[nodiscard]] std::string disc_hardware_text() {
+    std::string text = filled(R"GLSL(
 // umbrage_disc_hardware$n: $n points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                             UMBRAGE_HIGHP vec2 turn) {)GLSL",
-                                          {{'n', Points}});
-    text.append(disc_in_uv);
-    text.append("    UMBRAGE_HIGHP float n = 0.0;\n");
+                              {{'n', Points}});
+    text += disc_in_uv;
+    text += "    UMBRAGE_HIGHP float n = 0.0;\n";
     for (const disc_point p : disc_points<Points>)
         append_point(text, p, "    n += umbrage_lit_at(map, size, ", ", receiver);\n");
-    text.append(R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / $n.0) : 0.0;
+    append(text, R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / $n.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 )GLSL",
-                {{'n', Points}});
+           {{'n', Points}});
     return text;
 }
 
 }  // namespace detail
 
-template <int Points>
-inline constexpr auto disc_hardware_text = detail::disc_hardware_text<Points>();
 template <int Points>
 inline constexpr snippet disc_hardware{
     .name = Points == 8 ? "disc_hardware8" : (Points == 16 ? "disc_hardware16" : "disc_hardware32"),
@@ -5183,7 +5194,7 @@ inline constexpr snippet disc_hardware{
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
     .needs = list<&is_compared, &before_far, &lit_at>,
-    .source = disc_hardware_text<Points>.view()};
+    .source = detail::disc_hardware_text<Points>};
 
 inline constexpr auto disc_hardware_snippets = list<&lit_at, &disc_hardware<8>, &disc_hardware<16>, &disc_hardware<32>>;
 
@@ -5324,27 +5335,25 @@ UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP 
 namespace detail {
 
 template <int Points>
-constexpr auto blockers_hardware_text() {
-    auto text = fill<(Points + 16) * 120>(R"GLSL(
+[[nodiscard]] std::string blockers_hardware_text() {
+    std::string text = filled(R"GLSL(
 // umbrage_blockers_hardware$n: of the texels at $n points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                                UMBRAGE_HIGHP vec2 turn) {)GLSL",
-                                          {{'n', Points}});
-    text.append(disc_in_uv);
-    text.append("    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);\n");
+                              {{'n', Points}});
+    text += disc_in_uv;
+    text += "    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);\n";
     for (const disc_point p : disc_points<Points>)
         append_point(text, p, "    n += umbrage_blocker_at(map, size, ", ", receiver);\n");
-    text.append("    return compared ? n : vec2(0.0, 0.0);\n}\n");
+    text += "    return compared ? n : vec2(0.0, 0.0);\n}\n";
     return text;
 }
 
 }  // namespace detail
 
-template <int Points>
-inline constexpr auto blockers_hardware_text = detail::blockers_hardware_text<Points>();
 template <int Points>
 inline constexpr snippet blockers_hardware{
     .name = Points == 8 ? "blockers_hardware8" : (Points == 16 ? "blockers_hardware16" : "blockers_hardware32"),
@@ -5354,7 +5363,7 @@ inline constexpr snippet blockers_hardware{
     .exactness = tier::c,
     .ulp = 1,
     .needs = list<&is_compared, &blocker_at>,
-    .source = blockers_hardware_text<Points>.view()};
+    .source = detail::blockers_hardware_text<Points>};
 
 inline constexpr auto pcss_hardware_snippets =
     list<&blocker_at, &pcss_radius, &blockers_hardware<8>, &blockers_hardware<16>, &blockers_hardware<32>>;
@@ -6284,20 +6293,19 @@ template <real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 namespace detail {
 
-using long_text = filled_text<6000>;
-
 /// The parameter of a window's i-th weight.
 constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : size - 1 - i; }
 
 /// What the i-th of the touched texels weighs, floors left aside.
-constexpr filled_text<32> window_weight(int size, int i) {
+[[nodiscard]] inline std::string window_weight(int size, int i) {
     const constant ahead{'a', window_parameter(size, i)}, behind{'b', window_parameter(size, i - 1)};
-    return fill<32>(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
+    return filled(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
 }
 
-constexpr long_text window_sum_text(int size) {
-    const int middle = size / 2;
-    long_text text = fill<6000>(R"GLSL(
+template <int Size>
+[[nodiscard]] std::string window_sum_text() {
+    constexpr int size = Size, middle = size / 2;
+    std::string text = filled(R"GLSL(
 // umbrage_window_sum$n: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
@@ -6306,47 +6314,43 @@ constexpr long_text window_sum_text(int size) {
 UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
                                         UMBRAGE_HIGHP float k1)GLSL",
-                                {{'n', size}, {'m', middle}});
-    for (int i = 2; i <= middle; ++i) text.append(", UMBRAGE_HIGHP float k$i", {{'i', i}});
-    text.append(R"GLSL() {
+                              {{'n', size}, {'m', middle}});
+    for (int i = 2; i <= middle; ++i) append(text, ", UMBRAGE_HIGHP float k$i", {{'i', i}});
+    text += R"GLSL() {
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0)GLSL");
-    for (int i = 1; i < size; ++i) text.append(" + k$i", {{'i', window_parameter(size, i)}});
-    text.append(");\n");
+    UMBRAGE_HIGHP float whole = steps * (k0)GLSL";
+    for (int i = 1; i < size; ++i) append(text, " + k$i", {{'i', window_parameter(size, i)}});
+    text += ");\n";
     for (int i = 0; i <= size; ++i)
         if (i != middle)
-            text.append("    UMBRAGE_HIGHP vec2 w$i = floor($w);\n",
-                        {{'i', i}, {'w', 0, window_weight(size, i).view()}});
-    text.append("    UMBRAGE_HIGHP vec2 w$m = whole - (w0", {{'m', middle}});
+            append(text, "    UMBRAGE_HIGHP vec2 w$i = floor($w);\n", {{'i', i}, {'w', 0, window_weight(size, i)}});
+    append(text, "    UMBRAGE_HIGHP vec2 w$m = whole - (w0", {{'m', middle}});
     for (int i = 1; i <= size; ++i)
-        if (i != middle) text.append(" + w$i", {{'i', i}});
-    text.append(");\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
-                {{'m', middle}});
+        if (i != middle) append(text, " + w$i", {{'i', i}});
+    append(text, ");\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
+           {{'m', middle}});
     for (int j = 0; j <= size; j += 2) {
         for (int i = 0; i <= size; i += 2)
-            text.append(
-                "    $t$a = umbrage_lit_2x2(map, size, first + vec2($i.0, $j.0), receiver);\n",
-                {{'t', 0, j == 0 ? "UMBRAGE_HIGHP vec4 " : ""}, {'a', 0, {&"abcd"[i / 2], 1}}, {'i', i}, {'j', j}});
+            append(text, "    $t$a = umbrage_lit_2x2(map, size, first + vec2($i.0, $j.0), receiver);\n",
+                   {{'t', 0, j == 0 ? "UMBRAGE_HIGHP vec4 " : ""}, {'a', 0, {&"abcd"[i / 2], 1}}, {'i', i}, {'j', j}});
         for (int row : {0, 1}) {
-            text.append("    n += w$j.y * (w0.x * a.$c", {{'j', j + row}, {'c', 0, {&"xz"[row], 1}}});
+            append(text, "    n += w$j.y * (w0.x * a.$c", {{'j', j + row}, {'c', 0, {&"xz"[row], 1}}});
             for (int i = 1; i <= size; ++i)
-                text.append(" + w$i.x * $a.$c",
-                            {{'i', i}, {'a', 0, {&"abcd"[i / 2], 1}}, {'c', 0, {&"xyzw"[2 * row + i % 2], 1}}});
-            text.append(");\n");
+                append(text, " + w$i.x * $a.$c",
+                       {{'i', i}, {'a', 0, {&"abcd"[i / 2], 1}}, {'c', 0, {&"xyzw"[2 * row + i % 2], 1}}});
+            text += ");\n";
         }
     }
-    text.append("    return compared ? n : whole * whole;\n}\n");
+    text += "    return compared ? n : whole * whole;\n}\n";
     return text;
 }
 
 }  // namespace detail
 
-template <int Size>
-inline constexpr auto window_sum_text = detail::window_sum_text(Size);
 template <int Size>
 inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size == 5 ? "window_sum5" : "window_sum7"),
                                     .summary = Size == 3   ? "weighted count of lit texels under a window of 3 x 3"
@@ -6354,7 +6358,7 @@ inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size ==
                                                            : "weighted count of lit texels under a window of 7 x 7",
                                     .exactness = tier::a,
                                     .needs = list<&is_compared, &lit_2x2>,
-                                    .source = window_sum_text<Size>.view()};
+                                    .source = detail::window_sum_text<Size>};
 
 inline constexpr auto window_snippets = list<&window_sum<3>, &window_sum<5>, &window_sum<7>>;
 
@@ -6412,75 +6416,75 @@ namespace glsl {
 namespace detail {
 
 /// What an axis' texels 2 k and 2 k + 1 weigh together (w), and the latter alone (b).
-constexpr filled_text<160> pair_weights(int size, int k) {
+[[nodiscard]] inline std::string pair_weights(int size, int k) {
     const constant number{'k', k}, before{'a', window_parameter(size, 2 * k - 1)},
         here{'b', window_parameter(size, 2 * k)}, after{'c', window_parameter(size, 2 * k + 1)};
     if (k == 0)
-        return fill<160>(
+        return filled(
             "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
             "    UMBRAGE_HIGHP vec2 w$k = k$b + k$c - s * k$c;\n",
             {number, here, after});
     if (2 * k + 1 == size)
-        return fill<160>(
+        return filled(
             "    UMBRAGE_HIGHP vec2 b$k = s * k$b;\n"
             "    UMBRAGE_HIGHP vec2 w$k = k$b + s * k$a;\n",
             {number, before, here});
     if (2 * k == size / 2)  // the middle two of all, wherever the window is
-        return fill<160>(
+        return filled(
             "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
             "    UMBRAGE_HIGHP vec2 w$k = vec2(k$b + k$c, k$b + k$c);\n",
             {number, here, after});
-    return fill<160>(
+    return filled(
         "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
         "    UMBRAGE_HIGHP vec2 w$k = k$b + k$c + s * (k$a - k$c);\n",
         {number, before, here, after});
 }
 
 /// For each look-up along an axis: what the farther of its texels weighs, what both do, and where it lies.
-constexpr long_text window_hardware_text(int size) {
-    long_text text = fill<6000>(R"GLSL(
+template <int Size>
+[[nodiscard]] std::string window_hardware_text() {
+    constexpr int size = Size;
+    std::string text = filled(R"GLSL(
 // umbrage_window_hardware$n: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k$m  weights from the edge to the middle one; the others mirror them
 UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float k0,
                                              UMBRAGE_HIGHP float k1)GLSL",
-                                {{'n', size}, {'m', size / 2}});
-    for (int i = 2; i <= size / 2; ++i) text.append(", UMBRAGE_HIGHP float k$i", {{'i', i}});
-    text.append(R"GLSL() {
+                              {{'n', size}, {'m', size / 2}});
+    for (int i = 2; i <= size / 2; ++i) append(text, ", UMBRAGE_HIGHP float k$i", {{'i', i}});
+    text += R"GLSL() {
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_HIGHP vec2 s = x - texel;
-    UMBRAGE_HIGHP float whole = k0)GLSL");
-    for (int i = 1; i < size; ++i) text.append(" + k$i", {{'i', window_parameter(size, i)}});
-    text.append(";\n");
+    UMBRAGE_HIGHP float whole = k0)GLSL";
+    for (int i = 1; i < size; ++i) append(text, " + k$i", {{'i', window_parameter(size, i)}});
+    text += ";\n";
     for (int k = 0; 2 * k <= size; ++k) {
         const int texel = 2 * k - size / 2;
-        text.append(pair_weights(size, k).view());
-        text.append("    UMBRAGE_HIGHP vec2 p$k = (texel $s $t.5 + b$k / w$k) / size;\n",
-                    {{'k', k}, {'s', 0, texel < 0 ? "-" : "+"}, {'t', texel < 0 ? -texel - 1 : texel}});
+        text += pair_weights(size, k);
+        append(text, "    UMBRAGE_HIGHP vec2 p$k = (texel $s $t.5 + b$k / w$k) / size;\n",
+               {{'k', k}, {'s', 0, texel < 0 ? "-" : "+"}, {'t', texel < 0 ? -texel - 1 : texel}});
     }
-    text.append("    UMBRAGE_HIGHP float n = 0.0;\n");
+    text += "    UMBRAGE_HIGHP float n = 0.0;\n";
     for (int j = 0; 2 * j <= size; ++j) {
-        text.append("    $trow = 0.0;\n", {{'t', 0, j == 0 ? "UMBRAGE_HIGHP float " : ""}});
+        append(text, "    $trow = 0.0;\n", {{'t', 0, j == 0 ? "UMBRAGE_HIGHP float " : ""}});
         for (int i = 0; 2 * i <= size; ++i)
-            text.append("    row += w$i.x * umbrage_lit_at(map, size, vec2(p$i.x, p$j.y), receiver);\n",
-                        {{'i', i}, {'j', j}});
-        text.append("    n += w$j.y * row;\n", {{'j', j}});
+            append(text, "    row += w$i.x * umbrage_lit_at(map, size, vec2(p$i.x, p$j.y), receiver);\n",
+                   {{'i', i}, {'j', j}});
+        append(text, "    n += w$j.y * row;\n", {{'j', j}});
     }
-    text.append(R"GLSL(    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    text += R"GLSL(    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
     UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
-)GLSL");
+)GLSL";
     return text;
 }
 
 }  // namespace detail
 
-template <int Size>
-inline constexpr auto window_hardware_text = detail::window_hardware_text(Size);
 template <int Size>
 inline constexpr snippet window_hardware{
     .name = Size == 3 ? "window_hardware3" : (Size == 5 ? "window_hardware5" : "window_hardware7"),
@@ -6490,7 +6494,7 @@ inline constexpr snippet window_hardware{
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
     .needs = list<&is_compared, &before_far, &lit_at>,
-    .source = window_hardware_text<Size>.view()};
+    .source = detail::window_hardware_text<Size>};
 
 inline constexpr auto window_hardware_snippets = list<&window_hardware<3>, &window_hardware<5>, &window_hardware<7>>;
 
@@ -6580,9 +6584,10 @@ namespace glsl {
 namespace detail {
 
 /// A row's text: window_sum with its numbers, and what becomes of it.
-constexpr filled_text<1024> window_text(std::string_view name, int size, std::string_view weights,
-                                        std::string_view numbers, std::string_view share = "n * (1.0 / 16777216.0)") {
-    return fill<1024>(R"GLSL(
+[[nodiscard]] inline std::string window_text(std::string_view name, int size, std::string_view weights,
+                                             std::string_view numbers,
+                                             std::string_view share = "n * (1.0 / 16777216.0)") {
+    return filled(R"GLSL(
 // umbrage_$f$n: lit share under $n x $n weights, $w, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
@@ -6592,13 +6597,13 @@ UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
     return $s;
 }
 )GLSL",
-                      {{'f', 0, name}, {'n', size}, {'w', 0, weights}, {'k', 0, numbers}, {'s', 0, share}});
+                  {{'f', 0, name}, {'n', size}, {'w', 0, weights}, {'k', 0, numbers}, {'s', 0, share}});
 }
 
 /// Of the windows of 3 x 3 texels: what the neighbours before and behind weigh, in 1/4096.
-constexpr filled_text<2048> text_3x3(std::string_view name, std::string_view what, std::string_view before,
-                                     std::string_view behind) {
-    return fill<2048>(R"GLSL(
+[[nodiscard]] inline std::string text_3x3(std::string_view name, std::string_view what, std::string_view before,
+                                          std::string_view behind) {
+    return filled(R"GLSL(
 // umbrage_$f: lit share of 3 x 3 texels, $w; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
@@ -6622,7 +6627,7 @@ UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE
     return compared ? n * (1.0 / 16777216.0) : 1.0;
 }
 )GLSL",
-                      {{'f', 0, name}, {'w', 0, what}, {'b', 0, before}, {'e', 0, behind}});
+                  {{'f', 0, name}, {'w', 0, what}, {'b', 0, before}, {'e', 0, behind}});
 }
 
 /// What a family's texts need, by the size of their window.
@@ -6634,62 +6639,65 @@ inline constexpr auto window_needs<2> = list<&is_compared, &lit_2x2>;
 }  // namespace detail
 
 template <int Size>
-inline constexpr auto tent_text = [] {
+[[nodiscard]] std::string tent_text() {
     if constexpr (Size == 2) return detail::text_3x3("tent2", "the window 1 1", "r * 8.0", "s * 8.0");
     else if constexpr (Size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
     else return detail::window_text("tent", 7, "1 2 3 4 3 2 1", "256.0, 1.0, 2.0, 3.0, 4.0");
-}();
+}
 template <int Size>
 inline constexpr snippet tent{
     .name = Size == 2 ? "tent2" : (Size == 3 ? "tent3" : "tent7"),
     .summary = Size == 2 ? "sliding window 1 1" : (Size == 3 ? "sliding window 1 2 1" : "sliding window 1 2 3 4 3 2 1"),
     .exactness = tier::a,
     .needs = detail::window_needs<Size>,
-    .source = tent_text<Size>.view()};
+    .source = tent_text<Size>};
 
 template <int Size>
-inline constexpr auto binomial_text = Size == 5
-                                          ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
-                                          : detail::window_text("binomial", 7, "1 6 15 20 15 6 1",
-                                                                "256.0, 0.25, 1.5, 3.75, 5.0");
+[[nodiscard]] std::string binomial_text() {
+    return Size == 5 ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
+                     : detail::window_text("binomial", 7, "1 6 15 20 15 6 1", "256.0, 0.25, 1.5, 3.75, 5.0");
+}
 template <int Size>
 inline constexpr snippet binomial{.name = Size == 5 ? "binomial5" : "binomial7",
                                   .summary = Size == 5 ? "sliding window 1 4 6 4 1" : "sliding window 1 6 15 20 15 6 1",
                                   .exactness = tier::a,
                                   .needs = detail::window_needs<Size>,
-                                  .source = binomial_text<Size>.view()};
+                                  .source = binomial_text<Size>};
 
 template <int Size>
-inline constexpr auto castano_text =
-    Size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
-                                    "n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0")
-              : detail::window_text("castano", 7, "1 5 12 16 12 5 1", "64.0, 1.0, 5.0, 12.0, 16.0",
-                                    "n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0");
+[[nodiscard]] std::string castano_text() {
+    return Size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
+                                           "n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0")
+                     : detail::window_text("castano", 7, "1 5 12 16 12 5 1", "64.0, 1.0, 5.0, 12.0, 16.0",
+                                           "n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0");
+}
 template <int Size>
 inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
                                  .summary = Size == 5 ? "sliding window 1 3 4 3 1" : "sliding window 1 5 12 16 12 5 1",
                                  .exactness = tier::b,
                                  .needs = detail::window_needs<Size>,
-                                 .source = castano_text<Size>.view()};
+                                 .source = castano_text<Size>};
 
 template <int Size>
-inline constexpr auto castano_dyadic_text = detail::window_text("castano_dyadic", 5, "5 16 22 16 5",
-                                                                "256.0, 1.25, 4.0, 5.5");
+[[nodiscard]] std::string castano_dyadic_text() {
+    return detail::window_text("castano_dyadic", 5, "5 16 22 16 5", "256.0, 1.25, 4.0, 5.5");
+}
 template <int Size>
 inline constexpr snippet castano_dyadic{.name = "castano_dyadic5",
                                         .summary = "sliding window 5 16 22 16 5",
                                         .exactness = tier::a,
                                         .needs = detail::window_needs<Size>,
-                                        .source = castano_dyadic_text<Size>.view()};
+                                        .source = castano_dyadic_text<Size>};
 
-inline constexpr auto quadratic_b_spline_text =
-    detail::text_3x3("quadratic_b_spline", "weighed by the quadratic B-spline", "floor(r * r * (1.0 / 32.0))",
-                     "floor(s * s * (1.0 / 32.0))");
+[[nodiscard]] inline std::string quadratic_b_spline_text() {
+    return detail::text_3x3("quadratic_b_spline", "weighed by the quadratic B-spline", "floor(r * r * (1.0 / 32.0))",
+                            "floor(s * s * (1.0 / 32.0))");
+}
 inline constexpr snippet quadratic_b_spline{.name = "quadratic_b_spline",
                                             .summary = "quadratic B-spline of 3 x 3 texels",
                                             .exactness = tier::a,
                                             .needs = detail::window_needs<2>,
-                                            .source = quadratic_b_spline_text.view()};
+                                            .source = quadratic_b_spline_text};
 
 }  // namespace glsl
 
@@ -8512,11 +8520,11 @@ template <class Fetch>
 namespace glsl {
 
 template <int Taps>
-inline constexpr auto blur_row_name = detail::fill<16>("blur_row$n", {{'n', Taps}});
+inline constexpr detail::short_name blur_row_name("blur_row$n", {{'n', Taps}});
 template <int Taps>
-inline constexpr auto blur_row_text = [] {
-    detail::filled_text<1536> out =
-        detail::fill<1536>(R"GLSL(
+[[nodiscard]] std::string blur_row_text() {
+    std::string out =
+        detail::filled(R"GLSL(
 // umbrage_blur_row$n: mean of $n texels in a row, weighed by a row of Pascal's triangle
 //   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
 //   along      (1.0, 0.0) or (0.0, 1.0)
@@ -8524,22 +8532,23 @@ UMBRAGE_HIGHP vec4 umbrage_blur_row$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                      UMBRAGE_HIGHP vec2 along) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * ($w.0 / $d.0);
 )GLSL",
-                           {{'n', Taps}, {'w', umbrage::detail::binomial_weight<Taps>(0)}, {'d', 1 << (Taps - 1)}});
+                       {{'n', Taps}, {'w', umbrage::detail::binomial_weight<Taps>(0)}, {'d', 1 << (Taps - 1)}});
     for (int i = 1; i <= Taps / 2; ++i)
-        out.append(R"GLSL(    UMBRAGE_HIGHP vec4 before$i = umbrage_fetch_clamped(map, size, texel - along * $i.0);
+        detail::append(out,
+                       R"GLSL(    UMBRAGE_HIGHP vec4 before$i = umbrage_fetch_clamped(map, size, texel - along * $i.0);
     UMBRAGE_HIGHP vec4 after$i = umbrage_fetch_clamped(map, size, texel + along * $i.0);
     sum = sum + (before$i + after$i) * ($w.0 / $d.0);
 )GLSL",
-                   {{'i', i}, {'w', umbrage::detail::binomial_weight<Taps>(i)}, {'d', 1 << (Taps - 1)}});
-    out.append("    return sum;\n}\n");
+                       {{'i', i}, {'w', umbrage::detail::binomial_weight<Taps>(i)}, {'d', 1 << (Taps - 1)}});
+    out += "    return sum;\n}\n";
     return out;
-}();
+}
 template <int Taps>
 inline constexpr snippet blur_row{.name = blur_row_name<Taps>.view(),
                                   .summary = "mean of texels in a row",
                                   .exactness = tier::b,
                                   .needs = list<&fetch_clamped>,
-                                  .source = blur_row_text<Taps>.view()};
+                                  .source = blur_row_text<Taps>};
 
 inline constexpr snippet halve_texels{
     .name = "halve_texels",
@@ -8928,675 +8937,6 @@ inline constexpr auto page_table_snippets = list<&page_coordinate>;
 }  // namespace glsl
 }  // namespace umbrage
 
-// ---- umbrage/light/adaptive/pages.hpp
-// Which pages of a light's root square a view needs, so that shadows are as fine as the screen, and which of an
-// atlas' slots hold them: pages stay where they are from frame to frame, those least recently needed are given up.
-//
-//     umbrage::page_cache cache({.slots = {16, 16}, .deepest_level = 10});
-//     for (;;) {  // receivers: umbrage::page_receiver{coordinate in the root, longest_extent in a map of one page}
-//         const umbrage::page_update update = cache.update(receivers);
-//         umbrage::draw_pages(atlas, layout, root, update.drawn, draw);  // see images/page_atlas.hpp
-//     }
-//
-
-namespace umbrage {
-
-/// A square of the root, whose side is the root's over 2^level: the x-th from the left, the y-th from the first row.
-struct page {
-    int level = 0, x = 0, y = 0;
-
-    friend auto operator<=>(const page&, const page&) = default;  ///< coarse ones first
-};
-
-/// The page of a level that holds a point.
-/// @param coord   1 .. 2 across the root, 2 not included
-[[nodiscard]] inline page page_at(glm::dvec2 coord, int level) {
-    const double across = std::ldexp(1.0, level);
-    return {level, static_cast<int>((coord.x - 1.0) * across), static_cast<int>((coord.y - 1.0) * across)};
-}
-
-/// A point that the view sees.
-struct page_receiver {
-    glm::vec2 coord{1};   ///< 1 .. 2 across the root
-    float extent = 0.0f;  ///< longest_extent of a texel of the coarsest page, pixels
-};
-
-namespace detail {
-
-/// The least level in which no texel's longer axis covers more pixels than wanted; -1 of receivers that want none.
-[[nodiscard]] inline int wanted_level(const page_receiver& r, double target, int deepest) {
-    const auto in_root = [](float v) { return v >= 1.0f && v < 2.0f; };
-    if (!in_root(r.coord.x) || !in_root(r.coord.y) || !is_finite(r.extent) || !(r.extent > 0.0f)) return -1;
-    return static_cast<int>(std::clamp(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
-}
-
-}  // namespace detail
-
-/// The pages of the least level in which no texel's longer axis covers more pixels than wanted.
-/// @param receivers       those beside the root, and of an extent that is not finite or not above 0, want none
-/// @param target          pixels, > 0
-/// @param deepest_level   0 .. 15, whatever that leaves
-/// @return                each once, coarse ones first
-/// @formula               level = ceil(log2(extent / target))
-/// @throws std::invalid_argument  target or deepest_level out of range
-[[nodiscard]] inline std::vector<page> wanted_pages(std::span<const page_receiver> receivers, double target,
-                                                    int deepest_level) {
-    constexpr auto function = "wanted_pages";
-    detail::require(is_finite(target) && target > 0.0, function, "target", "must be finite and above 0");
-    detail::require(deepest_level >= 0 && deepest_level <= deepest_page_level, function, "deepest_level",
-                    "must lie between 0 and 15");
-    std::vector<page> pages;
-    for (const page_receiver& r : receivers) {
-        const int level = detail::wanted_level(r, target, deepest_level);
-        if (level < 0) continue;
-        const page p = page_at(r.coord, level);
-        if (pages.empty() || p != pages.back()) pages.push_back(p);
-    }
-    std::sort(pages.begin(), pages.end());
-    pages.erase(std::unique(pages.begin(), pages.end()), pages.end());
-    return pages;
-}
-
-/// What a cache is made for.
-struct page_budget {
-    glm::ivec2 slots{16};    ///< columns and rows of pages that the atlas has, each 1 .. 256
-    int deepest_level = 10;  ///< 0 .. 15: of the finest pages; a table has 2^deepest_level texels a side
-    double target = 1.0;     ///< pixels that a texel may cover, > 0
-};
-
-/// A page and where the atlas holds it.
-struct placed_page {
-    umbrage::page page;
-    glm::ivec2 slot;
-};
-
-/// What has changed from one view to the next.
-struct page_update {
-    std::vector<placed_page> drawn{};  ///< pages that are to be drawn, coarse ones first
-    double target = 0.0;               ///< pixels that a texel covers at most: the budget's target, or more
-    std::size_t kept = 0;              ///< pages needed that were there
-    std::size_t given_up = 0;          ///< pages that others took the place of,
-    std::size_t forced = 0;            ///< and of these such as the view needs for the budget's target: shadows pop
-};
-
-/// Pages that stay in their slots as long as nothing finer, nearer or newer wants these.
-///
-/// The root's own page is always there, so that there is shadow everywhere in it; where the view needs no finer pages
-/// any more, those that are left serve until others need their slots. Where the wanted pages are more than the slots,
-/// the target is raised by steps of a sixteenth of an octave until they fit; it comes down again when as many as seven
-/// eighths of the slots suffice, so that it does not swing.
-/// @cite   Fernando, Fernandez, Bala, Greenberg: Adaptive Shadow Maps, SIGGRAPH 2001
-class page_cache {
-public:
-    /// @throws std::invalid_argument  slots, deepest_level or target out of range
-    explicit page_cache(const page_budget& budget) : budget_(budget), target_(budget.target) {
-        constexpr auto function = "page_cache";
-        const auto fits = [](int n) { return n >= 1 && n <= 256; };
-        detail::require(fits(budget.slots.x) && fits(budget.slots.y), function, "slots", "must be 1 to 256 each");
-        detail::require(budget.deepest_level >= 0 && budget.deepest_level <= deepest_page_level, function,
-                        "deepest_level", "must lie between 0 and 15");
-        detail::require(is_finite(budget.target) && budget.target > 0.0, function, "target",
-                        "must be finite and above 0");
-        for (glm::ivec2 slot{0}; slot.y < budget.slots.y; ++slot.y)
-            for (slot.x = 0; slot.x < budget.slots.x; ++slot.x) free_.push_back(slot);
-        std::reverse(free_.begin(), free_.end());
-    }
-
-    /// Takes in what a view sees.
-    page_update update(std::span<const page_receiver> receivers) {
-        ++now_;
-        page_update result;
-        std::vector<page> missing;
-        for (const page& p : fitting(receivers))
-            if (const auto found = resident_.find(p); found != resident_.end())
-                found->second.needed = now_, ++result.kept;
-            else missing.push_back(p);
-        const std::vector<page> given_up =
-            give_up(missing.size() > free_.size() ? missing.size() - free_.size() : std::size_t(0));
-        for (const page& p : missing) {
-            result.drawn.push_back({p, free_.back()});
-            resident_[p] = {free_.back(), now_};
-            free_.pop_back();
-        }
-        result.target = target_;
-        result.given_up = given_up.size();
-        if (target_ > budget_.target && !given_up.empty()) result.forced = popped(receivers, given_up);
-        return result;
-    }
-
-    /// All that must be drawn anew: casters or the light have moved.
-    void forget() {
-        for (const auto& [p, in] : resident_) free_.push_back(in.slot);
-        resident_.clear();
-    }
-
-    [[nodiscard]] const page_budget& budget() const { return budget_; }
-    [[nodiscard]] std::size_t size() const { return resident_.size(); }
-
-    /// Calls use(page, slot) for every page that is there, coarse ones first.
-    template <class Use>
-    void for_each(Use&& use) const {
-        for (const auto& [p, in] : resident_) use(p, in.slot);
-    }
-
-    /// The level of the finest page that holds a point; -1 where there is none.
-    /// @param coord   1 .. 2 across the root, 2 not included
-    [[nodiscard]] int level_at(glm::dvec2 coord) const {
-        int level = budget_.deepest_level;
-        while (level >= 0 && !resident_.contains(page_at(coord, level))) --level;
-        return level;
-    }
-
-private:
-    struct held {
-        glm::ivec2 slot;
-        std::uint64_t needed;  ///< in which update last
-    };
-
-    [[nodiscard]] std::size_t slots() const {
-        return static_cast<std::size_t>(budget_.slots.x) * static_cast<std::size_t>(budget_.slots.y);
-    }
-
-    /// The root and what is wanted besides, with the target moved until it fits.
-    [[nodiscard]] std::vector<page> fitting(std::span<const page_receiver> receivers) {
-        const double step = std::exp2(1.0 / 16.0);
-        const auto wanted = [&](double target) {
-            std::vector<page> pages = wanted_pages(receivers, target, budget_.deepest_level);
-            if (pages.empty() || pages.front() != page{}) pages.insert(pages.begin(), page{});
-            return pages;
-        };
-        std::vector<page> pages = wanted(target_);
-        while (pages.size() > slots()) pages = wanted(target_ *= step);
-        while (target_ > budget_.target) {
-            const double finer = std::max(target_ / step, budget_.target);
-            std::vector<page> more = wanted(finer);
-            if (more.size() * 8 > slots() * 7) break;
-            target_ = finer;
-            pages.swap(more);
-        }
-        return pages;
-    }
-
-    /// Frees slots: of the pages not needed now the least recently needed, of these the finest.
-    /// @return   the pages, in their order
-    std::vector<page> give_up(std::size_t count) {
-        std::vector<std::pair<std::uint64_t, page>> others;
-        for (const auto& [p, in] : resident_)
-            if (in.needed < now_) others.emplace_back(in.needed, p);
-        std::sort(others.begin(), others.end(), [](const auto& a, const auto& b) {
-            return a.first != b.first ? a.first < b.first : b.second < a.second;
-        });
-        std::vector<page> pages;
-        for (std::size_t i = 0; i < count; ++i) {
-            const page p = pages.emplace_back(others[i].second);
-            free_.push_back(resident_[p].slot);
-            resident_.erase(p);
-        }
-        std::sort(pages.begin(), pages.end());
-        return pages;
-    }
-
-    /// How many of the pages given up some receiver looked into that the budget's target would have it look into still.
-    [[nodiscard]] std::size_t popped(std::span<const page_receiver> receivers,
-                                     const std::vector<page>& given_up) const {
-        std::vector<bool> pops(given_up.size());
-        for (const page_receiver& r : receivers) {
-            const int asked = detail::wanted_level(r, budget_.target, budget_.deepest_level);
-            const int found = asked < 0 ? asked : level_at(r.coord);
-            if (found >= asked) continue;
-            for (int level = budget_.deepest_level; level > found; --level) {
-                const auto at = std::lower_bound(given_up.begin(), given_up.end(), page_at(r.coord, level));
-                if (at == given_up.end() || *at != page_at(r.coord, level)) continue;
-                pops[static_cast<std::size_t>(at - given_up.begin())] = true;
-                break;
-            }
-        }
-        return static_cast<std::size_t>(std::count(pops.begin(), pops.end(), true));
-    }
-
-    page_budget budget_;
-    double target_;
-    std::uint64_t now_ = 0;
-    std::map<page, held> resident_;
-    std::vector<glm::ivec2> free_;
-};
-
-}  // namespace umbrage
-
-// ---- umbrage/light/bounds.hpp
-// What lights are fitted to: boxes, spheres, a camera's frustum and slices of it, points; and what a frustum has in
-// common with a scene.
-//
-//     umbrage::frustum<float> slice{.position = eye, .direction = ahead, .tan_half_x = 0.8f, .tan_half_y = 0.5f,
-//                                   .z_near = 1, .z_far = 20};
-//     umbrage::polyhedron seen = umbrage::intersection(slice, umbrage::bounding_box<float>{scene_low, scene_high});
-//
-// Corners are computed in double, whatever the numbers come in.
-//
-
-namespace umbrage {
-
-template <real T>
-struct bounding_box {
-    glm::vec<3, T> low{T(-1)}, high{T(1)};  ///< low <= high; flat ones are as good
-};
-
-template <real T>
-struct bounding_sphere {
-    glm::vec<3, T> centre{T(0)};
-    T radius = T(1);  ///< >= 0
-};
-
-/// What a perspective camera sees between two distances: all of it, or a cascade's slice.
-template <real T>
-struct frustum {
-    glm::vec<3, T> position{T(0)};
-    glm::vec<3, T> direction{T(0), T(0), T(-1)};  ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    T tan_half_x = T(1), tan_half_y = T(1);       ///< tangent of half the opening angle, > 0: below 180 degrees
-    T z_near = T(0.1), z_far = T(100);            ///< 0 <= z_near < z_far, along direction, finite
-};
-
-using eight_corners = std::array<glm::dvec3, 8>;
-
-/// Corners in the order of their numbers' bits: x, y, z high.
-/// @throws std::invalid_argument  bounds not finite or empty, which is low above high
-template <real T>
-[[nodiscard]] eight_corners corners(const bounding_box<T>& box) {
-    detail::require(detail::all_finite(box.low) && detail::all_finite(box.high), "bounding_box", "low and high",
-                    "must be finite");
-    detail::require(!glm::any(glm::greaterThan(box.low, box.high)), "bounding_box", "low", "must not be above high");
-    const glm::dvec3 low(box.low), high(box.high);
-    eight_corners all;
-    for (std::size_t i = 0; i < 8; ++i)
-        all[i] = {(i & 1 ? high : low).x, (i & 2 ? high : low).y, (i & 4 ? high : low).z};
-    return all;
-}
-
-namespace detail {
-
-/// A frustum's directions as columns: to the side, up, along.
-template <real T>
-[[nodiscard]] glm::dmat3 axes(const frustum<T>& f) {
-    constexpr auto function = "frustum";
-    require(is_finite(f.tan_half_x) && f.tan_half_x > T(0), function, "tan_half_x", "must be finite and above 0");
-    require(is_finite(f.tan_half_y) && f.tan_half_y > T(0), function, "tan_half_y", "must be finite and above 0");
-    require(f.z_near >= T(0), function, "z_near", "must not be below 0");
-    require(is_finite(f.z_far) && f.z_near < f.z_far, function, "z_far", "must be finite and above z_near");
-    const auto view = look_along(glm::dvec3(f.position), glm::dvec3(f.direction), glm::dvec3(f.up), handedness::right,
-                                 function, "position");
-    return {{view[0][0], view[1][0], view[2][0]},
-            {view[0][1], view[1][1], view[2][1]},
-            {-view[0][2], -view[1][2], -view[2][2]}};
-}
-
-}  // namespace detail
-
-/// Corners in the order of their numbers' bits: right, up, far.
-/// @throws std::invalid_argument  a frustum that is none: see its members
-template <real T>
-[[nodiscard]] eight_corners corners(const frustum<T>& f) {
-    const glm::dmat3 axes = detail::axes(f);
-    eight_corners all;
-    for (std::size_t i = 0; i < 8; ++i) {
-        const double z(i & 4 ? f.z_far : f.z_near), x = (i & 1 ? z : -z) * double(f.tan_half_x);
-        all[i] = glm::dvec3(f.position) + axes * glm::dvec3(x, (i & 2 ? z : -z) * double(f.tan_half_y), z);
-    }
-    return all;
-}
-
-/// The smallest sphere around a frustum. Its radius comes of planes and angles alone: it keeps its bits however the
-/// camera turns and moves.
-/// @formula   zc = min(f, (n + f) (1 + t) / 2), r^2 = (f - zc)^2 + f^2 t, t = tan_half_x^2 + tan_half_y^2
-/// @throws std::invalid_argument  a frustum that is none
-template <real T>
-[[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
-    const glm::dmat3 axes = detail::axes(f);
-    const double x(f.tan_half_x), y(f.tan_half_y), n(f.z_near), z_far(f.z_far), t = x * x + y * y;
-    const double centre = glm::min(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - centre;
-    return {glm::dvec3(f.position) + axes[2] * centre, std::sqrt(beyond * beyond + z_far * z_far * t)};
-}
-
-/// A convex body, by its faces.
-class polyhedron {
-public:
-    struct face {
-        glm::dvec4 plane;                 ///< dot(plane, (p, 1)) >= 0 inside
-        std::vector<glm::dvec3> corners;  ///< none where the body does not reach the plane
-    };
-
-    polyhedron() = default;
-
-    template <real T>
-    polyhedron(const bounding_box<T>& box) {
-        const glm::dvec3 low(box.low), high(box.high);
-        add_faces(umbrage::corners(box), {{{1, 0, 0, -low.x},
-                                           {-1, 0, 0, high.x},
-                                           {0, 1, 0, -low.y},
-                                           {0, -1, 0, high.y},
-                                           {0, 0, 1, -low.z},
-                                           {0, 0, -1, high.z}}});
-    }
-
-    template <real T>
-    polyhedron(const frustum<T>& f) {
-        const glm::dmat3 axes = detail::axes(f);
-        const double x(f.tan_half_x), y(f.tan_half_y);
-        const auto plane = [&](glm::dvec3 normal, double offset) {
-            const glm::dvec3 n = axes * normal;
-            return glm::dvec4(n, offset - glm::dot(n, glm::dvec3(f.position)));
-        };
-        add_faces(umbrage::corners(f),
-                  {plane({1, 0, x}, 0), plane({-1, 0, x}, 0), plane({0, 1, y}, 0), plane({0, -1, y}, 0),
-                   plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
-    }
-
-    [[nodiscard]] const std::vector<face>& faces() const { return faces_; }
-    [[nodiscard]] bool empty() const { return faces_.empty(); }
-
-    friend polyhedron intersection(const polyhedron& a, const polyhedron& b);
-
-private:
-    void add_faces(const eight_corners& c, const std::array<glm::dvec4, 6>& planes) {
-        constexpr std::size_t order[6][4]{{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                          {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
-        for (std::size_t i = 0; i < 6; ++i)
-            faces_.push_back({planes[i], {c[order[i][0]], c[order[i][1]], c[order[i][2]], c[order[i][3]]}});
-    }
-
-    std::vector<face> faces_;
-};
-
-namespace detail {
-
-/// The part of a convex polygon that is inside of a plane.
-[[nodiscard]] inline std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const glm::dvec4& plane) {
-    const auto inside = [&](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
-    std::vector<glm::dvec3> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const glm::dvec3 &p = polygon[i], &q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
-        const double at_p = inside(p), at_q = inside(q);
-        if (!(at_p < 0.0)) kept.push_back(p);
-        if ((at_p < 0.0) != (at_q < 0.0)) kept.push_back(p + (q - p) * (at_p / (at_p - at_q)));
-    }
-    return kept;
-}
-
-}  // namespace detail
-
-/// What two bodies have in common; empty where that is nothing.
-[[nodiscard]] inline polyhedron intersection(const polyhedron& a, const polyhedron& b) {
-    polyhedron common;
-    bool touch = false;
-    const auto add = [&](const polyhedron& of, const polyhedron& within) {
-        for (polyhedron::face face : of.faces_) {
-            for (const polyhedron::face& other : within.faces_)
-                face.corners = detail::clipped(face.corners, other.plane);
-            touch = touch || !face.corners.empty();
-            common.faces_.push_back(
-                std::move(face));  // one without corners too: rounding may take them of a flat body's
-        }
-    };
-    add(a, b);
-    add(b, a);
-    return touch && !a.empty() && !b.empty() ? common : polyhedron();
-}
-
-/// Points, what lies between them, and a ball around each: what a directional light is fitted to.
-struct hull {
-    std::vector<glm::dvec3> points;
-    double radius = 0.0;  ///< of the ball
-
-    hull() = default;
-    template <real T>
-    hull(std::span<const glm::vec<3, T>> p) : points(p.begin(), p.end()) {}
-    template <real T>
-    hull(const std::vector<glm::vec<3, T>>& p) : points(p.begin(), p.end()) {}
-    template <real T>
-    hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.centre)}, radius(s.radius) {}
-    template <real T>
-    hull(const bounding_box<T>& box) : hull(umbrage::corners(box)) {}
-    template <real T>
-    hull(const frustum<T>& f) : hull(umbrage::corners(f)) {}
-    hull(const eight_corners& c) : points(c.begin(), c.end()) {}
-    hull(const polyhedron& p) {
-        for (const polyhedron::face& face : p.faces())
-            points.insert(points.end(), face.corners.begin(), face.corners.end());
-    }
-};
-
-}  // namespace umbrage
-
-// ---- umbrage/light/sweep.hpp
-// What receivers sweep on their way to the light, as casters have to lie in it: the hull of what the light sees of
-// them, and how near to the light a box of casters comes within it. What fits share.
-//
-
-namespace umbrage {
-namespace detail {
-
-/// In the name of a function whose argument they are.
-inline void require_receivers(const hull& receivers, const char* function) {
-    const auto finite = [](const glm::dvec3& p) { return all_finite(p); };
-    require(!receivers.points.empty(), function, "receivers", "must not be empty");
-    require(std::all_of(receivers.points.begin(), receivers.points.end(), finite) && is_finite(receivers.radius) &&
-                receivers.radius >= 0.0,
-            function, "receivers", "must be finite");
-}
-
-/// Points whose hull holds all receivers: in place of a ball the corners of its box.
-[[nodiscard]] inline std::vector<glm::dvec3> corners_of(const hull& receivers) {
-    if (!(receivers.radius > 0.0)) return receivers.points;
-    std::vector<glm::dvec3> all;
-    for (const glm::dvec3& p : receivers.points)
-        for (const glm::dvec3& c : corners(bounding_box<double>{p - receivers.radius, p + receivers.radius}))
-            all.push_back(c);
-    return all;
-}
-
-/// World to x, y and the distance along the light.
-template <real T>
-[[nodiscard]] glm::dmat4 light_frame(const glm::mat<4, 4, T>& view, handedness hand) {
-    glm::dmat4 frame(view);
-    if (hand == handedness::right)
-        for (glm::length_t i = 0; i < 4; ++i) frame[i][2] = -frame[i][2];
-    return frame;
-}
-
-[[nodiscard]] inline std::vector<glm::dvec3> seen(const glm::dmat4& frame, const std::vector<glm::dvec3>& points) {
-    std::vector<glm::dvec3> moved;
-    moved.reserve(points.size());
-    for (const glm::dvec3& p : points) moved.emplace_back(frame * glm::dvec4(p, 1.0));
-    return moved;
-}
-
-struct extent {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-};
-[[nodiscard]] inline extent extent_of(const std::vector<glm::dvec3>& points) {
-    extent e;
-    for (const glm::dvec3& p : points) e.low = glm::min(e.low, p), e.high = glm::max(e.high, p);
-    return e;
-}
-
-/// Counter-clockwise, without what lies on an edge.
-/// @cite   Andrew: Another efficient algorithm for convex hulls in two dimensions, 1979
-[[nodiscard]] inline std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
-    std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
-    const auto before = [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
-    std::sort(points.begin(), points.end(), before);
-    const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
-        return (b.x - a.x) * (c.y - a.y) <= (b.y - a.y) * (c.x - a.x);
-    };
-    for (int side = 0; side < 2; ++side, std::reverse(points.begin(), points.end())) {
-        const std::size_t first = hull.size();
-        for (const glm::dvec2& p : points) {
-            while (hull.size() >= first + 2 && turns_right(hull[hull.size() - 2], hull.back(), p)) hull.pop_back();
-            hull.push_back(p);
-        }
-        hull.pop_back();  // the other side begins with it
-    }
-    return hull;
-}
-
-/// What the hull of points has in common with a half-space, as points around it: those inside, and of where the lines
-/// between them and the others cross the plane the outermost.
-[[nodiscard]] inline std::vector<glm::dvec3> clipped_hull(const std::vector<glm::dvec3>& points,
-                                                          const glm::dvec4& plane) {
-    const glm::dvec3 normal(plane), steep = glm::abs(normal);
-    const glm::length_t z = steep.x > steep.y ? (steep.x > steep.z ? 0 : 2) : (steep.y > steep.z ? 1 : 2);
-    const glm::length_t x = (z + 1) % 3, y = (z + 2) % 3;
-    const auto inside = [&](const glm::dvec3& p) { return glm::dot(normal, p) + plane.w; };
-    std::vector<glm::dvec3> kept, beyond, crossed;
-    for (const glm::dvec3& p : points) (inside(p) < 0.0 ? beyond : kept).push_back(p);
-    const auto keep_outermost = [&] {
-        if (crossed.size() < 3) return;
-        const std::vector<glm::dvec2> corners = convex_hull(crossed);
-        crossed.clear();
-        for (const glm::dvec2& c : corners) crossed.emplace_back(c, 0.0);
-    };
-    std::size_t enough = 1024;
-    for (const glm::dvec3& a : kept) {
-        for (const glm::dvec3& b : beyond) {
-            const glm::dvec3 p = a + (b - a) * (inside(a) / (inside(a) - inside(b)));
-            crossed.emplace_back(p[x], p[y], 0.0);
-        }
-        if (crossed.size() < enough) continue;
-        keep_outermost();
-        enough = 2 * crossed.size() + 1024;
-    }
-    keep_outermost();
-    for (const glm::dvec3& c : crossed) {
-        glm::dvec3 p;
-        p[x] = c.x, p[y] = c.y, p[z] = -(normal[x] * c.x + normal[y] * c.y + plane.w) / normal[z];
-        kept.push_back(p);
-    }
-    return kept;
-}
-
-/// A plane (a, b, 0, c) through each edge of a hull, moved outwards; none through edges between points that only
-/// rounding tells apart: their direction says nothing.
-[[nodiscard]] inline std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
-    std::vector<glm::dvec4> planes;
-    const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
-    double longest = 0.0;
-    for (std::size_t i = 0; i < hull.size(); ++i) longest = glm::max(longest, glm::distance(hull[i], end_of(i)));
-    for (std::size_t i = 0; i < hull.size(); ++i) {
-        const glm::dvec2 a = hull[i], b = end_of(i), inwards(a.y - b.y, b.x - a.x);
-        if (glm::length(inwards) <= longest * 0x1p-32) continue;
-        planes.emplace_back(inwards, 0.0, outwards * glm::length(inwards) - glm::dot(inwards, a));
-    }
-    return planes;
-}
-
-/// Planes of the same kind around what points sweep, moved outwards: their hull's, within their rectangle's.
-[[nodiscard]] inline std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
-    std::vector<glm::dvec4> planes = sides(convex_hull(seen), outwards);
-    const auto [least, greatest] = extent_of(seen);
-    const glm::dvec3 low = least - outwards, high = greatest + outwards;
-    planes.insert(planes.end(), {{1, 0, 0, -low.x}, {-1, 0, 0, high.x}, {0, 1, 0, -low.y}, {0, -1, 0, high.y}});
-    return planes;
-}
-
-/// The least distance along the light of a box's faces within planes; infinite where none is.
-[[nodiscard]] inline double nearest(const glm::dmat4& frame, const polyhedron& box,
-                                    const std::vector<glm::dvec4>& planes) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const polyhedron::face& face : box.faces()) {
-        std::vector<glm::dvec3> polygon = seen(frame, face.corners);
-        for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
-        for (const glm::dvec3& p : polygon) least = std::min(least, p.z);
-    }
-    return least;
-}
-
-}  // namespace detail
-}  // namespace umbrage
-
-// ---- umbrage/light/adaptive/root.hpp
-// The square of the world that the pages of an adaptive map lie in, as a directional light sees it: it stays where it
-// is while the camera moves, and so does every page in it.
-//
-//     auto root = umbrage::make_page_root<double>({.direction = d, .centre = {0, 0, 0}, .side = 2400, .scene = box});
-//     auto light = umbrage::page_light(root, {.level = 5, .x = 12, .y = 9}, {});  // for the depth pass of that page
-//     glm::mat4 to_root(umbrage::page_matrix(root));                              // for page_coordinate
-//
-
-namespace umbrage {
-
-template <real T = float>
-struct page_root {
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; of the world, as pages turn with it
-    glm::vec<3, T> centre{T(0)};                  ///< of the square, world
-    T side = T(1000);                             ///< world units, > 0
-    bounding_box<T> scene{};                      ///< all casters and receivers: what depth spans
-    clip_space clip{};
-};
-
-/// Side of pages in an atlas.
-struct page_size {
-    int texels = 128;  ///< a power of two
-    int gutter = 4;    ///< around them, 0 .. texels / 2: the filter's reach and half a texel, or more
-
-    [[nodiscard]] constexpr int pitch() const { return texels + 2 * gutter; }
-};
-
-/// @throws std::invalid_argument  zero or non-finite direction, centre or scene that are not finite, a side not above
-///                                0, and what gives matrices that are not finite
-template <real T = float>
-[[nodiscard]] light_space<T> make_page_root(const page_root<T>& root) {
-    constexpr auto function = "make_page_root";
-    detail::require(detail::all_finite(root.centre), function, "centre", "must be finite");
-    detail::require(is_finite(root.side) && root.side > T(0), function, "side", "must be finite and above 0");
-    light_space<double> light{detail::look_along(glm::dvec3(0), glm::dvec3(root.direction), glm::dvec3(root.up),
-                                                 root.clip.hand, function, ""),
-                              {},
-                              root.clip};
-    const glm::dmat4 frame = detail::light_frame(light.view, root.clip.hand);
-    const auto depths = detail::extent_of(detail::seen(frame, hull(root.scene).points));
-    const glm::dvec2 middle(frame * glm::dvec4(glm::dvec3(root.centre), 1)), half(double(root.side) / 2);
-    const double spare =
-        (depths.high.z - depths.low.z) / 1024 + double(root.side) / 1048576;  // nothing lies on a plane
-    light.projection = detail::orthographic(middle - half, middle + half, depths.low.z - spare, depths.high.z + spare,
-                                            root.clip, function, "centre and side", "scene");
-    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), root.clip};
-    return detail::checked(cast, function, "centre, side and scene");
-}
-
-/// World to the root's coordinates, 1 .. 2, and depth.
-/// @formula   texture_matrix of a map of one texel, moved by 1
-template <real T>
-[[nodiscard]] glm::mat<4, 4, T> page_matrix(const light_space<T>& root) {
-    glm::mat<4, 4, T> m = texture_matrix(root, glm::ivec2(1));
-    m[3][0] += T(1), m[3][1] += T(1);
-    return m;
-}
-
-/// One page of it, with its gutter: what a depth pass of pitch() x pitch() texels is drawn with.
-/// @throws std::invalid_argument  a page that is not in the root, texels no power of two, gutter out of range
-template <real T>
-[[nodiscard]] light_space<T> page_light(const light_space<T>& root, const page& p, const page_size& size) {
-    constexpr auto function = "page_light";
-    detail::require(p.level >= 0 && p.level <= deepest_page_level, function, "level", "must lie between 0 and 15");
-    const int across = 1 << p.level;
-    detail::require(p.x >= 0 && p.y >= 0 && p.x < across && p.y < across, function, "x and y", "must lie in the root");
-    detail::require(size.texels >= 1 && (size.texels & (size.texels - 1)) == 0, function, "texels",
-                    "must be a power of two");
-    detail::require(size.gutter >= 0 && size.gutter <= size.texels / 2, function, "gutter",
-                    "must lie between 0 and half the texels");
-    const double scale = double(across) * size.texels / size.pitch();
-    const double up = root.clip.origin == texture_origin::bottom ? 1.0 : -1.0;
-    const glm::dvec2 middle((2 * p.x + 1.0) / across - 1.0, up * ((2 * p.y + 1.0) / across - 1.0));
-    glm::dmat4 projection(root.projection);
-    for (glm::length_t axis = 0; axis < 2; ++axis)
-        for (glm::length_t column = 0; column < 4; ++column)
-            projection[column][axis] = (projection[column][axis] - projection[column][3] * middle[axis]) * scale;
-    return detail::checked<T>({root.view, glm::mat<4, 4, T>(projection), root.clip}, function, "root");
-}
-
-}  // namespace umbrage
-
 // ---- umbrage/light/cascades/blend.hpp
 // From one cascade to the next without a line: both looked up and mixed, or one of them, chosen from pixel to pixel.
 //
@@ -9781,290 +9121,6 @@ inline constexpr auto blend_snippets =
     list<&cascade_weight, &cascade_fade, &cascade_border_fade, &blend_cascades, &dither_threshold, &dithered_cascade>;
 
 }  // namespace glsl
-}  // namespace umbrage
-
-// ---- umbrage/light/directional_fit.hpp
-// A directional light fitted to what receives its shadows, with the near plane pulled towards what casts them.
-//
-//     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene});
-//     auto tight = umbrage::fit_directional_light<float>(
-//         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
-//     auto still = umbrage::fit_directional_light<float>(
-//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = 1024});
-//
-
-namespace umbrage {
-
-template <real T = float>
-struct directional_fit {
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
-    hull receivers = bounding_box<T>{};           ///< box, sphere, frustum, polyhedron or points
-    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
-    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
-    int snap_texels = 0;                          ///< side of a map whose texels stay where they are; 0: not snapped
-    clip_space clip{};
-};
-
-namespace detail {
-
-/// A box in front of a light: its middle as a share of half its sides, so that these keep their bits wherever it is.
-struct light_box {
-    glm::dvec2 half, middle;
-    double z_near, z_far;
-};
-
-/// The square of whole texels around a box, a texel wider, and depths in steps of its side.
-[[nodiscard]] inline light_box snapped(const light_box& box, int texels) {
-    const double n(texels), half_texel = glm::max(box.half.x, box.half.y) / (n - 1.0), side = 2.0 * half_texel * n;
-    const glm::dvec2 first = glm::round((box.middle * box.half / half_texel - n) * 0.5);
-    const double z_near = std::floor(box.z_near / side) * side;
-    return {glm::dvec2(half_texel * n), first * (2.0 / n) + 1.0, z_near,
-            z_near + (std::ceil((box.z_far - box.z_near) / side) + 1.0) * side};
-}
-
-}  // namespace detail
-
-/// The smallest box along the light that holds the receivers and what of the casters' box they sweep towards the light,
-/// with the margin all around. Casters beside the receivers leave the near plane where it is, as they throw no shadow
-/// there; for a sphere's sweep stands that of its square.
-///
-/// With snap_texels the box is a square, a texel wider, whose texels lie on a grid of the world wherever the receivers
-/// move, as long as their extent keeps its bits: a sphere's does. Its depths then span the casters' whole box, and go
-/// beyond it in steps of the square's side. For a grid that keeps its place to a hundredth of a texel far from the
-/// origin, compute the texture matrix in double and round that.
-///
-/// @throws std::invalid_argument  zero or non-finite direction, receivers empty or of no extent, casters that are no
-///                                box, a negative margin, and what gives matrices that are not finite
-/// @cite   Valient: Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008
-template <real T = float>
-[[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
-    constexpr auto function = "fit_directional_light", sides = "receivers and margin";
-    constexpr auto depths = "receivers, casters and margin";
-    detail::require_receivers(fit.receivers, function);
-    detail::require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
-    detail::require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "must be 0 or above 1");
-    const bool snaps = fit.snap_texels > 0;
-
-    light_space<T> space{
-        detail::look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
-    const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
-    const auto points = detail::seen(frame, fit.receivers.points);
-    const auto [low, high] = detail::extent_of(points);
-    const auto [first, last] = detail::extent_of(fit.receivers.points);
-    const double radius = fit.receivers.radius;
-    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
-    const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
-    detail::light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
-    if (fit.casters && snaps) {
-        const auto casters = detail::extent_of(detail::seen(frame, hull(*fit.casters).points));
-        box.z_near = glm::min(box.z_near, casters.low.z), box.z_far = glm::max(box.z_far, casters.high.z);
-    } else if (fit.casters) {
-        const auto swept = detail::sweep(points, around);
-        box.z_near = glm::min(box.z_near, detail::nearest(frame, *fit.casters, swept) - margin);
-    }
-    if (snaps) box = detail::snapped(box, fit.snap_texels);
-
-    glm::dmat4 projection =
-        detail::orthographic(-box.half, box.half, box.z_near, box.z_far, fit.clip, function, sides, depths);
-    projection[3][0] = -box.middle.x, projection[3][1] = -box.middle.y;
-    space.projection = glm::mat<4, 4, T>(projection);
-    for (glm::length_t i = 0; i < 3; ++i)
-        detail::require(detail::is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
-                        "give too large or too small a box");
-    return detail::checked(space, function, depths);
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/cascades/cascades.hpp
-// Cascades of a directional light: a map for each part of the camera's range, all of one rotation.
-//
-//     const umbrage::cascade_fit<float> fit{
-//         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f};
-//     const auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);
-//     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
-//     for (const auto& c : cascades) draw_depths(c.light);                   // a depth pass each
-//     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // see select.hpp for what takes them
-//
-
-namespace umbrage {
-
-/// One part of the camera's range and its map.
-template <real T>
-struct cascade {
-    light_space<T> light;                      ///< for the depth pass; its view is a rotation, one for
-                                               ///< all cascades
-    glm::vec<4, T> scale{T(0)}, offset{T(0)};  ///< from rotated points to texels and depth; w: 0
-    T begin = T(0), end = T(0);                ///< distances along the camera's axis
-};
-
-template <real T = float>
-struct cascade_fit {
-    frustum<T> camera{};                          ///< but for its planes, in place of which there are splits
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; of the world, as maps turn with it
-    bounding_box<T> scene{};                      ///< all casters and receivers
-    int map_size = 1024;                          ///< of each cascade, texels
-    T margin = T(2);                              ///< texels around: the filter's reach
-    T overlap = T(0);                             ///< share of a cascade that the next one holds too, 0 .. 1
-    clip_space clip{};
-};
-
-namespace detail {
-
-/// A fitted light, whose view is a rotation, as a cascade.
-template <real T>
-[[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, int map_size, const char* function) {
-    const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, glm::ivec2(map_size));
-    const glm::dvec4 scale(m[0][0], m[1][1], m[2][2], 0.0), offset(glm::dvec3(m[3]), 0.0);
-    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), light.clip};
-    const cascade<T> c{checked(cast, function, "camera, splits and scene"), glm::vec<4, T>(scale),
-                       glm::vec<4, T>(offset)};
-    const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
-    require(normal && all_finite(c.scale) && all_finite(c.offset), function, "camera, splits and scene",
-            "give too large or too small a cascade");
-    return c;
-}
-
-/// The camera's parts between splits, with what they overlap.
-template <std::size_t Count, real T>
-[[nodiscard]] std::array<frustum<double>, Count> camera_parts(const cascade_fit<T>& fit,
-                                                              const std::array<T, Count + 1>& splits,
-                                                              const char* function) {
-    require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits", "must not begin below 0");
-    for (std::size_t i = 0; i < Count; ++i)
-        require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits", "must be in order");
-    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
-    require(double(fit.map_size) - 2 * double(fit.margin) > 1, function, "map_size", "must be above 2 margin + 1");
-    require(fit.overlap >= T(0) && fit.overlap <= T(1), function, "overlap", "must lie between 0 and 1");
-    std::array<frustum<double>, Count> parts;
-    for (std::size_t i = 0; i < Count; ++i) {
-        const double before = i > 0 ? double(splits[i]) - double(splits[i - 1]) : 0;
-        parts[i] = {glm::dvec3(fit.camera.position),
-                    glm::dvec3(fit.camera.direction),
-                    glm::dvec3(fit.camera.up),
-                    double(fit.camera.tan_half_x),
-                    double(fit.camera.tan_half_y),
-                    double(splits[i]) - double(fit.overlap) * before,
-                    double(splits[i + 1])};
-    }
-    return parts;
-}
-
-/// What a part sees of a scene; where that is nothing, all of the part.
-[[nodiscard]] inline hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
-    const polyhedron seen = intersection(part, scene);
-    return seen.empty() ? hull(part) : hull(seen);
-}
-
-/// A margin in texels as a share of what a map holds within it.
-template <real T>
-[[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
-    return double(fit.margin) / (fit.map_size - 2 * double(fit.margin));
-}
-
-/// A cascade for each part, of light(frustum) in double.
-template <std::size_t Count, real T, class Light>
-[[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
-                                                          const std::array<T, Count + 1>& splits, const char* function,
-                                                          Light&& light) {
-    const auto parts = camera_parts<Count>(fit, splits, function);
-    std::array<cascade<T>, Count> all;
-    for (std::size_t i = 0; i < Count; ++i) {
-        all[i] = as_cascade<T>(light(parts[i]), fit.map_size, function);
-        all[i].begin = splits[i];
-        all[i].end = splits[i + 1];
-    }
-    return all;
-}
-
-}  // namespace detail
-
-/// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
-/// camera's frustum, which does not change as the camera turns, and moves by whole texels.
-///
-/// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
-/// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,
-/// else in float 2^-14 of a texel on maps of 1024, which may move a filter's weights by a step of 1/256. Draw depths
-/// from rotated points by the projection alone. In float, one matrix for both may move points by a hundredth of a
-/// texel.
-///
-/// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
-/// @return         the nearest first, from split to split
-/// @throws std::invalid_argument  splits out of order, map_size, margin or overlap out of range; what sphere_around and
-///                                fit_directional_light complain of; and what gives matrices that are not finite
-template <std::size_t Count, real T>
-[[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
-                                                                 const std::array<T, Count + 1>& splits) {
-    auto all = detail::make_cascades<Count>(fit, splits, "make_stable_cascades", [&](const frustum<double>& part) {
-        const double around = double(fit.margin);
-        return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
-                                              .up = glm::dvec3(fit.up),
-                                              .receivers = sphere_around(part),
-                                              .casters = bounding_box<double>{fit.scene.low, fit.scene.high},
-                                              .margin = around / (fit.map_size - 1 - 2 * around),
-                                              .snap_texels = fit.map_size,
-                                              .clip = fit.clip});
-    });
-    for (cascade<T>& c : all)
-        for (glm::length_t i = 0; i < 2; ++i) c.offset[i] = std::nearbyint(c.offset[i]);
-    return all;
-}
-
-/// Cascades of the greatest resolution: each map holds what its part of the camera's frustum has in common with the
-/// scene, and no more; where that is nothing, its part of the frustum. Texels change their size and place as the camera
-/// moves. The rest as for make_stable_cascades; the margin is that many texels or more.
-template <std::size_t Count, real T>
-[[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
-                                                                const std::array<T, Count + 1>& splits) {
-    return detail::make_cascades<Count>(fit, splits, "make_tight_cascades", [&](const frustum<double>& part) {
-        const bounding_box<double> scene{fit.scene.low, fit.scene.high};
-        return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
-                                              .up = glm::dvec3(fit.up),
-                                              .receivers = detail::receivers_of(part, scene),
-                                              .casters = scene,
-                                              .margin = detail::margin_share(fit),
-                                              .clip = fit.clip});
-    });
-}
-
-/// What a shader of up to four cascades takes: see select.hpp and blend.hpp.
-template <real T>
-struct cascade_uniforms {
-    glm::mat<4, 4, T> rotation{T(1)};               ///< world to the light's directions, for shadow_coordinate
-    glm::mat<4, 4, T> scales{T(0)}, offsets{T(0)};  ///< columns: a cascade's each; w: of cascade_fade
-    glm::vec<3, T> ends{T(0)};                      ///< of the cascades but the last, for cascade_by_depth
-};
-
-/// @param fade   share of each cascade over which the next one takes over, 0 .. 1; after the last, full light. As much
-///               overlap must have been asked for
-/// @return       where there are fewer than four, nothing falls into the others by depth or by projection
-/// @throws std::invalid_argument  fade out of range
-template <real T, std::size_t Count>
-[[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
-    static_assert(Count >= 1 && Count <= 4);
-    detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "must lie between 0 and 1");
-    cascade_uniforms<T> u;
-    u.rotation = cascades[0].light.view;
-    u.ends = glm::vec<3, T>(std::numeric_limits<T>::max());
-    for (glm::length_t i = 0; i < 4; ++i) {
-        if (i >= static_cast<glm::length_t>(Count)) {
-            u.offsets[i] = {T(65536), T(65536), T(0), T(0)};
-            continue;
-        }
-        const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
-        u.scales[i] = c.scale;
-        u.offsets[i] = c.offset;
-        if (const T width = fade * (c.end - c.begin); width > T(0)) {
-            u.scales[i].w = T(1) / width;
-            u.offsets[i].w = T(1) - c.end / width;
-        }
-        if (i + 1 < static_cast<glm::length_t>(Count)) u.ends[i] = c.end;
-    }
-    return u;
-}
-
 }  // namespace umbrage
 
 // ---- umbrage/light/cascades/select.hpp
@@ -10319,200 +9375,6 @@ template <real T, std::size_t Size>
     std::array<T, Size> shares;
     for (std::size_t i = 0; i < Size; ++i) shares[i] = (splits[i] - splits.front()) / (splits.back() - splits.front());
     return shares;
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/warp/warp_fit.hpp
-// What warps of a directional light's map share: what they are fitted to, what they give, and their last step, which
-// lays any projective map of the world around the receivers.
-//
-//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
-//     umbrage::warped_light<float> warped = umbrage::fit_light_space_perspective(fit);
-//     draw_depths(warped.light);
-//
-// A warp gives what the camera sees close by more texels, and what it sees from afar fewer. Look-ups are those of a
-// spot light, by shadow_coordinate and project_coordinate; w is above 0 and depth grows along the light.
-//
-// What is strongly warped wants digits: a matrix of doubles, rounded once, places points to 1/1000 of a texel of maps
-// of 2048 under a view of a kilometre. Its product with points in float loses more far from the origin, up to 1/28 of a
-// texel at the corners of that view; points told from the camera lose least.
-
-namespace umbrage {
-
-template <real T = float>
-struct warp_fit {
-    frustum<T> camera{};                          ///< that the map is for
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
-    hull receivers = bounding_box<T>{};           ///< what the camera sees of the scene
-    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
-    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' extent in the
-                                                  ///< map, >= 0
-    clip_space clip{};
-};
-
-template <real T>
-struct warped_light {
-    light_space<T> light;  ///< for depth pass and texture_matrix; w is 1 at the least receiver
-    T strength = T(0);     ///< 1 - least w / greatest w of the receivers: 0 uniform, towards 1 ever more warped
-};
-
-namespace detail {
-
-/// Complains of what fits of all warps need.
-template <real T>
-void require_warp_fit(const warp_fit<T>& fit, const char* function) {
-    require_receivers(fit.receivers, function);
-    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
-    if (fit.casters) (void)corners(*fit.casters);
-}
-
-/// The way y goes in a map: the way the camera looks, or up as it has it where it looks along the light.
-template <real T>
-[[nodiscard]] glm::dvec3 up_of(const warp_fit<T>& fit) {
-    const glm::dmat3 camera = axes(fit.camera);
-    const bool along = !(glm::length(glm::cross(camera[2], unit(glm::dvec3(fit.direction)))) > 1e-3);
-    return camera[along ? 1 : 2];
-}
-
-/// The light's view that maps are drawn in.
-template <real T>
-[[nodiscard]] glm::dmat4 view_of(const warp_fit<T>& fit, const char* function) {
-    return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit), fit.clip.hand, function, "");
-}
-
-/// What a map sees of a body within planes of the map's space.
-/// @return   nothing where some of it does not lie before w = 0
-[[nodiscard]] inline std::optional<extent> seen_within(const glm::dmat4& to_map, const polyhedron& body,
-                                                       std::vector<glm::dvec4> planes) {
-    for (glm::dvec4& plane : planes) plane = glm::transpose(to_map) * plane;
-    extent all;
-    for (const polyhedron::face& face : body.faces()) {
-        std::vector<glm::dvec3> polygon = face.corners;
-        for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
-        for (const glm::dvec3& p : polygon) {
-            const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
-            if (!(h.w > 0.0)) return {};
-            all.low = glm::min(all.low, glm::dvec3(h) / h.w), all.high = glm::max(all.high, glm::dvec3(h) / h.w);
-        }
-    }
-    return all;
-}
-
-/// A projective map of which a box becomes the clip space's cube; turned over where it would mirror what it sees.
-/// @param to_map           world to x, y, depth and w, in double; keeps x / w and y / w along the light, where depth
-///                         z / w grows; of any scale
-/// @param least, greatest  w of receivers
-/// @return                 nothing where the box has no extent, and where the map overflows
-template <real T>
-[[nodiscard]] std::optional<warped_light<T>> laid(const glm::dmat4& to_map, const extent& box, double least,
-                                                  double greatest, const warp_fit<T>& fit, const char* function) {
-    const auto [at_near, at_far] = ends<double>(fit.clip);
-    const bool mirrors = (glm::determinant(to_map) < 0.0) != (fit.clip.hand == handedness::right);
-    const glm::dvec3 first(mirrors ? 1.0 : -1.0, -1.0, at_near), last(-first.x, 1.0, at_far);
-    const glm::dvec3 scale = (last - first) / (box.high - box.low), offset = first - box.low * scale;
-    glm::dmat4 placed(1.0);
-    for (glm::length_t i = 0; i < 3; ++i) placed[i][i] = scale[i], placed[3][i] = offset[i];
-
-    const glm::dmat4 view = view_of(fit, function);
-    const glm::dmat4 projection = placed * to_map * glm::transpose(view) / least;
-    const light_space<T> light{glm::mat<4, 4, T>(view), glm::mat<4, 4, T>(projection), fit.clip};
-    if (!all_finite(light.projection) || !all_finite(light.projection * light.view)) return {};
-    const glm::mat<4, 4, T> rows = glm::transpose(light.projection);
-    const T bend = glm::length(glm::vec<3, T>(rows[3]));  // a row that says w alone is one too
-    for (glm::length_t i = 0; i < 3; ++i)
-        if (!is_normal(glm::length(glm::vec<3, T>(rows[i])) + bend)) return {};
-    return warped_light<T>{light, T(1.0 - least / greatest)};
-}
-
-/// A map laid around the receivers in x and y, in depth around them and what of the casters they sweep towards the
-/// light.
-/// @param to_map   as for laid
-/// @return         nothing where w <= 0 at a receiver or a caster, and as laid does
-template <real T>
-[[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
-                                                   const polyhedron& casters, const char* function) {
-    std::vector<glm::dvec3> receivers;
-    double least_w = std::numeric_limits<double>::infinity(), greatest_w = 0.0;
-    for (const glm::dvec3& p : corners_of(fit.receivers)) {
-        const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
-        if (!(h.w > 0.0 && all_finite(h))) return {};
-        receivers.push_back(glm::dvec3(h) / h.w);
-        least_w = glm::min(least_w, h.w), greatest_w = glm::max(greatest_w, h.w);
-    }
-    extent box = extent_of(receivers);
-    const glm::dvec3 size = box.high - box.low;
-    constexpr double flat = 0x1p-8;  // receivers seen edge on have some margin too
-    const glm::dvec2 around = double(fit.margin) * glm::max(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
-    // the hull's cone over the map, of which the other half, behind w = 0, is no part
-    const auto swept = seen_within(to_map, casters, sweep(receivers, glm::max(around.x, around.y)));
-    if (!swept) return {};
-    box.low.z = glm::min(box.low.z, swept->low.z);
-    const double deep = double(fit.margin) * glm::length(box.high - box.low);
-    box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
-    return laid(to_map, box, least_w, greatest_w, fit, function);
-}
-
-template <real T>
-[[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
-                                                   const char* function) {
-    return refit(to_map, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), function);
-}
-
-/// No warp: the map as fit_directional_light lays it, but with the margin and the way up of warps.
-template <real T>
-[[nodiscard]] warped_light<T> unwarped(const warp_fit<T>& fit, const char* function) {
-    const auto light = refit(light_frame(view_of(fit, function), fit.clip.hand), fit, function);
-    require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a box");
-    return *light;
-}
-
-}  // namespace detail
-}  // namespace umbrage
-
-// ---- umbrage/light/cascades/warped.hpp
-// Cascades each of which is warped: the parts of a camera's range share out what one warp cannot reach.
-//
-//     const auto cascades = umbrage::make_warped_cascades<4>(
-//         fit, splits, [](const auto& part) { return umbrage::fit_light_space_perspective(part); });
-//     draw_depths(cascades[i].light);
-//     glm::mat4 to_texels = umbrage::texture_matrix(cascades[i].light, map_size);  // of each, for shaders
-//
-// A pixel takes the cascade that cascade_by_depth names: their maps are turned and bent each in its own way, so that
-// there is no common rotation for cascade_by_projection.
-
-namespace umbrage {
-
-/// A warped map for each part of the camera's range, around what that has in common with the scene; where that is
-/// nothing, around the part.
-///
-/// @param fit      but for up: warps take the camera's direction
-/// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
-/// @param warp     (const warp_fit<double>& part) -> warped_light<double>, whose margin is as many texels as fit's
-/// @return         the nearest first
-/// @throws std::invalid_argument  splits out of order, map_size, margin or overlap out of range, what warp complains
-///                                of, and what gives matrices that are not finite
-template <std::size_t Count, real T, class Warp>
-[[nodiscard]] std::array<warped_light<T>, Count> make_warped_cascades(const cascade_fit<T>& fit,
-                                                                      const std::array<T, Count + 1>& splits,
-                                                                      Warp&& warp) {
-    constexpr auto function = "make_warped_cascades";
-    const bounding_box<double> scene{fit.scene.low, fit.scene.high};
-    const auto parts = detail::camera_parts<Count>(fit, splits, function);
-    std::array<warped_light<T>, Count> all;
-    for (std::size_t i = 0; i < Count; ++i) {
-        const warped_light<double> own = warp(warp_fit<double>{.camera = parts[i],
-                                                               .direction = glm::dvec3(fit.direction),
-                                                               .receivers = detail::receivers_of(parts[i], scene),
-                                                               .casters = scene,
-                                                               .margin = detail::margin_share(fit),
-                                                               .clip = fit.clip});
-        const light_space<T> light{glm::mat<4, 4, T>(own.light.view), glm::mat<4, 4, T>(own.light.projection),
-                                   own.light.clip};
-        all[i] = {detail::checked(light, function, "camera, splits and scene"), T(own.strength)};
-    }
-    return all;
 }
 
 }  // namespace umbrage
@@ -10868,113 +9730,6 @@ template <real T = float>
 
 }  // namespace umbrage
 
-// ---- umbrage/light/spot_fit.hpp
-// A spot light fitted to what of its cone receives shadows, with the near plane pulled towards what casts them.
-//
-//     auto light = umbrage::fit_spot_light<float>(
-//         {.position = p, .direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
-//
-
-namespace umbrage {
-
-template <real T = float>
-struct spot_fit {
-    glm::vec<3, T> position{T(0)};
-    glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
-    glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
-    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
-    T z_near = T(0.1);                         ///< the least that the near plane may be, > 0: a lamp's own size
-    hull receivers = bounding_box<T>{};        ///< box, sphere, frustum, polyhedron or points
-    std::optional<bounding_box<T>> casters{};  ///< none: near plane at the receivers, for near_plane::clamps
-    T margin = T(0.01);         ///< added on every side, as a share of the map's and of distances, 0 to 1/2
-    bool has_far_plane = true;  ///< false: depth nears the far depth with distance
-    clip_space clip{};
-};
-
-namespace detail {
-
-/// What a spot light sees of a hull beyond a distance, within tangents of its sides: points as tangents x / distance,
-/// y / distance, and the distance.
-[[nodiscard]] inline std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen, double edge, double closest) {
-    for (const glm::dvec4 plane : {glm::dvec4(0, 0, 1, -closest), glm::dvec4(1, 0, edge, 0), glm::dvec4(-1, 0, edge, 0),
-                                   glm::dvec4(0, 1, edge, 0), glm::dvec4(0, -1, edge, 0)})
-        seen = clipped_hull(seen, plane);
-    for (glm::dvec3& p : seen) p = {p.x / p.z, p.y / p.z, p.z};
-    return seen;
-}
-
-/// The nearest that a box of casters comes to a spot light within what receivers sweep towards it.
-/// @param receivers  tangents;   outwards  the margin around them;   closest  where the sweep ends
-[[nodiscard]] inline double nearest_to_spot(const glm::dmat4& frame, const polyhedron& casters,
-                                            const std::vector<glm::dvec3>& receivers, double outwards, double closest) {
-    std::vector<glm::dvec4> planes = sweep(receivers, outwards);
-    for (glm::dvec4& plane : planes) plane = {plane.x, plane.y, plane.w, 0.0};  // through the light
-    planes.emplace_back(0.0, 0.0, 1.0, -closest);
-    // the sweep's end may lie within the casters, none of whose faces it then meets
-    const glm::dvec4 end =
-        glm::inverse(frame) * glm::dvec4(receivers.front().x * closest, receivers.front().y * closest, closest, 1.0);
-    const bool within = std::all_of(casters.faces().begin(), casters.faces().end(),
-                                    [&](const polyhedron::face& face) { return glm::dot(face.plane, end) >= 0.0; });
-    return within ? closest : nearest(frame, casters, planes);
-}
-
-}  // namespace detail
-
-/// The smallest part of the square pyramid around the cone that holds the receivers in it, and what of the casters' box
-/// they sweep towards the light, with the margin: but nothing outside of the pyramid or nearer than z_near. The light
-/// may stand within receivers and casters. For a sphere stands its box; of points counts all that lies between them, at
-/// a cost that grows with the square of their number where some lie outside: for a mesh give its box.
-/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), receivers empty, none in the
-///                                pyramid beyond z_near, or none of some extent there, casters that are no box, and
-///                                what gives matrices that are not finite
-template <real T = float>
-[[nodiscard]] light_space<T> fit_spot_light(const spot_fit<T>& fit) {
-    constexpr auto function = "fit_spot_light";
-    detail::require_receivers(fit.receivers, function);
-    const T angle = fit.outer_angle_radians;
-    detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
-                    "outer_angle_radians", "must lie between 0 and pi / 2");
-    detail::require(detail::is_normal(fit.z_near) && fit.z_near > T(0), function, "z_near",
-                    "must be above 0, finite and no denormal");
-    detail::require(fit.margin >= T(0) && fit.margin <= T(0.5), function, "margin", "must lie between 0 and 1/2");
-    light_space<T> space{
-        detail::look_along(fit.position, fit.direction, fit.up, fit.clip.hand, function, "position"), {}, fit.clip};
-    const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
-    const double edge = std::tan(double(angle)), closest(fit.z_near);
-
-    const auto before = detail::seen(frame, detail::corners_of(fit.receivers));
-    const detail::extent around = detail::extent_of(before);
-    const glm::dvec3 size = glm::max(glm::abs(around.low), glm::abs(around.high));
-    detail::require(around.high.z > closest && is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function,
-                    "receivers", "must lie before the light, beyond z_near");
-    const auto receivers = detail::tangents(before, edge, closest);
-    detail::require(!receivers.empty(), function, "receivers", "must lie in the cone");
-    auto [low, high] = detail::extent_of(receivers);
-    const double share(fit.margin), margin = share * glm::max(high.x - low.x, high.y - low.y);
-    double z_near = low.z;
-    if (fit.casters)
-        z_near = glm::min(z_near, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
-    z_near = glm::max(z_near * (1.0 - share), closest);
-    const double z_far = fit.has_far_plane ? high.z * (1.0 + share) : std::numeric_limits<double>::infinity();
-    const glm::dvec2 first = glm::max(glm::dvec2(low) - margin, -edge),
-                     last = glm::min(glm::dvec2(high) + margin, edge);
-    const glm::dvec2 half = (last - first) * 0.5;
-    detail::require(half.x > 0.0 && half.y > 0.0 && z_near < z_far, function, "receivers and margin",
-                    "must have some extent in the cone");
-
-    glm::dmat4 projection = detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function);
-    for (glm::length_t i = 0; i < 2; ++i) projection[2][i] = -projection[2][3] * (first + last)[i] * 0.5 / half[i];
-    space.projection = glm::mat<4, 4, T>(projection);
-    for (glm::length_t i = 0; i < 2; ++i)
-        detail::require(detail::is_normal(space.projection[i][i]), function, "receivers and margin",
-                        "give too large or too small a map");
-    detail::require(detail::is_normal(space.projection[3][2]), function, "z_near and receivers",
-                    "give planes too far apart or too close together");
-    return detail::checked(space, function, "position, z_near and receivers");
-}
-
-}  // namespace umbrage
-
 // ---- umbrage/light/spot_light.hpp
 // A spot light's space.
 //
@@ -11317,561 +10072,6 @@ template <real T = float>
 
 }  // namespace umbrage
 
-// ---- umbrage/light/warp/lamp.hpp
-// Point lights for warps: warp_fit::direction is then the axis, which all receivers have to lie along.
-//
-//     auto warped = umbrage::fit_perspective(fit, {.position = p, .z_near = 0.05f});
-//
-
-namespace umbrage {
-
-template <real T = float>
-struct lamp {
-    glm::vec<3, T> position{T(0)};
-    T z_near = T(0.1);  ///< its own size, > 0: casters closer to it along the axis may be left out
-};
-
-namespace detail {
-
-/// A lamp's own view of receivers, and of casters what may stand before them.
-struct lamp_view {
-    glm::dmat4 frame;        ///< world to x, y and the distance along the axis
-    double least, farthest;  ///< distances of receivers
-    polyhedron casters;
-};
-
-template <real T>
-[[nodiscard]] lamp_view view_of(const lamp<T>& from, const warp_fit<T>& fit, const char* function) {
-    require(is_normal(from.z_near) && from.z_near > T(0), function, "z_near",
-            "must be above 0, finite and no denormal");
-    const glm::dvec3 position(from.position), direction(fit.direction), up = up_of(fit);
-    lamp_view v;
-    v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "position"), fit.clip.hand);
-    const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(fit.receivers));
-    const auto [low, high] = extent_of(receivers);
-    v.least = low.z, v.farthest = high.z;
-    require(v.least > double(from.z_near) && is_finite(2.0 * v.farthest), function, "receivers",
-            "must lie before the light, beyond z_near");
-    if (!fit.casters) return v;
-    double edge = 1.0;
-    for (const glm::dvec3& p : receivers) edge = glm::max(edge, glm::max(glm::abs(p.x), glm::abs(p.y)) / p.z);
-    const frustum<double> all{position, direction, up, 16.0 * edge, 16.0 * edge, double(from.z_near), 2.0 * v.farthest};
-    v.casters = intersection(all, *fit.casters);
-    return v;
-}
-
-/// What the lamp sees along its axis: x, y, depth and w, of no warp.
-[[nodiscard]] inline glm::dmat4 map_along(const lamp_view& v) {
-    glm::dmat4 inverse(1.0);  // of the distance: depth and w
-    inverse[2] = {0, 0, 0, 1};
-    inverse[3] = {0, 0, -0.5 * (v.least + v.farthest), 0};
-    return inverse * v.frame;
-}
-
-template <real T>
-[[nodiscard]] warped_light<T> unwarped(const lamp_view& v, const warp_fit<T>& fit, const char* function) {
-    const auto light = refit(map_along(v), fit, v.casters, function);
-    require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a map");
-    return *light;
-}
-
-}  // namespace detail
-}  // namespace umbrage
-
-// ---- umbrage/light/warp/light_space_perspective.hpp
-// Light-space perspective: a directional light's map, warped by a perspective across the light, whose centre lies some
-// way before what the camera sees. What lies side by side towards the light stays so: rays are texels.
-//
-//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
-//     auto warped = umbrage::fit_light_space_perspective(fit);
-//     auto milder = umbrage::fit_light_space_perspective(fit, umbrage::optimal_distance(fit));
-//
-
-namespace umbrage {
-namespace detail {
-
-/// A camera's receivers as the light sees them, y along the camera's view.
-struct along_view {
-    glm::dmat4 frame;  ///< world to x, y and depth
-    glm::dvec3 first;  ///< x of the camera, least y of the receivers, and the camera's depth or that of the receivers
-                       ///< next to it: planes through the warp's zero of depth and its centre need no bias, and those
-                       ///< near to them little
-    double length;     ///< from their least y to the greatest
-    double camera_y;
-    double closest;  ///< least distance of receivers along the camera's view, no less than its near plane
-    double sine;     ///< of the angle between view and light
-};
-
-template <real T>
-[[nodiscard]] along_view make_along_view(const warp_fit<T>& fit, const char* function) {
-    require_warp_fit(fit, function);
-    along_view v;
-    v.frame = light_frame(view_of(fit, function), fit.clip.hand);
-    const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera)[2];
-    v.sine = glm::length(glm::cross(view, unit(glm::dvec3(fit.direction))));
-    const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
-    const auto [low, high] = extent_of(seen(v.frame, receivers));
-    const glm::dvec3 own(v.frame * glm::dvec4(eye, 1.0));
-    v.first = {own.x, low.y, glm::clamp(own.z, low.z, high.z)};
-    v.length = high.y - low.y;
-    v.camera_y = own.y;
-    v.closest = std::numeric_limits<double>::infinity();
-    for (const glm::dvec3& p : receivers) v.closest = glm::min(v.closest, glm::dot(p - eye, view));
-    v.closest = glm::max(v.closest, double(fit.camera.z_near));
-    return v;
-}
-
-/// The wider the angle between view and light, the more of a warp there is: none below 0.02, all of it from 0.2 on.
-[[nodiscard]] inline double share_of_warp(double sine) { return glm::clamp((sine - 0.02) / 0.18, 0.0, 1.0); }
-
-/// @return   infinite where camera and light look one way
-[[nodiscard]] inline double optimal_distance(const along_view& v) {
-    const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
-    return v.sine > 0.0 ? n : std::numeric_limits<double>::infinity();
-}
-
-/// Near the best on a ground.
-[[nodiscard]] inline double default_distance(const along_view& v) { return std::sqrt(v.closest * optimal_distance(v)); }
-
-/// A perspective along y whose centre lies n before the first receivers; in front of them it changes no length.
-/// @return    world to x, y, depth and w
-/// @formula   (x, y, z) / (1 + y / n) about `first`
-[[nodiscard]] inline glm::dmat4 map_along(const along_view& v, double n) {
-    const double nearest = v.length * 0x1p-14;  // float holds no more
-    const double bend = share_of_warp(v.sine) / glm::max(n, nearest);
-    if (!(bend > 0.0 && is_finite(bend))) return v.frame;
-    glm::dmat4 warp(1.0);
-    warp[3] = glm::dvec4(-v.first, 1.0 - bend * v.first.y);
-    warp[1][3] = bend;
-    return warp * v.frame;
-}
-
-template <real T>
-[[nodiscard]] warped_light<T> warped_along(const along_view& v, double n, const warp_fit<T>& fit,
-                                           const char* function) {
-    const auto warped = refit(map_along(v, n), fit, function);
-    return warped ? *warped : unwarped(fit, function);
-}
-
-}  // namespace detail
-
-/// How far before the receivers the centre of a light-space perspective has to lie so that the greatest error over the
-/// camera's frustum is least: the mildest warp that is of use.
-/// @return      world units along the camera's view, across the light; infinite where camera and light look one way
-/// @formula     (z0 + sqrt(z0 z1)) / sin t, z1 = z0 + d sin t: z0 the receivers' least distance along the camera's
-///              view, d their extent along it across the light, t the angle between view and light
-/// @throws std::invalid_argument  as fit_light_space_perspective does
-/// @cite        Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
-template <real T = float>
-[[nodiscard]] T optimal_distance(const warp_fit<T>& fit) {
-    return T(detail::optimal_distance(detail::make_along_view(fit, "optimal_distance")));
-}
-
-/// The map of a directional light, warped along the camera's view.
-///
-/// @param distance   n, from the warp's centre to the receivers next to it, world units along the camera's view across
-///                   the light, > 0, infinite for no warp; the smaller, the more texels go to what is close, down to
-///                   2^-14 of the receivers' extent, which stands for what is less. By default
-///                   sqrt(z0 optimal_distance), z0 the receivers' least distance along the camera's view: near the best
-///                   on a ground, whose depth on the screen is foreshortened, if it is seen from there on; too small
-///                   where nothing is for long: see seen_range
-/// @return           strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
-///                   from there to 0.2 the warp grows, without a jump
-/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
-///                                casters that are no box, a negative margin, distance not above 0, and what gives
-///                                matrices that are not finite
-/// @formula          (x, y, depth) / (1 + y / n) about the camera's x and depth and the receivers' least y, y along the
-///                   view; then around the receivers
-/// @cite             Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
-template <real T = float>
-[[nodiscard]] warped_light<T> fit_light_space_perspective(const warp_fit<T>& fit, std::optional<T> distance = {}) {
-    constexpr auto function = "fit_light_space_perspective";
-    const detail::along_view v = detail::make_along_view(fit, function);
-    detail::require(!distance || *distance > T(0), function, "distance", "must be above 0");
-    return detail::warped_along(v, distance ? double(*distance) : detail::default_distance(v), fit, function);
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/warp/perspective.hpp
-// Perspective shadow maps: a light's map of the world as the camera's own perspective shrinks it, so that what is small
-// on the screen is small in the map. Whatever stands where, rays are texels: the light itself goes through the camera's
-// perspective, from which it comes out as a point that shines, as one that swallows the light, or infinitely far away.
-//
-//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
-//     umbrage::perspective_light<float> warped = umbrage::fit_perspective(fit);
-//     if (warped.seen_as == umbrage::light_image::none) report("light-space perspective in its place");
-//
-
-namespace umbrage {
-
-/// What becomes of a light in the camera's perspective.
-enum class light_image {
-    source,    ///< a light before the camera: rays leave a point
-    sink,      ///< one behind it: they end in a point
-    parallel,  ///< one abreast of it: they stay parallel, or nearly
-    none       ///< a point amid the receivers, or too close to them: not warped so
-};
-
-template <real T>
-struct perspective_light : warped_light<T> {
-    light_image seen_as = light_image::none;  ///< none: what stands in its place
-};
-
-namespace detail {
-
-/// World to a camera's NDC, in double: the camera moved back, its planes around points.
-template <real T>
-[[nodiscard]] glm::dmat4 slid_back(const frustum<T>& camera, const std::vector<glm::dvec3>& points, double slide,
-                                   const char* function) {
-    const glm::dvec3 eye(camera.position), ahead = axes(camera)[2];
-    double least = std::numeric_limits<double>::infinity(), greatest = -least;
-    for (const glm::dvec3& p : points) {
-        const double z = glm::dot(p - eye, ahead);
-        least = glm::min(least, z), greatest = glm::max(greatest, z);
-    }
-    const double back = slide - glm::min(least, 0.0), z_near = least + back;
-    const double z_far = glm::max(greatest + back, z_near * (1.0 + 0x1p-8));
-    require(is_finite(z_far), function, "receivers", "lie too far from the camera");
-    const glm::dmat4 view =
-        look_along(eye - back * ahead, ahead, glm::dvec3(camera.up), handedness::right, function, "camera");
-    return perspective(double(camera.tan_half_x), double(camera.tan_half_y), z_near, z_far, opengl_clip_space,
-                       function) *
-           view;
-}
-
-/// The least and the greatest of angles under which points lie, in x and in y, z ahead.
-struct angles {
-    glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-};
-/// @return   nothing where one of them does not lie ahead
-[[nodiscard]] inline std::optional<angles> angles_of(const std::vector<glm::dvec3>& points) {
-    angles a;
-    for (const glm::dvec3& p : points) {
-        if (!(p.z > 0.0)) return {};
-        const glm::dvec2 angle(std::atan2(p.x, p.z), std::atan2(p.y, p.z));
-        a.low = glm::min(a.low, angle), a.high = glm::max(a.high, angle);
-    }
-    return a;
-}
-
-/// Where in NDC the map's axis goes through: halfway between the angles at which the light's image sees receivers.
-/// @return   nothing where the image stands amid them
-[[nodiscard]] inline std::optional<glm::dvec3> aim(const glm::dvec3& image, const std::vector<glm::dvec3>& receivers,
-                                                   const char* function) {
-    const auto [low, high] = extent_of(receivers);
-    const glm::dvec3 middle = (low + high) * 0.5;
-    // seen from beyond the far plane all of NDC lies the same way
-    const glm::dvec3 ahead = image.z > 1.0 ? glm::dvec3(0, 0, -1) : middle - image;
-    const glm::dmat4 first = light_frame(
-        look_along(image, ahead, glm::dvec3(0, 1, 0), handedness::right, function, "camera"), handedness::right);
-    const auto around = angles_of(seen(first, receivers));
-    if (!around) return {};
-    const glm::dvec2 halfway = glm::tan((around->low + around->high) * 0.5);
-    const glm::dvec3 axis = unit(glm::transpose(glm::dmat3(first)) * glm::dvec3(halfway, 1.0));
-    return image + axis * glm::dot(middle - image, axis);
-}
-
-/// A map in which rays are texels, and the angle by which its light's image sees receivers, pi and more: amid them.
-struct ray_map {
-    glm::dmat4 to_map;  ///< to x, y, depth and w
-    double opening;
-};
-
-/// Of sources and sinks alike, and of what is between them: the light goes through the aim along u, curved by k, which
-/// is above 0 for sources.
-/// @param light       in NDC, homogeneous
-/// @param up          of the map, in NDC at the aim
-/// @param receivers   in NDC
-/// @formula           u = -(l.xyz - l.w aim) / r, k = l.w / r, r its length; depth = u.(p - aim), w = 1 + k depth
-[[nodiscard]] inline ray_map along_rays(const glm::dvec4& light, const glm::dvec3& aim, const glm::dvec3& up,
-                                        const std::vector<glm::dvec3>& receivers, const char* function) {
-    const glm::dvec3 back = glm::dvec3(light) - aim * light.w;
-    const double bend = light.w / glm::length(back);
-    glm::dmat4 rays = light_frame(look_along(aim, -back, up, handedness::right, function, "camera"), handedness::right);
-    for (glm::length_t i = 0; i < 4; ++i) rays[i][3] += bend * rays[i][2];
-
-    std::vector<glm::dvec3> ahead;
-    for (const glm::dvec3& p : receivers) {
-        const glm::dvec4 h = rays * glm::dvec4(p, 1.0);
-        ahead.emplace_back(h.x * glm::abs(bend), h.y * glm::abs(bend), h.w);
-    }
-    const auto seen = angles_of(ahead);
-    if (!seen) return {rays, std::numbers::pi};
-    const glm::dvec2 opening = seen->high - seen->low;
-    return {rays, glm::max(opening.x, opening.y)};
-}
-
-/// How much of a map stands in for one that opens so wide: all of it from 150 degrees on, none up to 120.
-[[nodiscard]] inline double share_of_stand_in(double opening) {
-    constexpr double degree = std::numbers::pi / 180.0;
-    return glm::clamp((opening - 120.0 * degree) / (30.0 * degree), 0.0, 1.0);
-}
-
-/// A map whose receivers fill -1 to 1, w 1 at the least of them, and that mirrors nothing: maps of one light that are
-/// laid so can be mixed, as rays are texels in each.
-[[nodiscard]] inline glm::dmat4 filled(const glm::dmat4& to_map, const hull& receivers) {
-    extent box;
-    double least = std::numeric_limits<double>::infinity();
-    for (const glm::dvec3& p : corners_of(receivers)) {
-        const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
-        box.low = glm::min(box.low, glm::dvec3(h) / h.w), box.high = glm::max(box.high, glm::dvec3(h) / h.w);
-        least = glm::min(least, h.w);
-    }
-    const glm::dvec3 size = box.high - box.low;
-    glm::dvec3 scale = 2.0 / glm::max(size, 0x1p-8 * glm::max(glm::max(size.x, size.y), size.z));
-    if (glm::determinant(to_map) < 0.0) scale.x = -scale.x;
-    glm::dmat4 placed(1.0);
-    for (glm::length_t i = 0; i < 3; ++i)
-        placed[i][i] = scale[i], placed[3][i] = -0.5 * scale[i] * (box.low[i] + box.high[i]);
-    return placed * to_map / least;
-}
-
-/// The map of a light, homogeneous: the way towards it and 0, or its position and 1.
-/// @param stand_in   the light's map where it has no other: world to x, y, depth and w
-/// @param instead    () -> warped_light<T>, that map
-/// @param frame      the light's own, whose y is the map's
-template <real T, class Instead>
-[[nodiscard]] perspective_light<T> perspective_of(const glm::dvec4& light, const warp_fit<T>& fit,
-                                                  const polyhedron& casters, T slide, const char* function,
-                                                  const glm::dmat4& frame, const glm::dmat4& stand_in,
-                                                  Instead&& instead) {
-    require(is_normal(slide) && slide > T(0), function, "slide", "must be above 0 and finite");
-    const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
-    const glm::dmat4 to_ndc = slid_back(fit.camera, receivers, double(slide), function);
-    const glm::dvec4 image = to_ndc * light;
-    std::vector<glm::dvec3> in_ndc;
-    for (const glm::dvec3& p : receivers) {
-        const glm::dvec4 h = to_ndc * glm::dvec4(p, 1.0);
-        in_ndc.push_back(glm::dvec3(h) / h.w);
-    }
-    const bool far = !(glm::abs(image.w) >= 1e-4 * glm::length(glm::dvec3(image)));
-    const auto middle = far ? glm::dvec3(0) : aim(glm::dvec3(image) / image.w, in_ndc, function);
-    if (middle) {
-        const auto [low, high] = extent_of(in_ndc);
-        const glm::dvec4 y = to_ndc * glm::dvec4(frame[0][1], frame[1][1], frame[2][1], 0.0);
-        // as the stand-in has it on the camera's axis, of a lamp amid the receivers: both turn alike
-        const glm::dvec3 up = glm::dvec3(y) - light.w * 0.5 * (low + high) * y.w;
-        const auto [rays, opening] = along_rays(image, *middle, up, in_ndc, function);
-        const double share = share_of_stand_in(opening);
-        glm::dmat4 to_map = rays * to_ndc;
-        if (share > 0.0 && share < 1.0)
-            to_map = (1.0 - share) * filled(to_map, fit.receivers) + share * filled(stand_in, fit.receivers);
-        const auto warped = share < 1.0 ? refit(to_map, fit, casters, function) : std::nullopt;
-        if (warped)
-            return {*warped, far ? light_image::parallel : image.w > 0 ? light_image::source : light_image::sink};
-    }
-    return {instead(), light_image::none};
-}
-
-}  // namespace detail
-
-/// The map of a directional light through the camera's perspective. Casters behind the camera need no more of a slide:
-/// w is the same all along a ray, and depth runs on.
-///
-/// While camera and light move the map changes without a jump, from image to image of the light too, and to
-/// fit_light_space_perspective, which it turns into while what the camera sees fills 120 to 150 degrees around the
-/// light's image.
-///
-/// @param slide   how far behind its place the camera is taken for the warp, world units, > 0: the least distance to
-///                receivers. Less gives more of the map to what is close
-/// @return        light_image::none and fit_light_space_perspective where the light, or the point opposite, stands amid
-///                what the camera sees, which fills 150 degrees around it or more
-/// @throws std::invalid_argument  as fit_light_space_perspective does, and slide not above 0
-/// @cite          Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002
-template <real T = float>
-[[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, T slide = T(1)) {
-    constexpr auto function = "fit_perspective";
-    const detail::along_view v = detail::make_along_view(fit, function);
-    const glm::dvec4 light(-v.frame[0][2], -v.frame[1][2], -v.frame[2][2], 0.0);
-    const polyhedron casters = fit.casters ? polyhedron(*fit.casters) : polyhedron();
-    const double n = detail::default_distance(v);
-    return detail::perspective_of(light, fit, casters, slide, function, v.frame, detail::map_along(v, n),
-                                  [&] { return detail::warped_along(v, n, fit, function); });
-}
-
-/// The same of a point light, such as a spot: a source where it is before the camera, a sink where it is behind.
-///
-/// @param fit    whose direction is the light's axis
-/// @return       light_image::none and what the light sees along its axis, without a warp, where the light stands amid
-///               what the camera sees
-/// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
-///                                what fit_perspective complains of
-template <real T>
-[[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, const lamp<T>& from, T slide = T(1)) {
-    constexpr auto function = "fit_perspective";
-    detail::require_warp_fit(fit, function);
-    const detail::lamp_view own = detail::view_of(from, fit, function);
-    return detail::perspective_of(glm::dvec4(glm::dvec3(from.position), 1.0), fit, own.casters, slide, function,
-                                  own.frame, detail::map_along(own),
-                                  [&] { return detail::unwarped(own, fit, function); });
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/warp/plane_optimal.hpp
-// Plane-optimal: a map that on one plane is the screen itself, pixel for pixel in proportion: the best that can be had
-// for a ground, and for nothing else.
-//
-//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
-//     auto ground = umbrage::fit_plane_optimal(fit, glm::vec4(0, 1, 0, 0));  // y = 0
-//
-
-namespace umbrage {
-
-/// What matrices in float leave of the plane's own depth, which is the same all over the map, under lights of 3 degrees
-/// and more above it: acne_free_bias, that sees no slope, is to be given this much more.
-template <real T>
-inline constexpr T plane_optimal_rounding = T(0x1p-20);
-
-namespace detail {
-
-/// Where a plane cuts a body's edges: the corners of what they have in common.
-[[nodiscard]] inline std::vector<glm::dvec3> crossings(const polyhedron& body, const glm::dvec4& plane) {
-    std::vector<glm::dvec3> all;
-    for (const polyhedron::face& face : body.faces())
-        for (std::size_t i = 0; i < face.corners.size(); ++i) {
-            const glm::dvec3 &p = face.corners[i], &q = face.corners[i + 1 < face.corners.size() ? i + 1 : 0];
-            const double at_p = glm::dot(plane, glm::dvec4(p, 1.0)), at_q = glm::dot(plane, glm::dvec4(q, 1.0));
-            if ((at_p < 0.0) != (at_q < 0.0)) all.push_back(p + (q - p) * (at_p / (at_p - at_q)));
-        }
-    return all;
-}
-
-/// The map of a light, homogeneous: the way towards it and 0, or its position and 1.
-/// @param casters   that lie before w = 0
-template <real T>
-[[nodiscard]] warped_light<T> plane_optimal_of(const glm::dvec4& light, const warp_fit<T>& fit,
-                                               const polyhedron& casters, const glm::vec<4, T>& plane,
-                                               const char* function) {
-    glm::dvec4 ground(plane);
-    require(all_finite(plane) && is_normal(glm::length(glm::dvec3(ground))), function, "plane",
-            "must be finite and have a normal");
-    ground /= glm::length(glm::dvec3(ground)) * (glm::dot(ground, light) < 0.0 ? -1.0 : 1.0);
-    const double height = glm::dot(ground, light);
-    require(height > 1e-6 * glm::length(light), function, "plane", "must not be seen edge on by the light");
-    const std::vector<glm::dvec3> seen = crossings(fit.camera, ground);
-    require(!seen.empty(), function, "plane", "must lie before the camera");
-
-    // along the light onto the plane, and from there onto the screen; heights over the plane are depth
-    const glm::dmat4 cast = glm::dmat4(1.0) - glm::outerProduct(light, ground) / height;
-    const glm::dmat3 camera = axes(fit.camera);
-    glm::dmat4 rows;
-    const auto row = [&](const glm::dvec3& a) {
-        return glm::dvec4(a, -glm::dot(a, glm::dvec3(fit.camera.position))) * cast;
-    };
-    rows[0] = row(camera[0] / double(fit.camera.tan_half_x));
-    rows[1] = row(camera[1] / double(fit.camera.tan_half_y));
-    rows[2] = -ground;
-    rows[3] = row(camera[2]);
-    const glm::dmat4 to_map = glm::transpose(rows);
-
-    double least = std::numeric_limits<double>::infinity(), greatest = 0.0;
-    for (const glm::dvec3& p : seen) {
-        const double w = (to_map * glm::dvec4(p, 1.0)).w;
-        least = glm::min(least, w), greatest = glm::max(greatest, w);
-    }
-    const double eye = glm::dot(ground, glm::dvec4(glm::dvec3(fit.camera.position), 1.0));
-    require(least > 0.0 && glm::abs(eye) > 1e-6 * greatest, function, "plane",
-            "must not be seen edge on by the camera");
-    const double edge = 1.0 + 2.0 * double(fit.margin);
-    // w is a plane's point's, by a share that a point light takes away on the way towards it
-    const glm::dvec4 share = (glm::dvec4(0, 0, 0, 1) - ground * (light.w / height)) * glm::inverse(to_map);
-    const auto swept = seen_within(to_map, casters,
-                                   {{1, 0, 0, edge},
-                                    {-1, 0, 0, edge},
-                                    {0, 1, 0, edge},
-                                    {0, -1, 0, edge},
-                                    glm::dvec4(0, 0, 0, 1) - share * least,
-                                    share * greatest - glm::dvec4(0, 0, 0, 1)});
-    extent box{glm::dvec3(-edge, -edge, 0.0), glm::dvec3(edge, edge, 0.0)};
-    if (swept) box.low.z = glm::min(box.low.z, swept->low.z), box.high.z = glm::max(box.high.z, swept->high.z);
-    const double deep = glm::max(double(fit.margin), 0x1p-8) * glm::max(box.high.z - box.low.z, 1.0);
-    box.low.z -= deep, box.high.z += deep;
-    const auto warped = swept ? laid(to_map, box, least, greatest, fit, function) : std::nullopt;
-    require(warped.has_value(), function, "plane and camera", "give too large or too small a map");
-    return *warped;
-}
-
-}  // namespace detail
-
-/// The map of a directional light in which a plane lies as the camera sees it: where the map has k texels for a pixel
-/// across the screen, it has them everywhere on the plane, whatever the light. It holds what shades that part of the
-/// plane which the screen shows. Receivers apart from the plane are in it where their shadow on the plane is, and with
-/// fewer texels; the others, and what they are to be taken as, are the caller's: project_coordinate tells w <= 0, and
-/// inside_cascade the rest.
-///
-/// @param fit     but for its receivers, for which the plane stands
-/// @param plane   dot(plane, (p, 1)) = 0, a normal of any length > 0; the light may come from either side
-/// @return        of no use for what the light hardly touches: depth grows along the light by its height over the
-///                plane, over w
-/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, a plane that is none, that the
-///                                camera does not see, or that holds the light's direction (1e-6), casters that are no
-///                                box, a negative margin, and what gives matrices that are not finite
-/// @formula       x, y and w of the camera after (N.L) I - L N^T, depth - N.p
-template <real T = float>
-[[nodiscard]] warped_light<T> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane) {
-    constexpr auto function = "fit_plane_optimal";
-    detail::require_warp_fit(fit, function);
-    const glm::dmat4 view = detail::light_frame(detail::view_of(fit, function), fit.clip.hand);
-    const glm::dvec4 light(-view[0][2], -view[1][2], -view[2][2], 0.0);
-    return detail::plane_optimal_of(light, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), plane, function);
-}
-
-/// The same of a point light.
-/// @param fit   whose direction is the light's axis
-/// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
-///                                what fit_plane_optimal complains of
-template <real T>
-[[nodiscard]] warped_light<T> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane,
-                                                const lamp<T>& from) {
-    constexpr auto function = "fit_plane_optimal";
-    detail::require_warp_fit(fit, function);
-    const detail::lamp_view own = detail::view_of(from, fit, function);
-    return detail::plane_optimal_of(glm::dvec4(glm::dvec3(from.position), 1.0), fit, own.casters, plane, function);
-}
-
-}  // namespace umbrage
-
-// ---- umbrage/light/warp/trapezoidal.hpp
-// Trapezoidal shadow maps: a directional light's map from the trapezoid around what the camera sees, which is warped so
-// that up to a chosen distance the camera gets four fifths of the map.
-//
-//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
-//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
-//     auto warped = umbrage::fit_trapezoidal(fit, 20.0f);
-//
-
-namespace umbrage {
-
-/// The map of a directional light, warped along the camera's view with the focus on what is close.
-///
-/// @param focus   distance along the camera's view up to which four fifths of the map are for, world units, >= 0;
-///                receivers that begin behind it get the strongest warp there is; none where four fifths of the
-///                receivers lie before it
-/// @return        strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
-///                from there to 0.2 the warp grows, without a jump
-/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
-///                                casters that are no box, a negative margin, focus negative or not finite, and what
-///                                gives matrices that are not finite
-/// @formula       the trapezoid's top and base cross the light's image of the camera's axis at the receivers' ends,
-///                l apart; with the focus f behind the top the legs meet 0.4 l f / (1.6 l - 2 f) before it
-/// @cite          Martin, Tan: Anti-aliasing and Continuity with Trapezoidal Shadow Maps, EGSR 2004
-template <real T = float>
-[[nodiscard]] warped_light<T> fit_trapezoidal(const warp_fit<T>& fit, T focus) {
-    constexpr auto function = "fit_trapezoidal";
-    const detail::along_view v = detail::make_along_view(fit, function);
-    detail::require(is_finite(focus) && focus >= T(0), function, "focus", "must be finite and not below 0");
-    const double f = glm::max(v.camera_y + double(focus) * v.sine - v.first.y, 0.0), rest = 1.6 * v.length - 2.0 * f;
-    if (!(rest > 0.0)) return detail::unwarped(fit, function);
-    return detail::warped_along(v, 0.4 * v.length * f / rest, fit, function);
-}
-
-}  // namespace umbrage
-
 // ---- umbrage/shade/lighting.hpp
 // The lighting of the DirectX SDK's ShadowMap sample: a spot cone, diffuse plus ambient. Enough for whole pictures.
 //
@@ -12058,8 +10258,9 @@ inline constexpr auto overlay_texel_snippets = list<&overlay_texel>;
 }  // namespace umbrage
 
 // ---- umbrage/primitives.hpp
-// The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them, and
-// the texts of snippets come with <umbrage/umbrage.hpp>. Made by single_include/amalgamate.cmake.
+// The primitives of umbrage alone, for short compile times. Functions over whole images, the depth pass among them,
+// lights that are fitted to a scene (directional_fit, spot_fit, cascades, warp, adaptive) and the texts of snippets
+// come with <umbrage/umbrage.hpp> or in headers of their own. Made by single_include/amalgamate.cmake.
 
 
 // ---- umbrage/simd/blocks/form.hpp
@@ -16144,6 +14345,210 @@ template <class ParallelFor = serial>
 
 }  // namespace umbrage
 
+// ---- umbrage/light/bounds.hpp
+// What lights are fitted to: boxes, spheres, a camera's frustum and slices of it, points; and what a frustum has in
+// common with a scene.
+//
+//     umbrage::frustum<float> slice{.position = eye, .direction = ahead, .tan_half_x = 0.8f, .tan_half_y = 0.5f,
+//                                   .z_near = 1, .z_far = 20};
+//     umbrage::polyhedron seen = umbrage::intersection(slice, umbrage::bounding_box<float>{scene_low, scene_high});
+//
+// Corners are computed in double, whatever the numbers come in.
+//
+
+namespace umbrage {
+
+template <real T>
+struct bounding_box {
+    glm::vec<3, T> low{T(-1)}, high{T(1)};  ///< low <= high; flat ones are as good
+};
+
+template <real T>
+struct bounding_sphere {
+    glm::vec<3, T> centre{T(0)};
+    T radius = T(1);  ///< >= 0
+};
+
+/// What a perspective camera sees between two distances: all of it, or a cascade's slice.
+template <real T>
+struct frustum {
+    glm::vec<3, T> position{T(0)};
+    glm::vec<3, T> direction{T(0), T(0), T(-1)};  ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    T tan_half_x = T(1), tan_half_y = T(1);       ///< tangent of half the opening angle, > 0: below 180 degrees
+    T z_near = T(0.1), z_far = T(100);            ///< 0 <= z_near < z_far, along direction, finite
+};
+
+using eight_corners = std::array<glm::dvec3, 8>;
+
+/// Corners in the order of their numbers' bits: x, y, z high.
+/// @throws std::invalid_argument  bounds not finite or empty, which is low above high
+template <real T>
+[[nodiscard]] eight_corners corners(const bounding_box<T>& box) {
+    detail::require(detail::all_finite(box.low) && detail::all_finite(box.high), "bounding_box", "low and high",
+                    "must be finite");
+    detail::require(!glm::any(glm::greaterThan(box.low, box.high)), "bounding_box", "low", "must not be above high");
+    const glm::dvec3 low(box.low), high(box.high);
+    eight_corners all;
+    for (std::size_t i = 0; i < 8; ++i)
+        all[i] = {(i & 1 ? high : low).x, (i & 2 ? high : low).y, (i & 4 ? high : low).z};
+    return all;
+}
+
+namespace detail {
+
+/// A frustum's directions as columns: to the side, up, along.
+template <real T>
+[[nodiscard]] glm::dmat3 axes(const frustum<T>& f) {
+    constexpr auto function = "frustum";
+    require(is_finite(f.tan_half_x) && f.tan_half_x > T(0), function, "tan_half_x", "must be finite and above 0");
+    require(is_finite(f.tan_half_y) && f.tan_half_y > T(0), function, "tan_half_y", "must be finite and above 0");
+    require(f.z_near >= T(0), function, "z_near", "must not be below 0");
+    require(is_finite(f.z_far) && f.z_near < f.z_far, function, "z_far", "must be finite and above z_near");
+    const auto view = look_along(glm::dvec3(f.position), glm::dvec3(f.direction), glm::dvec3(f.up), handedness::right,
+                                 function, "position");
+    return {{view[0][0], view[1][0], view[2][0]},
+            {view[0][1], view[1][1], view[2][1]},
+            {-view[0][2], -view[1][2], -view[2][2]}};
+}
+
+}  // namespace detail
+
+/// Corners in the order of their numbers' bits: right, up, far.
+/// @throws std::invalid_argument  a frustum that is none: see its members
+template <real T>
+[[nodiscard]] eight_corners corners(const frustum<T>& f) {
+    const glm::dmat3 axes = detail::axes(f);
+    eight_corners all;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const double z(i & 4 ? f.z_far : f.z_near), x = (i & 1 ? z : -z) * double(f.tan_half_x);
+        all[i] = glm::dvec3(f.position) + axes * glm::dvec3(x, (i & 2 ? z : -z) * double(f.tan_half_y), z);
+    }
+    return all;
+}
+
+/// The smallest sphere around a frustum. Its radius comes of planes and angles alone: it keeps its bits however the
+/// camera turns and moves.
+/// @formula   zc = min(f, (n + f) (1 + t) / 2), r^2 = (f - zc)^2 + f^2 t, t = tan_half_x^2 + tan_half_y^2
+/// @throws std::invalid_argument  a frustum that is none
+template <real T>
+[[nodiscard]] bounding_sphere<double> sphere_around(const frustum<T>& f) {
+    const glm::dmat3 axes = detail::axes(f);
+    const double x(f.tan_half_x), y(f.tan_half_y), n(f.z_near), z_far(f.z_far), t = x * x + y * y;
+    const double centre = glm::min(z_far, (n + z_far) * (1.0 + t) / 2.0), beyond = z_far - centre;
+    return {glm::dvec3(f.position) + axes[2] * centre, std::sqrt(beyond * beyond + z_far * z_far * t)};
+}
+
+/// A convex body, by its faces.
+class polyhedron {
+public:
+    struct face {
+        glm::dvec4 plane;                 ///< dot(plane, (p, 1)) >= 0 inside
+        std::vector<glm::dvec3> corners;  ///< none where the body does not reach the plane
+    };
+
+    polyhedron() = default;
+
+    template <real T>
+    polyhedron(const bounding_box<T>& box) {
+        const glm::dvec3 low(box.low), high(box.high);
+        add_faces(umbrage::corners(box), {{{1, 0, 0, -low.x},
+                                           {-1, 0, 0, high.x},
+                                           {0, 1, 0, -low.y},
+                                           {0, -1, 0, high.y},
+                                           {0, 0, 1, -low.z},
+                                           {0, 0, -1, high.z}}});
+    }
+
+    template <real T>
+    polyhedron(const frustum<T>& f) {
+        const glm::dmat3 axes = detail::axes(f);
+        const double x(f.tan_half_x), y(f.tan_half_y);
+        const auto plane = [&](glm::dvec3 normal, double offset) {
+            const glm::dvec3 n = axes * normal;
+            return glm::dvec4(n, offset - glm::dot(n, glm::dvec3(f.position)));
+        };
+        add_faces(umbrage::corners(f),
+                  {plane({1, 0, x}, 0), plane({-1, 0, x}, 0), plane({0, 1, y}, 0), plane({0, -1, y}, 0),
+                   plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
+    }
+
+    [[nodiscard]] const std::vector<face>& faces() const { return faces_; }
+    [[nodiscard]] bool empty() const { return faces_.empty(); }
+
+    friend polyhedron intersection(const polyhedron& a, const polyhedron& b);
+
+private:
+    void add_faces(const eight_corners& c, const std::array<glm::dvec4, 6>& planes) {
+        constexpr std::size_t order[6][4]{{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                          {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
+        for (std::size_t i = 0; i < 6; ++i)
+            faces_.push_back({planes[i], {c[order[i][0]], c[order[i][1]], c[order[i][2]], c[order[i][3]]}});
+    }
+
+    std::vector<face> faces_;
+};
+
+namespace detail {
+
+/// The part of a convex polygon that is inside of a plane.
+[[nodiscard]] inline std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const glm::dvec4& plane) {
+    const auto inside = [&](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
+    std::vector<glm::dvec3> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec3 &p = polygon[i], &q = polygon[i + 1 < polygon.size() ? i + 1 : 0];
+        const double at_p = inside(p), at_q = inside(q);
+        if (!(at_p < 0.0)) kept.push_back(p);
+        if ((at_p < 0.0) != (at_q < 0.0)) kept.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+    }
+    return kept;
+}
+
+}  // namespace detail
+
+/// What two bodies have in common; empty where that is nothing.
+[[nodiscard]] inline polyhedron intersection(const polyhedron& a, const polyhedron& b) {
+    polyhedron common;
+    bool touch = false;
+    const auto add = [&](const polyhedron& of, const polyhedron& within) {
+        for (polyhedron::face face : of.faces_) {
+            for (const polyhedron::face& other : within.faces_)
+                face.corners = detail::clipped(face.corners, other.plane);
+            touch = touch || !face.corners.empty();
+            common.faces_.push_back(
+                std::move(face));  // one without corners too: rounding may take them of a flat body's
+        }
+    };
+    add(a, b);
+    add(b, a);
+    return touch && !a.empty() && !b.empty() ? common : polyhedron();
+}
+
+/// Points, what lies between them, and a ball around each: what a directional light is fitted to.
+struct hull {
+    std::vector<glm::dvec3> points;
+    double radius = 0.0;  ///< of the ball
+
+    hull() = default;
+    template <real T>
+    hull(std::span<const glm::vec<3, T>> p) : points(p.begin(), p.end()) {}
+    template <real T>
+    hull(const std::vector<glm::vec<3, T>>& p) : points(p.begin(), p.end()) {}
+    template <real T>
+    hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.centre)}, radius(s.radius) {}
+    template <real T>
+    hull(const bounding_box<T>& box) : hull(umbrage::corners(box)) {}
+    template <real T>
+    hull(const frustum<T>& f) : hull(umbrage::corners(f)) {}
+    hull(const eight_corners& c) : points(c.begin(), c.end()) {}
+    hull(const polyhedron& p) {
+        for (const polyhedron::face& face : p.faces())
+            points.insert(points.end(), face.corners.begin(), face.corners.end());
+    }
+};
+
+}  // namespace umbrage
+
 // ---- umbrage/images/instances.hpp
 // Which instances of a mesh a map has to draw: a cascade's holds a small part of the world, and most casters lie beside
 // it.
@@ -17130,6 +15535,471 @@ void visibility(image_view<const typename Encoding::texel> map, const Encoding& 
 
 }  // namespace umbrage
 
+// ---- umbrage/light/adaptive/pages.hpp
+// Which pages of a light's root square a view needs, so that shadows are as fine as the screen, and which of an
+// atlas' slots hold them: pages stay where they are from frame to frame, those least recently needed are given up.
+//
+//     umbrage::page_cache cache({.slots = {16, 16}, .deepest_level = 10});
+//     for (;;) {  // receivers: umbrage::page_receiver{coordinate in the root, longest_extent in a map of one page}
+//         const umbrage::page_update update = cache.update(receivers);
+//         umbrage::draw_pages(atlas, layout, root, update.drawn, draw);  // see images/page_atlas.hpp
+//     }
+//
+
+namespace umbrage {
+
+/// A square of the root, whose side is the root's over 2^level: the x-th from the left, the y-th from the first row.
+struct page {
+    int level = 0, x = 0, y = 0;
+
+    friend auto operator<=>(const page&, const page&) = default;  ///< coarse ones first
+};
+
+/// The page of a level that holds a point.
+/// @param coord   1 .. 2 across the root, 2 not included
+[[nodiscard]] inline page page_at(glm::dvec2 coord, int level) {
+    const double across = std::ldexp(1.0, level);
+    return {level, static_cast<int>((coord.x - 1.0) * across), static_cast<int>((coord.y - 1.0) * across)};
+}
+
+/// A point that the view sees.
+struct page_receiver {
+    glm::vec2 coord{1};   ///< 1 .. 2 across the root
+    float extent = 0.0f;  ///< longest_extent of a texel of the coarsest page, pixels
+};
+
+namespace detail {
+
+/// The least level in which no texel's longer axis covers more pixels than wanted; -1 of receivers that want none.
+[[nodiscard]] inline int wanted_level(const page_receiver& r, double target, int deepest) {
+    const auto in_root = [](float v) { return v >= 1.0f && v < 2.0f; };
+    if (!in_root(r.coord.x) || !in_root(r.coord.y) || !is_finite(r.extent) || !(r.extent > 0.0f)) return -1;
+    return static_cast<int>(std::clamp(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
+}
+
+}  // namespace detail
+
+/// The pages of the least level in which no texel's longer axis covers more pixels than wanted.
+/// @param receivers       those beside the root, and of an extent that is not finite or not above 0, want none
+/// @param target          pixels, > 0
+/// @param deepest_level   0 .. 15, whatever that leaves
+/// @return                each once, coarse ones first
+/// @formula               level = ceil(log2(extent / target))
+/// @throws std::invalid_argument  target or deepest_level out of range
+[[nodiscard]] inline std::vector<page> wanted_pages(std::span<const page_receiver> receivers, double target,
+                                                    int deepest_level) {
+    constexpr auto function = "wanted_pages";
+    detail::require(is_finite(target) && target > 0.0, function, "target", "must be finite and above 0");
+    detail::require(deepest_level >= 0 && deepest_level <= deepest_page_level, function, "deepest_level",
+                    "must lie between 0 and 15");
+    std::vector<page> pages;
+    for (const page_receiver& r : receivers) {
+        const int level = detail::wanted_level(r, target, deepest_level);
+        if (level < 0) continue;
+        const page p = page_at(r.coord, level);
+        if (pages.empty() || p != pages.back()) pages.push_back(p);
+    }
+    std::sort(pages.begin(), pages.end());
+    pages.erase(std::unique(pages.begin(), pages.end()), pages.end());
+    return pages;
+}
+
+/// What a cache is made for.
+struct page_budget {
+    glm::ivec2 slots{16};    ///< columns and rows of pages that the atlas has, each 1 .. 256
+    int deepest_level = 10;  ///< 0 .. 15: of the finest pages; a table has 2^deepest_level texels a side
+    double target = 1.0;     ///< pixels that a texel may cover, > 0
+};
+
+/// A page and where the atlas holds it.
+struct placed_page {
+    umbrage::page page;
+    glm::ivec2 slot;
+};
+
+/// What has changed from one view to the next.
+struct page_update {
+    std::vector<placed_page> drawn{};  ///< pages that are to be drawn, coarse ones first
+    double target = 0.0;               ///< pixels that a texel covers at most: the budget's target, or more
+    std::size_t kept = 0;              ///< pages needed that were there
+    std::size_t given_up = 0;          ///< pages that others took the place of,
+    std::size_t forced = 0;            ///< and of these such as the view needs for the budget's target: shadows pop
+};
+
+/// Pages that stay in their slots as long as nothing finer, nearer or newer wants these.
+///
+/// The root's own page is always there, so that there is shadow everywhere in it; where the view needs no finer pages
+/// any more, those that are left serve until others need their slots. Where the wanted pages are more than the slots,
+/// the target is raised by steps of a sixteenth of an octave until they fit; it comes down again when as many as seven
+/// eighths of the slots suffice, so that it does not swing.
+/// @cite   Fernando, Fernandez, Bala, Greenberg: Adaptive Shadow Maps, SIGGRAPH 2001
+class page_cache {
+public:
+    /// @throws std::invalid_argument  slots, deepest_level or target out of range
+    explicit page_cache(const page_budget& budget) : budget_(budget), target_(budget.target) {
+        constexpr auto function = "page_cache";
+        const auto fits = [](int n) { return n >= 1 && n <= 256; };
+        detail::require(fits(budget.slots.x) && fits(budget.slots.y), function, "slots", "must be 1 to 256 each");
+        detail::require(budget.deepest_level >= 0 && budget.deepest_level <= deepest_page_level, function,
+                        "deepest_level", "must lie between 0 and 15");
+        detail::require(is_finite(budget.target) && budget.target > 0.0, function, "target",
+                        "must be finite and above 0");
+        for (glm::ivec2 slot{0}; slot.y < budget.slots.y; ++slot.y)
+            for (slot.x = 0; slot.x < budget.slots.x; ++slot.x) free_.push_back(slot);
+        std::reverse(free_.begin(), free_.end());
+    }
+
+    /// Takes in what a view sees.
+    page_update update(std::span<const page_receiver> receivers) {
+        ++now_;
+        page_update result;
+        std::vector<page> missing;
+        for (const page& p : fitting(receivers))
+            if (const auto found = resident_.find(p); found != resident_.end())
+                found->second.needed = now_, ++result.kept;
+            else missing.push_back(p);
+        const std::vector<page> given_up =
+            give_up(missing.size() > free_.size() ? missing.size() - free_.size() : std::size_t(0));
+        for (const page& p : missing) {
+            result.drawn.push_back({p, free_.back()});
+            resident_[p] = {free_.back(), now_};
+            free_.pop_back();
+        }
+        result.target = target_;
+        result.given_up = given_up.size();
+        if (target_ > budget_.target && !given_up.empty()) result.forced = popped(receivers, given_up);
+        return result;
+    }
+
+    /// All that must be drawn anew: casters or the light have moved.
+    void forget() {
+        for (const auto& [p, in] : resident_) free_.push_back(in.slot);
+        resident_.clear();
+    }
+
+    [[nodiscard]] const page_budget& budget() const { return budget_; }
+    [[nodiscard]] std::size_t size() const { return resident_.size(); }
+
+    /// Calls use(page, slot) for every page that is there, coarse ones first.
+    template <class Use>
+    void for_each(Use&& use) const {
+        for (const auto& [p, in] : resident_) use(p, in.slot);
+    }
+
+    /// The level of the finest page that holds a point; -1 where there is none.
+    /// @param coord   1 .. 2 across the root, 2 not included
+    [[nodiscard]] int level_at(glm::dvec2 coord) const {
+        int level = budget_.deepest_level;
+        while (level >= 0 && !resident_.contains(page_at(coord, level))) --level;
+        return level;
+    }
+
+private:
+    struct held {
+        glm::ivec2 slot;
+        std::uint64_t needed;  ///< in which update last
+    };
+
+    [[nodiscard]] std::size_t slots() const {
+        return static_cast<std::size_t>(budget_.slots.x) * static_cast<std::size_t>(budget_.slots.y);
+    }
+
+    /// The root and what is wanted besides, with the target moved until it fits.
+    [[nodiscard]] std::vector<page> fitting(std::span<const page_receiver> receivers) {
+        const double step = std::exp2(1.0 / 16.0);
+        const auto wanted = [&](double target) {
+            std::vector<page> pages = wanted_pages(receivers, target, budget_.deepest_level);
+            if (pages.empty() || pages.front() != page{}) pages.insert(pages.begin(), page{});
+            return pages;
+        };
+        std::vector<page> pages = wanted(target_);
+        while (pages.size() > slots()) pages = wanted(target_ *= step);
+        while (target_ > budget_.target) {
+            const double finer = std::max(target_ / step, budget_.target);
+            std::vector<page> more = wanted(finer);
+            if (more.size() * 8 > slots() * 7) break;
+            target_ = finer;
+            pages.swap(more);
+        }
+        return pages;
+    }
+
+    /// Frees slots: of the pages not needed now the least recently needed, of these the finest.
+    /// @return   the pages, in their order
+    std::vector<page> give_up(std::size_t count) {
+        std::vector<std::pair<std::uint64_t, page>> others;
+        for (const auto& [p, in] : resident_)
+            if (in.needed < now_) others.emplace_back(in.needed, p);
+        std::sort(others.begin(), others.end(), [](const auto& a, const auto& b) {
+            return a.first != b.first ? a.first < b.first : b.second < a.second;
+        });
+        std::vector<page> pages;
+        for (std::size_t i = 0; i < count; ++i) {
+            const page p = pages.emplace_back(others[i].second);
+            free_.push_back(resident_[p].slot);
+            resident_.erase(p);
+        }
+        std::sort(pages.begin(), pages.end());
+        return pages;
+    }
+
+    /// How many of the pages given up some receiver looked into that the budget's target would have it look into still.
+    [[nodiscard]] std::size_t popped(std::span<const page_receiver> receivers,
+                                     const std::vector<page>& given_up) const {
+        std::vector<bool> pops(given_up.size());
+        for (const page_receiver& r : receivers) {
+            const int asked = detail::wanted_level(r, budget_.target, budget_.deepest_level);
+            const int found = asked < 0 ? asked : level_at(r.coord);
+            if (found >= asked) continue;
+            for (int level = budget_.deepest_level; level > found; --level) {
+                const auto at = std::lower_bound(given_up.begin(), given_up.end(), page_at(r.coord, level));
+                if (at == given_up.end() || *at != page_at(r.coord, level)) continue;
+                pops[static_cast<std::size_t>(at - given_up.begin())] = true;
+                break;
+            }
+        }
+        return static_cast<std::size_t>(std::count(pops.begin(), pops.end(), true));
+    }
+
+    page_budget budget_;
+    double target_;
+    std::uint64_t now_ = 0;
+    std::map<page, held> resident_;
+    std::vector<glm::ivec2> free_;
+};
+
+}  // namespace umbrage
+
+// ---- umbrage/light/sweep.hpp
+// What receivers sweep on their way to the light, as casters have to lie in it: the hull of what the light sees of
+// them, and how near to the light a box of casters comes within it. What fits share.
+//
+
+namespace umbrage {
+namespace detail {
+
+/// In the name of a function whose argument they are.
+inline void require_receivers(const hull& receivers, const char* function) {
+    const auto finite = [](const glm::dvec3& p) { return all_finite(p); };
+    require(!receivers.points.empty(), function, "receivers", "must not be empty");
+    require(std::all_of(receivers.points.begin(), receivers.points.end(), finite) && is_finite(receivers.radius) &&
+                receivers.radius >= 0.0,
+            function, "receivers", "must be finite");
+}
+
+/// Points whose hull holds all receivers: in place of a ball the corners of its box.
+[[nodiscard]] inline std::vector<glm::dvec3> corners_of(const hull& receivers) {
+    if (!(receivers.radius > 0.0)) return receivers.points;
+    std::vector<glm::dvec3> all;
+    for (const glm::dvec3& p : receivers.points)
+        for (const glm::dvec3& c : corners(bounding_box<double>{p - receivers.radius, p + receivers.radius}))
+            all.push_back(c);
+    return all;
+}
+
+/// World to x, y and the distance along the light.
+template <real T>
+[[nodiscard]] glm::dmat4 light_frame(const glm::mat<4, 4, T>& view, handedness hand) {
+    glm::dmat4 frame(view);
+    if (hand == handedness::right)
+        for (glm::length_t i = 0; i < 4; ++i) frame[i][2] = -frame[i][2];
+    return frame;
+}
+
+[[nodiscard]] inline std::vector<glm::dvec3> seen(const glm::dmat4& frame, const std::vector<glm::dvec3>& points) {
+    std::vector<glm::dvec3> moved;
+    moved.reserve(points.size());
+    for (const glm::dvec3& p : points) moved.emplace_back(frame * glm::dvec4(p, 1.0));
+    return moved;
+}
+
+struct extent {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+};
+[[nodiscard]] inline extent extent_of(const std::vector<glm::dvec3>& points) {
+    extent e;
+    for (const glm::dvec3& p : points) e.low = glm::min(e.low, p), e.high = glm::max(e.high, p);
+    return e;
+}
+
+/// Counter-clockwise, without what lies on an edge.
+/// @cite   Andrew: Another efficient algorithm for convex hulls in two dimensions, 1979
+[[nodiscard]] inline std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
+    std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
+    const auto before = [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
+    std::sort(points.begin(), points.end(), before);
+    const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
+        return (b.x - a.x) * (c.y - a.y) <= (b.y - a.y) * (c.x - a.x);
+    };
+    for (int side = 0; side < 2; ++side, std::reverse(points.begin(), points.end())) {
+        const std::size_t first = hull.size();
+        for (const glm::dvec2& p : points) {
+            while (hull.size() >= first + 2 && turns_right(hull[hull.size() - 2], hull.back(), p)) hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();  // the other side begins with it
+    }
+    return hull;
+}
+
+/// What the hull of points has in common with a half-space, as points around it: those inside, and of where the lines
+/// between them and the others cross the plane the outermost.
+[[nodiscard]] inline std::vector<glm::dvec3> clipped_hull(const std::vector<glm::dvec3>& points,
+                                                          const glm::dvec4& plane) {
+    const glm::dvec3 normal(plane), steep = glm::abs(normal);
+    const glm::length_t z = steep.x > steep.y ? (steep.x > steep.z ? 0 : 2) : (steep.y > steep.z ? 1 : 2);
+    const glm::length_t x = (z + 1) % 3, y = (z + 2) % 3;
+    const auto inside = [&](const glm::dvec3& p) { return glm::dot(normal, p) + plane.w; };
+    std::vector<glm::dvec3> kept, beyond, crossed;
+    for (const glm::dvec3& p : points) (inside(p) < 0.0 ? beyond : kept).push_back(p);
+    const auto keep_outermost = [&] {
+        if (crossed.size() < 3) return;
+        const std::vector<glm::dvec2> corners = convex_hull(crossed);
+        crossed.clear();
+        for (const glm::dvec2& c : corners) crossed.emplace_back(c, 0.0);
+    };
+    std::size_t enough = 1024;
+    for (const glm::dvec3& a : kept) {
+        for (const glm::dvec3& b : beyond) {
+            const glm::dvec3 p = a + (b - a) * (inside(a) / (inside(a) - inside(b)));
+            crossed.emplace_back(p[x], p[y], 0.0);
+        }
+        if (crossed.size() < enough) continue;
+        keep_outermost();
+        enough = 2 * crossed.size() + 1024;
+    }
+    keep_outermost();
+    for (const glm::dvec3& c : crossed) {
+        glm::dvec3 p;
+        p[x] = c.x, p[y] = c.y, p[z] = -(normal[x] * c.x + normal[y] * c.y + plane.w) / normal[z];
+        kept.push_back(p);
+    }
+    return kept;
+}
+
+/// A plane (a, b, 0, c) through each edge of a hull, moved outwards; none through edges between points that only
+/// rounding tells apart: their direction says nothing.
+[[nodiscard]] inline std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
+    std::vector<glm::dvec4> planes;
+    const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
+    double longest = 0.0;
+    for (std::size_t i = 0; i < hull.size(); ++i) longest = glm::max(longest, glm::distance(hull[i], end_of(i)));
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const glm::dvec2 a = hull[i], b = end_of(i), inwards(a.y - b.y, b.x - a.x);
+        if (glm::length(inwards) <= longest * 0x1p-32) continue;
+        planes.emplace_back(inwards, 0.0, outwards * glm::length(inwards) - glm::dot(inwards, a));
+    }
+    return planes;
+}
+
+/// Planes of the same kind around what points sweep, moved outwards: their hull's, within their rectangle's.
+[[nodiscard]] inline std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
+    std::vector<glm::dvec4> planes = sides(convex_hull(seen), outwards);
+    const auto [least, greatest] = extent_of(seen);
+    const glm::dvec3 low = least - outwards, high = greatest + outwards;
+    planes.insert(planes.end(), {{1, 0, 0, -low.x}, {-1, 0, 0, high.x}, {0, 1, 0, -low.y}, {0, -1, 0, high.y}});
+    return planes;
+}
+
+/// The least distance along the light of a box's faces within planes; infinite where none is.
+[[nodiscard]] inline double nearest(const glm::dmat4& frame, const polyhedron& box,
+                                    const std::vector<glm::dvec4>& planes) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const polyhedron::face& face : box.faces()) {
+        std::vector<glm::dvec3> polygon = seen(frame, face.corners);
+        for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
+        for (const glm::dvec3& p : polygon) least = std::min(least, p.z);
+    }
+    return least;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/light/adaptive/root.hpp
+// The square of the world that the pages of an adaptive map lie in, as a directional light sees it: it stays where it
+// is while the camera moves, and so does every page in it.
+//
+//     auto root = umbrage::make_page_root<double>({.direction = d, .centre = {0, 0, 0}, .side = 2400, .scene = box});
+//     auto light = umbrage::page_light(root, {.level = 5, .x = 12, .y = 9}, {});  // for the depth pass of that page
+//     glm::mat4 to_root(umbrage::page_matrix(root));                              // for page_coordinate
+//
+
+namespace umbrage {
+
+template <real T = float>
+struct page_root {
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; of the world, as pages turn with it
+    glm::vec<3, T> centre{T(0)};                  ///< of the square, world
+    T side = T(1000);                             ///< world units, > 0
+    bounding_box<T> scene{};                      ///< all casters and receivers: what depth spans
+    clip_space clip{};
+};
+
+/// Side of pages in an atlas.
+struct page_size {
+    int texels = 128;  ///< a power of two
+    int gutter = 4;    ///< around them, 0 .. texels / 2: the filter's reach and half a texel, or more
+
+    [[nodiscard]] constexpr int pitch() const { return texels + 2 * gutter; }
+};
+
+/// @throws std::invalid_argument  zero or non-finite direction, centre or scene that are not finite, a side not above
+///                                0, and what gives matrices that are not finite
+template <real T = float>
+[[nodiscard]] light_space<T> make_page_root(const page_root<T>& root) {
+    constexpr auto function = "make_page_root";
+    detail::require(detail::all_finite(root.centre), function, "centre", "must be finite");
+    detail::require(is_finite(root.side) && root.side > T(0), function, "side", "must be finite and above 0");
+    light_space<double> light{detail::look_along(glm::dvec3(0), glm::dvec3(root.direction), glm::dvec3(root.up),
+                                                 root.clip.hand, function, ""),
+                              {},
+                              root.clip};
+    const glm::dmat4 frame = detail::light_frame(light.view, root.clip.hand);
+    const auto depths = detail::extent_of(detail::seen(frame, hull(root.scene).points));
+    const glm::dvec2 middle(frame * glm::dvec4(glm::dvec3(root.centre), 1)), half(double(root.side) / 2);
+    const double spare =
+        (depths.high.z - depths.low.z) / 1024 + double(root.side) / 1048576;  // nothing lies on a plane
+    light.projection = detail::orthographic(middle - half, middle + half, depths.low.z - spare, depths.high.z + spare,
+                                            root.clip, function, "centre and side", "scene");
+    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), root.clip};
+    return detail::checked(cast, function, "centre, side and scene");
+}
+
+/// World to the root's coordinates, 1 .. 2, and depth.
+/// @formula   texture_matrix of a map of one texel, moved by 1
+template <real T>
+[[nodiscard]] glm::mat<4, 4, T> page_matrix(const light_space<T>& root) {
+    glm::mat<4, 4, T> m = texture_matrix(root, glm::ivec2(1));
+    m[3][0] += T(1), m[3][1] += T(1);
+    return m;
+}
+
+/// One page of it, with its gutter: what a depth pass of pitch() x pitch() texels is drawn with.
+/// @throws std::invalid_argument  a page that is not in the root, texels no power of two, gutter out of range
+template <real T>
+[[nodiscard]] light_space<T> page_light(const light_space<T>& root, const page& p, const page_size& size) {
+    constexpr auto function = "page_light";
+    detail::require(p.level >= 0 && p.level <= deepest_page_level, function, "level", "must lie between 0 and 15");
+    const int across = 1 << p.level;
+    detail::require(p.x >= 0 && p.y >= 0 && p.x < across && p.y < across, function, "x and y", "must lie in the root");
+    detail::require(size.texels >= 1 && (size.texels & (size.texels - 1)) == 0, function, "texels",
+                    "must be a power of two");
+    detail::require(size.gutter >= 0 && size.gutter <= size.texels / 2, function, "gutter",
+                    "must lie between 0 and half the texels");
+    const double scale = double(across) * size.texels / size.pitch();
+    const double up = root.clip.origin == texture_origin::bottom ? 1.0 : -1.0;
+    const glm::dvec2 middle((2 * p.x + 1.0) / across - 1.0, up * ((2 * p.y + 1.0) / across - 1.0));
+    glm::dmat4 projection(root.projection);
+    for (glm::length_t axis = 0; axis < 2; ++axis)
+        for (glm::length_t column = 0; column < 4; ++column)
+            projection[column][axis] = (projection[column][axis] - projection[column][3] * middle[axis]) * scale;
+    return detail::checked<T>({root.view, glm::mat<4, 4, T>(projection), root.clip}, function, "root");
+}
+
+}  // namespace umbrage
+
 // ---- umbrage/images/page_atlas.hpp
 // Adaptive shadow maps over images: the depth pass of pages into an atlas, the table that finds them, and a whole image
 // of receivers against both.
@@ -17800,6 +16670,1146 @@ void summed_visibility(image_view<const glm::u16vec4> table, const variance_tabl
                 out.row(y)[x] = summed_variance(fetch, table.size - 1, glm::vec2(r), r.z, reach, codes, of.is_lit);
             }
     });
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/directional_fit.hpp
+// A directional light fitted to what receives its shadows, with the near plane pulled towards what casts them.
+//
+//     auto light = umbrage::fit_directional_light<float>({.direction = d, .receivers = scene});
+//     auto tight = umbrage::fit_directional_light<float>(
+//         {.direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
+//     auto still = umbrage::fit_directional_light<float>(
+//         {.direction = d, .receivers = umbrage::sphere_around(camera), .casters = scene, .snap_texels = 1024});
+//
+
+namespace umbrage {
+
+template <real T = float>
+struct directional_fit {
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; may be parallel to direction
+    hull receivers = bounding_box<T>{};           ///< box, sphere, frustum, polyhedron or points
+    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
+    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' diameter, >= 0
+    int snap_texels = 0;                          ///< side of a map whose texels stay where they are; 0: not snapped
+    clip_space clip{};
+};
+
+namespace detail {
+
+/// A box in front of a light: its middle as a share of half its sides, so that these keep their bits wherever it is.
+struct light_box {
+    glm::dvec2 half, middle;
+    double z_near, z_far;
+};
+
+/// The square of whole texels around a box, a texel wider, and depths in steps of its side.
+[[nodiscard]] inline light_box snapped(const light_box& box, int texels) {
+    const double n(texels), half_texel = glm::max(box.half.x, box.half.y) / (n - 1.0), side = 2.0 * half_texel * n;
+    const glm::dvec2 first = glm::round((box.middle * box.half / half_texel - n) * 0.5);
+    const double z_near = std::floor(box.z_near / side) * side;
+    return {glm::dvec2(half_texel * n), first * (2.0 / n) + 1.0, z_near,
+            z_near + (std::ceil((box.z_far - box.z_near) / side) + 1.0) * side};
+}
+
+}  // namespace detail
+
+/// The smallest box along the light that holds the receivers and what of the casters' box they sweep towards the light,
+/// with the margin all around. Casters beside the receivers leave the near plane where it is, as they throw no shadow
+/// there; for a sphere's sweep stands that of its square.
+///
+/// With snap_texels the box is a square, a texel wider, whose texels lie on a grid of the world wherever the receivers
+/// move, as long as their extent keeps its bits: a sphere's does. Its depths then span the casters' whole box, and go
+/// beyond it in steps of the square's side. For a grid that keeps its place to a hundredth of a texel far from the
+/// origin, compute the texture matrix in double and round that.
+///
+/// @throws std::invalid_argument  zero or non-finite direction, receivers empty or of no extent, casters that are no
+///                                box, a negative margin, and what gives matrices that are not finite
+/// @cite   Valient: Stable Rendering of Cascaded Shadow Maps, ShaderX6, 2008
+template <real T = float>
+[[nodiscard]] light_space<T> fit_directional_light(const directional_fit<T>& fit) {
+    constexpr auto function = "fit_directional_light", sides = "receivers and margin";
+    constexpr auto depths = "receivers, casters and margin";
+    detail::require_receivers(fit.receivers, function);
+    detail::require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+    detail::require(fit.snap_texels == 0 || fit.snap_texels > 1, function, "snap_texels", "must be 0 or above 1");
+    const bool snaps = fit.snap_texels > 0;
+
+    light_space<T> space{
+        detail::look_along(glm::vec<3, T>(T(0)), fit.direction, fit.up, fit.clip.hand, function, ""), {}, fit.clip};
+    const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
+    const auto points = detail::seen(frame, fit.receivers.points);
+    const auto [low, high] = detail::extent_of(points);
+    const auto [first, last] = detail::extent_of(fit.receivers.points);
+    const double radius = fit.receivers.radius;
+    const double margin = double(fit.margin) * (glm::length(last - first) + 2.0 * radius), around = radius + margin;
+    const glm::dvec2 half = glm::dvec2(high - low) * 0.5 + around;
+    detail::light_box box{half, glm::dvec2(high + low) * 0.5 / half, low.z - around, high.z + around};
+    if (fit.casters && snaps) {
+        const auto casters = detail::extent_of(detail::seen(frame, hull(*fit.casters).points));
+        box.z_near = glm::min(box.z_near, casters.low.z), box.z_far = glm::max(box.z_far, casters.high.z);
+    } else if (fit.casters) {
+        const auto swept = detail::sweep(points, around);
+        box.z_near = glm::min(box.z_near, detail::nearest(frame, *fit.casters, swept) - margin);
+    }
+    if (snaps) box = detail::snapped(box, fit.snap_texels);
+
+    glm::dmat4 projection =
+        detail::orthographic(-box.half, box.half, box.z_near, box.z_far, fit.clip, function, sides, depths);
+    projection[3][0] = -box.middle.x, projection[3][1] = -box.middle.y;
+    space.projection = glm::mat<4, 4, T>(projection);
+    for (glm::length_t i = 0; i < 3; ++i)
+        detail::require(detail::is_normal(space.projection[i][i]), function, i < 2 ? sides : depths,
+                        "give too large or too small a box");
+    return detail::checked(space, function, depths);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/cascades/cascades.hpp
+// Cascades of a directional light: a map for each part of the camera's range, all of one rotation.
+//
+//     const umbrage::cascade_fit<float> fit{
+//         .camera = camera, .direction = d, .scene = {low, high}, .overlap = 0.1f};
+//     const auto splits = umbrage::practical_splits<4>(0.5f, 300.0f, 0.9f);
+//     const auto cascades = umbrage::make_stable_cascades<4>(fit, splits);
+//     for (const auto& c : cascades) draw_depths(c.light);                   // a depth pass each
+//     const auto uniforms = umbrage::make_cascade_uniforms(cascades, 0.1f);  // see select.hpp for what takes them
+//
+
+namespace umbrage {
+
+/// One part of the camera's range and its map.
+template <real T>
+struct cascade {
+    light_space<T> light;                      ///< for the depth pass; its view is a rotation, one for
+                                               ///< all cascades
+    glm::vec<4, T> scale{T(0)}, offset{T(0)};  ///< from rotated points to texels and depth; w: 0
+    T begin = T(0), end = T(0);                ///< distances along the camera's axis
+};
+
+template <real T = float>
+struct cascade_fit {
+    frustum<T> camera{};                          ///< but for its planes, in place of which there are splits
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};          ///< hint; of the world, as maps turn with it
+    bounding_box<T> scene{};                      ///< all casters and receivers
+    int map_size = 1024;                          ///< of each cascade, texels
+    T margin = T(2);                              ///< texels around: the filter's reach
+    T overlap = T(0);                             ///< share of a cascade that the next one holds too, 0 .. 1
+    clip_space clip{};
+};
+
+namespace detail {
+
+/// A fitted light, whose view is a rotation, as a cascade.
+template <real T>
+[[nodiscard]] cascade<T> as_cascade(const light_space<double>& light, int map_size, const char* function) {
+    const glm::dmat4 m = texture_matrix<double>({glm::dmat4(1), light.projection, light.clip}, glm::ivec2(map_size));
+    const glm::dvec4 scale(m[0][0], m[1][1], m[2][2], 0.0), offset(glm::dvec3(m[3]), 0.0);
+    const light_space<T> cast{glm::mat<4, 4, T>(light.view), glm::mat<4, 4, T>(light.projection), light.clip};
+    const cascade<T> c{checked(cast, function, "camera, splits and scene"), glm::vec<4, T>(scale),
+                       glm::vec<4, T>(offset)};
+    const bool normal = is_normal(c.scale.x) && is_normal(c.scale.y) && is_normal(c.scale.z);
+    require(normal && all_finite(c.scale) && all_finite(c.offset), function, "camera, splits and scene",
+            "give too large or too small a cascade");
+    return c;
+}
+
+/// The camera's parts between splits, with what they overlap.
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<frustum<double>, Count> camera_parts(const cascade_fit<T>& fit,
+                                                              const std::array<T, Count + 1>& splits,
+                                                              const char* function) {
+    require(is_finite(splits[0]) && splits[0] >= T(0), function, "splits", "must not begin below 0");
+    for (std::size_t i = 0; i < Count; ++i)
+        require(is_finite(splits[i + 1]) && splits[i] < splits[i + 1], function, "splits", "must be in order");
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+    require(double(fit.map_size) - 2 * double(fit.margin) > 1, function, "map_size", "must be above 2 margin + 1");
+    require(fit.overlap >= T(0) && fit.overlap <= T(1), function, "overlap", "must lie between 0 and 1");
+    std::array<frustum<double>, Count> parts;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const double before = i > 0 ? double(splits[i]) - double(splits[i - 1]) : 0;
+        parts[i] = {glm::dvec3(fit.camera.position),
+                    glm::dvec3(fit.camera.direction),
+                    glm::dvec3(fit.camera.up),
+                    double(fit.camera.tan_half_x),
+                    double(fit.camera.tan_half_y),
+                    double(splits[i]) - double(fit.overlap) * before,
+                    double(splits[i + 1])};
+    }
+    return parts;
+}
+
+/// What a part sees of a scene; where that is nothing, all of the part.
+[[nodiscard]] inline hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
+    const polyhedron seen = intersection(part, scene);
+    return seen.empty() ? hull(part) : hull(seen);
+}
+
+/// A margin in texels as a share of what a map holds within it.
+template <real T>
+[[nodiscard]] double margin_share(const cascade_fit<T>& fit) {
+    return double(fit.margin) / (fit.map_size - 2 * double(fit.margin));
+}
+
+/// A cascade for each part, of light(frustum) in double.
+template <std::size_t Count, real T, class Light>
+[[nodiscard]] std::array<cascade<T>, Count> make_cascades(const cascade_fit<T>& fit,
+                                                          const std::array<T, Count + 1>& splits, const char* function,
+                                                          Light&& light) {
+    const auto parts = camera_parts<Count>(fit, splits, function);
+    std::array<cascade<T>, Count> all;
+    for (std::size_t i = 0; i < Count; ++i) {
+        all[i] = as_cascade<T>(light(parts[i]), fit.map_size, function);
+        all[i].begin = splits[i];
+        all[i].end = splits[i + 1];
+    }
+    return all;
+}
+
+}  // namespace detail
+
+/// Cascades that neither flicker nor swim while the camera moves: each map holds the sphere around its part of the
+/// camera's frustum, which does not change as the camera turns, and moves by whole texels.
+///
+/// Offsets are whole numbers, up to 2^23 texels from the world's origin, so that a world point moves through a map by
+/// as much, but for the rounding of its coordinate: none where it lies farther from the origin than the map is wide,
+/// else in float 2^-14 of a texel on maps of 1024, which may move a filter's weights by a step of 1/256. Draw depths
+/// from rotated points by the projection alone. In float, one matrix for both may move points by a hundredth of a
+/// texel.
+///
+/// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
+/// @return         the nearest first, from split to split
+/// @throws std::invalid_argument  splits out of order, map_size, margin or overlap out of range; what sphere_around and
+///                                fit_directional_light complain of; and what gives matrices that are not finite
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<cascade<T>, Count> make_stable_cascades(const cascade_fit<T>& fit,
+                                                                 const std::array<T, Count + 1>& splits) {
+    auto all = detail::make_cascades<Count>(fit, splits, "make_stable_cascades", [&](const frustum<double>& part) {
+        const double around = double(fit.margin);
+        return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
+                                              .up = glm::dvec3(fit.up),
+                                              .receivers = sphere_around(part),
+                                              .casters = bounding_box<double>{fit.scene.low, fit.scene.high},
+                                              .margin = around / (fit.map_size - 1 - 2 * around),
+                                              .snap_texels = fit.map_size,
+                                              .clip = fit.clip});
+    });
+    for (cascade<T>& c : all)
+        for (glm::length_t i = 0; i < 2; ++i) c.offset[i] = std::nearbyint(c.offset[i]);
+    return all;
+}
+
+/// Cascades of the greatest resolution: each map holds what its part of the camera's frustum has in common with the
+/// scene, and no more; where that is nothing, its part of the frustum. Texels change their size and place as the camera
+/// moves. The rest as for make_stable_cascades; the margin is that many texels or more.
+template <std::size_t Count, real T>
+[[nodiscard]] std::array<cascade<T>, Count> make_tight_cascades(const cascade_fit<T>& fit,
+                                                                const std::array<T, Count + 1>& splits) {
+    return detail::make_cascades<Count>(fit, splits, "make_tight_cascades", [&](const frustum<double>& part) {
+        const bounding_box<double> scene{fit.scene.low, fit.scene.high};
+        return fit_directional_light<double>({.direction = glm::dvec3(fit.direction),
+                                              .up = glm::dvec3(fit.up),
+                                              .receivers = detail::receivers_of(part, scene),
+                                              .casters = scene,
+                                              .margin = detail::margin_share(fit),
+                                              .clip = fit.clip});
+    });
+}
+
+/// What a shader of up to four cascades takes: see select.hpp and blend.hpp.
+template <real T>
+struct cascade_uniforms {
+    glm::mat<4, 4, T> rotation{T(1)};               ///< world to the light's directions, for shadow_coordinate
+    glm::mat<4, 4, T> scales{T(0)}, offsets{T(0)};  ///< columns: a cascade's each; w: of cascade_fade
+    glm::vec<3, T> ends{T(0)};                      ///< of the cascades but the last, for cascade_by_depth
+};
+
+/// @param fade   share of each cascade over which the next one takes over, 0 .. 1; after the last, full light. As much
+///               overlap must have been asked for
+/// @return       where there are fewer than four, nothing falls into the others by depth or by projection
+/// @throws std::invalid_argument  fade out of range
+template <real T, std::size_t Count>
+[[nodiscard]] cascade_uniforms<T> make_cascade_uniforms(const std::array<cascade<T>, Count>& cascades, T fade) {
+    static_assert(Count >= 1 && Count <= 4);
+    detail::require(fade >= T(0) && fade <= T(1), "make_cascade_uniforms", "fade", "must lie between 0 and 1");
+    cascade_uniforms<T> u;
+    u.rotation = cascades[0].light.view;
+    u.ends = glm::vec<3, T>(std::numeric_limits<T>::max());
+    for (glm::length_t i = 0; i < 4; ++i) {
+        if (i >= static_cast<glm::length_t>(Count)) {
+            u.offsets[i] = {T(65536), T(65536), T(0), T(0)};
+            continue;
+        }
+        const cascade<T>& c = cascades[static_cast<std::size_t>(i)];
+        u.scales[i] = c.scale;
+        u.offsets[i] = c.offset;
+        if (const T width = fade * (c.end - c.begin); width > T(0)) {
+            u.scales[i].w = T(1) / width;
+            u.offsets[i].w = T(1) - c.end / width;
+        }
+        if (i + 1 < static_cast<glm::length_t>(Count)) u.ends[i] = c.end;
+    }
+    return u;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/warp/warp_fit.hpp
+// What warps of a directional light's map share: what they are fitted to, what they give, and their last step, which
+// lays any projective map of the world around the receivers.
+//
+//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//     umbrage::warped_light<float> warped = umbrage::fit_light_space_perspective(fit);
+//     draw_depths(warped.light);
+//
+// A warp gives what the camera sees close by more texels, and what it sees from afar fewer. Look-ups are those of a
+// spot light, by shadow_coordinate and project_coordinate; w is above 0 and depth grows along the light.
+//
+// What is strongly warped wants digits: a matrix of doubles, rounded once, places points to 1/1000 of a texel of maps
+// of 2048 under a view of a kilometre. Its product with points in float loses more far from the origin, up to 1/28 of a
+// texel at the corners of that view; points told from the camera lose least.
+
+namespace umbrage {
+
+template <real T = float>
+struct warp_fit {
+    frustum<T> camera{};                          ///< that the map is for
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};  ///< of the light, any length > 0
+    hull receivers = bounding_box<T>{};           ///< what the camera sees of the scene
+    std::optional<bounding_box<T>> casters{};     ///< none: near plane at the receivers, for near_plane::clamps
+    T margin = T(0.01);                           ///< added on every side, as a share of the receivers' extent in the
+                                                  ///< map, >= 0
+    clip_space clip{};
+};
+
+template <real T>
+struct warped_light {
+    light_space<T> light;  ///< for depth pass and texture_matrix; w is 1 at the least receiver
+    T strength = T(0);     ///< 1 - least w / greatest w of the receivers: 0 uniform, towards 1 ever more warped
+};
+
+namespace detail {
+
+/// Complains of what fits of all warps need.
+template <real T>
+void require_warp_fit(const warp_fit<T>& fit, const char* function) {
+    require_receivers(fit.receivers, function);
+    require(is_finite(fit.margin) && fit.margin >= T(0), function, "margin", "must be finite and not below 0");
+    if (fit.casters) (void)corners(*fit.casters);
+}
+
+/// The way y goes in a map: the way the camera looks, or up as it has it where it looks along the light.
+template <real T>
+[[nodiscard]] glm::dvec3 up_of(const warp_fit<T>& fit) {
+    const glm::dmat3 camera = axes(fit.camera);
+    const bool along = !(glm::length(glm::cross(camera[2], unit(glm::dvec3(fit.direction)))) > 1e-3);
+    return camera[along ? 1 : 2];
+}
+
+/// The light's view that maps are drawn in.
+template <real T>
+[[nodiscard]] glm::dmat4 view_of(const warp_fit<T>& fit, const char* function) {
+    return look_along(glm::dvec3(0), glm::dvec3(fit.direction), up_of(fit), fit.clip.hand, function, "");
+}
+
+/// What a map sees of a body within planes of the map's space.
+/// @return   nothing where some of it does not lie before w = 0
+[[nodiscard]] inline std::optional<extent> seen_within(const glm::dmat4& to_map, const polyhedron& body,
+                                                       std::vector<glm::dvec4> planes) {
+    for (glm::dvec4& plane : planes) plane = glm::transpose(to_map) * plane;
+    extent all;
+    for (const polyhedron::face& face : body.faces()) {
+        std::vector<glm::dvec3> polygon = face.corners;
+        for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
+        for (const glm::dvec3& p : polygon) {
+            const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
+            if (!(h.w > 0.0)) return {};
+            all.low = glm::min(all.low, glm::dvec3(h) / h.w), all.high = glm::max(all.high, glm::dvec3(h) / h.w);
+        }
+    }
+    return all;
+}
+
+/// A projective map of which a box becomes the clip space's cube; turned over where it would mirror what it sees.
+/// @param to_map           world to x, y, depth and w, in double; keeps x / w and y / w along the light, where depth
+///                         z / w grows; of any scale
+/// @param least, greatest  w of receivers
+/// @return                 nothing where the box has no extent, and where the map overflows
+template <real T>
+[[nodiscard]] std::optional<warped_light<T>> laid(const glm::dmat4& to_map, const extent& box, double least,
+                                                  double greatest, const warp_fit<T>& fit, const char* function) {
+    const auto [at_near, at_far] = ends<double>(fit.clip);
+    const bool mirrors = (glm::determinant(to_map) < 0.0) != (fit.clip.hand == handedness::right);
+    const glm::dvec3 first(mirrors ? 1.0 : -1.0, -1.0, at_near), last(-first.x, 1.0, at_far);
+    const glm::dvec3 scale = (last - first) / (box.high - box.low), offset = first - box.low * scale;
+    glm::dmat4 placed(1.0);
+    for (glm::length_t i = 0; i < 3; ++i) placed[i][i] = scale[i], placed[3][i] = offset[i];
+
+    const glm::dmat4 view = view_of(fit, function);
+    const glm::dmat4 projection = placed * to_map * glm::transpose(view) / least;
+    const light_space<T> light{glm::mat<4, 4, T>(view), glm::mat<4, 4, T>(projection), fit.clip};
+    if (!all_finite(light.projection) || !all_finite(light.projection * light.view)) return {};
+    const glm::mat<4, 4, T> rows = glm::transpose(light.projection);
+    const T bend = glm::length(glm::vec<3, T>(rows[3]));  // a row that says w alone is one too
+    for (glm::length_t i = 0; i < 3; ++i)
+        if (!is_normal(glm::length(glm::vec<3, T>(rows[i])) + bend)) return {};
+    return warped_light<T>{light, T(1.0 - least / greatest)};
+}
+
+/// A map laid around the receivers in x and y, in depth around them and what of the casters they sweep towards the
+/// light.
+/// @param to_map   as for laid
+/// @return         nothing where w <= 0 at a receiver or a caster, and as laid does
+template <real T>
+[[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
+                                                   const polyhedron& casters, const char* function) {
+    std::vector<glm::dvec3> receivers;
+    double least_w = std::numeric_limits<double>::infinity(), greatest_w = 0.0;
+    for (const glm::dvec3& p : corners_of(fit.receivers)) {
+        const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
+        if (!(h.w > 0.0 && all_finite(h))) return {};
+        receivers.push_back(glm::dvec3(h) / h.w);
+        least_w = glm::min(least_w, h.w), greatest_w = glm::max(greatest_w, h.w);
+    }
+    extent box = extent_of(receivers);
+    const glm::dvec3 size = box.high - box.low;
+    constexpr double flat = 0x1p-8;  // receivers seen edge on have some margin too
+    const glm::dvec2 around = double(fit.margin) * glm::max(glm::dvec2(size), flat * glm::dvec2(size.y, size.x));
+    // the hull's cone over the map, of which the other half, behind w = 0, is no part
+    const auto swept = seen_within(to_map, casters, sweep(receivers, glm::max(around.x, around.y)));
+    if (!swept) return {};
+    box.low.z = glm::min(box.low.z, swept->low.z);
+    const double deep = double(fit.margin) * glm::length(box.high - box.low);
+    box.low -= glm::dvec3(around, deep), box.high += glm::dvec3(around, deep);
+    return laid(to_map, box, least_w, greatest_w, fit, function);
+}
+
+template <real T>
+[[nodiscard]] std::optional<warped_light<T>> refit(const glm::dmat4& to_map, const warp_fit<T>& fit,
+                                                   const char* function) {
+    return refit(to_map, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), function);
+}
+
+/// No warp: the map as fit_directional_light lays it, but with the margin and the way up of warps.
+template <real T>
+[[nodiscard]] warped_light<T> unwarped(const warp_fit<T>& fit, const char* function) {
+    const auto light = refit(light_frame(view_of(fit, function), fit.clip.hand), fit, function);
+    require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a box");
+    return *light;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/light/cascades/warped.hpp
+// Cascades each of which is warped: the parts of a camera's range share out what one warp cannot reach.
+//
+//     const auto cascades = umbrage::make_warped_cascades<4>(
+//         fit, splits, [](const auto& part) { return umbrage::fit_light_space_perspective(part); });
+//     draw_depths(cascades[i].light);
+//     glm::mat4 to_texels = umbrage::texture_matrix(cascades[i].light, map_size);  // of each, for shaders
+//
+// A pixel takes the cascade that cascade_by_depth names: their maps are turned and bent each in its own way, so that
+// there is no common rotation for cascade_by_projection.
+
+namespace umbrage {
+
+/// A warped map for each part of the camera's range, around what that has in common with the scene; where that is
+/// nothing, around the part.
+///
+/// @param fit      but for up: warps take the camera's direction
+/// @param splits   Count + 1 distances along the camera's axis, ascending, the first 0 or above: see splits.hpp
+/// @param warp     (const warp_fit<double>& part) -> warped_light<double>, whose margin is as many texels as fit's
+/// @return         the nearest first
+/// @throws std::invalid_argument  splits out of order, map_size, margin or overlap out of range, what warp complains
+///                                of, and what gives matrices that are not finite
+template <std::size_t Count, real T, class Warp>
+[[nodiscard]] std::array<warped_light<T>, Count> make_warped_cascades(const cascade_fit<T>& fit,
+                                                                      const std::array<T, Count + 1>& splits,
+                                                                      Warp&& warp) {
+    constexpr auto function = "make_warped_cascades";
+    const bounding_box<double> scene{fit.scene.low, fit.scene.high};
+    const auto parts = detail::camera_parts<Count>(fit, splits, function);
+    std::array<warped_light<T>, Count> all;
+    for (std::size_t i = 0; i < Count; ++i) {
+        const warped_light<double> own = warp(warp_fit<double>{.camera = parts[i],
+                                                               .direction = glm::dvec3(fit.direction),
+                                                               .receivers = detail::receivers_of(parts[i], scene),
+                                                               .casters = scene,
+                                                               .margin = detail::margin_share(fit),
+                                                               .clip = fit.clip});
+        const light_space<T> light{glm::mat<4, 4, T>(own.light.view), glm::mat<4, 4, T>(own.light.projection),
+                                   own.light.clip};
+        all[i] = {detail::checked(light, function, "camera, splits and scene"), T(own.strength)};
+    }
+    return all;
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/spot_fit.hpp
+// A spot light fitted to what of its cone receives shadows, with the near plane pulled towards what casts them.
+//
+//     auto light = umbrage::fit_spot_light<float>(
+//         {.position = p, .direction = d, .receivers = umbrage::intersection(camera, scene), .casters = scene});
+//
+
+namespace umbrage {
+
+template <real T = float>
+struct spot_fit {
+    glm::vec<3, T> position{T(0)};
+    glm::vec<3, T> direction{T(0), T(-1), T(0)};        ///< any length > 0
+    glm::vec<3, T> up{T(0), T(1), T(0)};                ///< hint; may be parallel to direction
+    T outer_angle_radians = std::numbers::pi_v<T> / 6;  ///< between axis and edge of the cone, above 0, below pi / 2
+    T z_near = T(0.1);                         ///< the least that the near plane may be, > 0: a lamp's own size
+    hull receivers = bounding_box<T>{};        ///< box, sphere, frustum, polyhedron or points
+    std::optional<bounding_box<T>> casters{};  ///< none: near plane at the receivers, for near_plane::clamps
+    T margin = T(0.01);         ///< added on every side, as a share of the map's and of distances, 0 to 1/2
+    bool has_far_plane = true;  ///< false: depth nears the far depth with distance
+    clip_space clip{};
+};
+
+namespace detail {
+
+/// What a spot light sees of a hull beyond a distance, within tangents of its sides: points as tangents x / distance,
+/// y / distance, and the distance.
+[[nodiscard]] inline std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen, double edge, double closest) {
+    for (const glm::dvec4 plane : {glm::dvec4(0, 0, 1, -closest), glm::dvec4(1, 0, edge, 0), glm::dvec4(-1, 0, edge, 0),
+                                   glm::dvec4(0, 1, edge, 0), glm::dvec4(0, -1, edge, 0)})
+        seen = clipped_hull(seen, plane);
+    for (glm::dvec3& p : seen) p = {p.x / p.z, p.y / p.z, p.z};
+    return seen;
+}
+
+/// The nearest that a box of casters comes to a spot light within what receivers sweep towards it.
+/// @param receivers  tangents;   outwards  the margin around them;   closest  where the sweep ends
+[[nodiscard]] inline double nearest_to_spot(const glm::dmat4& frame, const polyhedron& casters,
+                                            const std::vector<glm::dvec3>& receivers, double outwards, double closest) {
+    std::vector<glm::dvec4> planes = sweep(receivers, outwards);
+    for (glm::dvec4& plane : planes) plane = {plane.x, plane.y, plane.w, 0.0};  // through the light
+    planes.emplace_back(0.0, 0.0, 1.0, -closest);
+    // the sweep's end may lie within the casters, none of whose faces it then meets
+    const glm::dvec4 end =
+        glm::inverse(frame) * glm::dvec4(receivers.front().x * closest, receivers.front().y * closest, closest, 1.0);
+    const bool within = std::all_of(casters.faces().begin(), casters.faces().end(),
+                                    [&](const polyhedron::face& face) { return glm::dot(face.plane, end) >= 0.0; });
+    return within ? closest : nearest(frame, casters, planes);
+}
+
+}  // namespace detail
+
+/// The smallest part of the square pyramid around the cone that holds the receivers in it, and what of the casters' box
+/// they sweep towards the light, with the margin: but nothing outside of the pyramid or nearer than z_near. The light
+/// may stand within receivers and casters. For a sphere stands its box; of points counts all that lies between them, at
+/// a cost that grows with the square of their number where some lie outside: for a mesh give its box.
+/// @throws std::invalid_argument  zero or non-finite direction, angle outside (0, pi / 2), receivers empty, none in the
+///                                pyramid beyond z_near, or none of some extent there, casters that are no box, and
+///                                what gives matrices that are not finite
+template <real T = float>
+[[nodiscard]] light_space<T> fit_spot_light(const spot_fit<T>& fit) {
+    constexpr auto function = "fit_spot_light";
+    detail::require_receivers(fit.receivers, function);
+    const T angle = fit.outer_angle_radians;
+    detail::require(is_finite(angle) && angle > T(0) && angle < std::numbers::pi_v<T> / 2, function,
+                    "outer_angle_radians", "must lie between 0 and pi / 2");
+    detail::require(detail::is_normal(fit.z_near) && fit.z_near > T(0), function, "z_near",
+                    "must be above 0, finite and no denormal");
+    detail::require(fit.margin >= T(0) && fit.margin <= T(0.5), function, "margin", "must lie between 0 and 1/2");
+    light_space<T> space{
+        detail::look_along(fit.position, fit.direction, fit.up, fit.clip.hand, function, "position"), {}, fit.clip};
+    const glm::dmat4 frame = detail::light_frame(space.view, fit.clip.hand);
+    const double edge = std::tan(double(angle)), closest(fit.z_near);
+
+    const auto before = detail::seen(frame, detail::corners_of(fit.receivers));
+    const detail::extent around = detail::extent_of(before);
+    const glm::dvec3 size = glm::max(glm::abs(around.low), glm::abs(around.high));
+    detail::require(around.high.z > closest && is_finite(4.0 * (size.x + size.y + (1.0 + edge) * size.z)), function,
+                    "receivers", "must lie before the light, beyond z_near");
+    const auto receivers = detail::tangents(before, edge, closest);
+    detail::require(!receivers.empty(), function, "receivers", "must lie in the cone");
+    auto [low, high] = detail::extent_of(receivers);
+    const double share(fit.margin), margin = share * glm::max(high.x - low.x, high.y - low.y);
+    double z_near = low.z;
+    if (fit.casters)
+        z_near = glm::min(z_near, detail::nearest_to_spot(frame, *fit.casters, receivers, margin, closest));
+    z_near = glm::max(z_near * (1.0 - share), closest);
+    const double z_far = fit.has_far_plane ? high.z * (1.0 + share) : std::numeric_limits<double>::infinity();
+    const glm::dvec2 first = glm::max(glm::dvec2(low) - margin, -edge),
+                     last = glm::min(glm::dvec2(high) + margin, edge);
+    const glm::dvec2 half = (last - first) * 0.5;
+    detail::require(half.x > 0.0 && half.y > 0.0 && z_near < z_far, function, "receivers and margin",
+                    "must have some extent in the cone");
+
+    glm::dmat4 projection = detail::perspective(half.x, half.y, z_near, z_far, fit.clip, function);
+    for (glm::length_t i = 0; i < 2; ++i) projection[2][i] = -projection[2][3] * (first + last)[i] * 0.5 / half[i];
+    space.projection = glm::mat<4, 4, T>(projection);
+    for (glm::length_t i = 0; i < 2; ++i)
+        detail::require(detail::is_normal(space.projection[i][i]), function, "receivers and margin",
+                        "give too large or too small a map");
+    detail::require(detail::is_normal(space.projection[3][2]), function, "z_near and receivers",
+                    "give planes too far apart or too close together");
+    return detail::checked(space, function, "position, z_near and receivers");
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/warp/lamp.hpp
+// Point lights for warps: warp_fit::direction is then the axis, which all receivers have to lie along.
+//
+//     auto warped = umbrage::fit_perspective(fit, {.position = p, .z_near = 0.05f});
+//
+
+namespace umbrage {
+
+template <real T = float>
+struct lamp {
+    glm::vec<3, T> position{T(0)};
+    T z_near = T(0.1);  ///< its own size, > 0: casters closer to it along the axis may be left out
+};
+
+namespace detail {
+
+/// A lamp's own view of receivers, and of casters what may stand before them.
+struct lamp_view {
+    glm::dmat4 frame;        ///< world to x, y and the distance along the axis
+    double least, farthest;  ///< distances of receivers
+    polyhedron casters;
+};
+
+template <real T>
+[[nodiscard]] lamp_view view_of(const lamp<T>& from, const warp_fit<T>& fit, const char* function) {
+    require(is_normal(from.z_near) && from.z_near > T(0), function, "z_near",
+            "must be above 0, finite and no denormal");
+    const glm::dvec3 position(from.position), direction(fit.direction), up = up_of(fit);
+    lamp_view v;
+    v.frame = light_frame(look_along(position, direction, up, fit.clip.hand, function, "position"), fit.clip.hand);
+    const std::vector<glm::dvec3> receivers = seen(v.frame, corners_of(fit.receivers));
+    const auto [low, high] = extent_of(receivers);
+    v.least = low.z, v.farthest = high.z;
+    require(v.least > double(from.z_near) && is_finite(2.0 * v.farthest), function, "receivers",
+            "must lie before the light, beyond z_near");
+    if (!fit.casters) return v;
+    double edge = 1.0;
+    for (const glm::dvec3& p : receivers) edge = glm::max(edge, glm::max(glm::abs(p.x), glm::abs(p.y)) / p.z);
+    const frustum<double> all{position, direction, up, 16.0 * edge, 16.0 * edge, double(from.z_near), 2.0 * v.farthest};
+    v.casters = intersection(all, *fit.casters);
+    return v;
+}
+
+/// What the lamp sees along its axis: x, y, depth and w, of no warp.
+[[nodiscard]] inline glm::dmat4 map_along(const lamp_view& v) {
+    glm::dmat4 inverse(1.0);  // of the distance: depth and w
+    inverse[2] = {0, 0, 0, 1};
+    inverse[3] = {0, 0, -0.5 * (v.least + v.farthest), 0};
+    return inverse * v.frame;
+}
+
+template <real T>
+[[nodiscard]] warped_light<T> unwarped(const lamp_view& v, const warp_fit<T>& fit, const char* function) {
+    const auto light = refit(map_along(v), fit, v.casters, function);
+    require(light.has_value(), function, "receivers, casters and margin", "give too large or too small a map");
+    return *light;
+}
+
+}  // namespace detail
+}  // namespace umbrage
+
+// ---- umbrage/light/warp/light_space_perspective.hpp
+// Light-space perspective: a directional light's map, warped by a perspective across the light, whose centre lies some
+// way before what the camera sees. What lies side by side towards the light stays so: rays are texels.
+//
+//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//     auto warped = umbrage::fit_light_space_perspective(fit);
+//     auto milder = umbrage::fit_light_space_perspective(fit, umbrage::optimal_distance(fit));
+//
+
+namespace umbrage {
+namespace detail {
+
+/// A camera's receivers as the light sees them, y along the camera's view.
+struct along_view {
+    glm::dmat4 frame;  ///< world to x, y and depth
+    glm::dvec3 first;  ///< x of the camera, least y of the receivers, and the camera's depth or that of the receivers
+                       ///< next to it: planes through the warp's zero of depth and its centre need no bias, and those
+                       ///< near to them little
+    double length;     ///< from their least y to the greatest
+    double camera_y;
+    double closest;  ///< least distance of receivers along the camera's view, no less than its near plane
+    double sine;     ///< of the angle between view and light
+};
+
+template <real T>
+[[nodiscard]] along_view make_along_view(const warp_fit<T>& fit, const char* function) {
+    require_warp_fit(fit, function);
+    along_view v;
+    v.frame = light_frame(view_of(fit, function), fit.clip.hand);
+    const glm::dvec3 eye(fit.camera.position), view = axes(fit.camera)[2];
+    v.sine = glm::length(glm::cross(view, unit(glm::dvec3(fit.direction))));
+    const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
+    const auto [low, high] = extent_of(seen(v.frame, receivers));
+    const glm::dvec3 own(v.frame * glm::dvec4(eye, 1.0));
+    v.first = {own.x, low.y, glm::clamp(own.z, low.z, high.z)};
+    v.length = high.y - low.y;
+    v.camera_y = own.y;
+    v.closest = std::numeric_limits<double>::infinity();
+    for (const glm::dvec3& p : receivers) v.closest = glm::min(v.closest, glm::dot(p - eye, view));
+    v.closest = glm::max(v.closest, double(fit.camera.z_near));
+    return v;
+}
+
+/// The wider the angle between view and light, the more of a warp there is: none below 0.02, all of it from 0.2 on.
+[[nodiscard]] inline double share_of_warp(double sine) { return glm::clamp((sine - 0.02) / 0.18, 0.0, 1.0); }
+
+/// @return   infinite where camera and light look one way
+[[nodiscard]] inline double optimal_distance(const along_view& v) {
+    const double n = (v.closest + std::sqrt(v.closest * (v.closest + v.length * v.sine))) / v.sine;
+    return v.sine > 0.0 ? n : std::numeric_limits<double>::infinity();
+}
+
+/// Near the best on a ground.
+[[nodiscard]] inline double default_distance(const along_view& v) { return std::sqrt(v.closest * optimal_distance(v)); }
+
+/// A perspective along y whose centre lies n before the first receivers; in front of them it changes no length.
+/// @return    world to x, y, depth and w
+/// @formula   (x, y, z) / (1 + y / n) about `first`
+[[nodiscard]] inline glm::dmat4 map_along(const along_view& v, double n) {
+    const double nearest = v.length * 0x1p-14;  // float holds no more
+    const double bend = share_of_warp(v.sine) / glm::max(n, nearest);
+    if (!(bend > 0.0 && is_finite(bend))) return v.frame;
+    glm::dmat4 warp(1.0);
+    warp[3] = glm::dvec4(-v.first, 1.0 - bend * v.first.y);
+    warp[1][3] = bend;
+    return warp * v.frame;
+}
+
+template <real T>
+[[nodiscard]] warped_light<T> warped_along(const along_view& v, double n, const warp_fit<T>& fit,
+                                           const char* function) {
+    const auto warped = refit(map_along(v, n), fit, function);
+    return warped ? *warped : unwarped(fit, function);
+}
+
+}  // namespace detail
+
+/// How far before the receivers the centre of a light-space perspective has to lie so that the greatest error over the
+/// camera's frustum is least: the mildest warp that is of use.
+/// @return      world units along the camera's view, across the light; infinite where camera and light look one way
+/// @formula     (z0 + sqrt(z0 z1)) / sin t, z1 = z0 + d sin t: z0 the receivers' least distance along the camera's
+///              view, d their extent along it across the light, t the angle between view and light
+/// @throws std::invalid_argument  as fit_light_space_perspective does
+/// @cite        Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
+template <real T = float>
+[[nodiscard]] T optimal_distance(const warp_fit<T>& fit) {
+    return T(detail::optimal_distance(detail::make_along_view(fit, "optimal_distance")));
+}
+
+/// The map of a directional light, warped along the camera's view.
+///
+/// @param distance   n, from the warp's centre to the receivers next to it, world units along the camera's view across
+///                   the light, > 0, infinite for no warp; the smaller, the more texels go to what is close, down to
+///                   2^-14 of the receivers' extent, which stands for what is less. By default
+///                   sqrt(z0 optimal_distance), z0 the receivers' least distance along the camera's view: near the best
+///                   on a ground, whose depth on the screen is foreshortened, if it is seen from there on; too small
+///                   where nothing is for long: see seen_range
+/// @return           strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
+///                   from there to 0.2 the warp grows, without a jump
+/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
+///                                casters that are no box, a negative margin, distance not above 0, and what gives
+///                                matrices that are not finite
+/// @formula          (x, y, depth) / (1 + y / n) about the camera's x and depth and the receivers' least y, y along the
+///                   view; then around the receivers
+/// @cite             Wimmer, Scherzer, Purgathofer: Light Space Perspective Shadow Maps, EGSR 2004
+template <real T = float>
+[[nodiscard]] warped_light<T> fit_light_space_perspective(const warp_fit<T>& fit, std::optional<T> distance = {}) {
+    constexpr auto function = "fit_light_space_perspective";
+    const detail::along_view v = detail::make_along_view(fit, function);
+    detail::require(!distance || *distance > T(0), function, "distance", "must be above 0");
+    return detail::warped_along(v, distance ? double(*distance) : detail::default_distance(v), fit, function);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/warp/perspective.hpp
+// Perspective shadow maps: a light's map of the world as the camera's own perspective shrinks it, so that what is small
+// on the screen is small in the map. Whatever stands where, rays are texels: the light itself goes through the camera's
+// perspective, from which it comes out as a point that shines, as one that swallows the light, or infinitely far away.
+//
+//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//     umbrage::perspective_light<float> warped = umbrage::fit_perspective(fit);
+//     if (warped.seen_as == umbrage::light_image::none) report("light-space perspective in its place");
+//
+
+namespace umbrage {
+
+/// What becomes of a light in the camera's perspective.
+enum class light_image {
+    source,    ///< a light before the camera: rays leave a point
+    sink,      ///< one behind it: they end in a point
+    parallel,  ///< one abreast of it: they stay parallel, or nearly
+    none       ///< a point amid the receivers, or too close to them: not warped so
+};
+
+template <real T>
+struct perspective_light : warped_light<T> {
+    light_image seen_as = light_image::none;  ///< none: what stands in its place
+};
+
+namespace detail {
+
+/// World to a camera's NDC, in double: the camera moved back, its planes around points.
+template <real T>
+[[nodiscard]] glm::dmat4 slid_back(const frustum<T>& camera, const std::vector<glm::dvec3>& points, double slide,
+                                   const char* function) {
+    const glm::dvec3 eye(camera.position), ahead = axes(camera)[2];
+    double least = std::numeric_limits<double>::infinity(), greatest = -least;
+    for (const glm::dvec3& p : points) {
+        const double z = glm::dot(p - eye, ahead);
+        least = glm::min(least, z), greatest = glm::max(greatest, z);
+    }
+    const double back = slide - glm::min(least, 0.0), z_near = least + back;
+    const double z_far = glm::max(greatest + back, z_near * (1.0 + 0x1p-8));
+    require(is_finite(z_far), function, "receivers", "lie too far from the camera");
+    const glm::dmat4 view =
+        look_along(eye - back * ahead, ahead, glm::dvec3(camera.up), handedness::right, function, "camera");
+    return perspective(double(camera.tan_half_x), double(camera.tan_half_y), z_near, z_far, opengl_clip_space,
+                       function) *
+           view;
+}
+
+/// The least and the greatest of angles under which points lie, in x and in y, z ahead.
+struct angles {
+    glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+};
+/// @return   nothing where one of them does not lie ahead
+[[nodiscard]] inline std::optional<angles> angles_of(const std::vector<glm::dvec3>& points) {
+    angles a;
+    for (const glm::dvec3& p : points) {
+        if (!(p.z > 0.0)) return {};
+        const glm::dvec2 angle(std::atan2(p.x, p.z), std::atan2(p.y, p.z));
+        a.low = glm::min(a.low, angle), a.high = glm::max(a.high, angle);
+    }
+    return a;
+}
+
+/// Where in NDC the map's axis goes through: halfway between the angles at which the light's image sees receivers.
+/// @return   nothing where the image stands amid them
+[[nodiscard]] inline std::optional<glm::dvec3> aim(const glm::dvec3& image, const std::vector<glm::dvec3>& receivers,
+                                                   const char* function) {
+    const auto [low, high] = extent_of(receivers);
+    const glm::dvec3 middle = (low + high) * 0.5;
+    // seen from beyond the far plane all of NDC lies the same way
+    const glm::dvec3 ahead = image.z > 1.0 ? glm::dvec3(0, 0, -1) : middle - image;
+    const glm::dmat4 first = light_frame(
+        look_along(image, ahead, glm::dvec3(0, 1, 0), handedness::right, function, "camera"), handedness::right);
+    const auto around = angles_of(seen(first, receivers));
+    if (!around) return {};
+    const glm::dvec2 halfway = glm::tan((around->low + around->high) * 0.5);
+    const glm::dvec3 axis = unit(glm::transpose(glm::dmat3(first)) * glm::dvec3(halfway, 1.0));
+    return image + axis * glm::dot(middle - image, axis);
+}
+
+/// A map in which rays are texels, and the angle by which its light's image sees receivers, pi and more: amid them.
+struct ray_map {
+    glm::dmat4 to_map;  ///< to x, y, depth and w
+    double opening;
+};
+
+/// Of sources and sinks alike, and of what is between them: the light goes through the aim along u, curved by k, which
+/// is above 0 for sources.
+/// @param light       in NDC, homogeneous
+/// @param up          of the map, in NDC at the aim
+/// @param receivers   in NDC
+/// @formula           u = -(l.xyz - l.w aim) / r, k = l.w / r, r its length; depth = u.(p - aim), w = 1 + k depth
+[[nodiscard]] inline ray_map along_rays(const glm::dvec4& light, const glm::dvec3& aim, const glm::dvec3& up,
+                                        const std::vector<glm::dvec3>& receivers, const char* function) {
+    const glm::dvec3 back = glm::dvec3(light) - aim * light.w;
+    const double bend = light.w / glm::length(back);
+    glm::dmat4 rays = light_frame(look_along(aim, -back, up, handedness::right, function, "camera"), handedness::right);
+    for (glm::length_t i = 0; i < 4; ++i) rays[i][3] += bend * rays[i][2];
+
+    std::vector<glm::dvec3> ahead;
+    for (const glm::dvec3& p : receivers) {
+        const glm::dvec4 h = rays * glm::dvec4(p, 1.0);
+        ahead.emplace_back(h.x * glm::abs(bend), h.y * glm::abs(bend), h.w);
+    }
+    const auto seen = angles_of(ahead);
+    if (!seen) return {rays, std::numbers::pi};
+    const glm::dvec2 opening = seen->high - seen->low;
+    return {rays, glm::max(opening.x, opening.y)};
+}
+
+/// How much of a map stands in for one that opens so wide: all of it from 150 degrees on, none up to 120.
+[[nodiscard]] inline double share_of_stand_in(double opening) {
+    constexpr double degree = std::numbers::pi / 180.0;
+    return glm::clamp((opening - 120.0 * degree) / (30.0 * degree), 0.0, 1.0);
+}
+
+/// A map whose receivers fill -1 to 1, w 1 at the least of them, and that mirrors nothing: maps of one light that are
+/// laid so can be mixed, as rays are texels in each.
+[[nodiscard]] inline glm::dmat4 filled(const glm::dmat4& to_map, const hull& receivers) {
+    extent box;
+    double least = std::numeric_limits<double>::infinity();
+    for (const glm::dvec3& p : corners_of(receivers)) {
+        const glm::dvec4 h = to_map * glm::dvec4(p, 1.0);
+        box.low = glm::min(box.low, glm::dvec3(h) / h.w), box.high = glm::max(box.high, glm::dvec3(h) / h.w);
+        least = glm::min(least, h.w);
+    }
+    const glm::dvec3 size = box.high - box.low;
+    glm::dvec3 scale = 2.0 / glm::max(size, 0x1p-8 * glm::max(glm::max(size.x, size.y), size.z));
+    if (glm::determinant(to_map) < 0.0) scale.x = -scale.x;
+    glm::dmat4 placed(1.0);
+    for (glm::length_t i = 0; i < 3; ++i)
+        placed[i][i] = scale[i], placed[3][i] = -0.5 * scale[i] * (box.low[i] + box.high[i]);
+    return placed * to_map / least;
+}
+
+/// The map of a light, homogeneous: the way towards it and 0, or its position and 1.
+/// @param stand_in   the light's map where it has no other: world to x, y, depth and w
+/// @param instead    () -> warped_light<T>, that map
+/// @param frame      the light's own, whose y is the map's
+template <real T, class Instead>
+[[nodiscard]] perspective_light<T> perspective_of(const glm::dvec4& light, const warp_fit<T>& fit,
+                                                  const polyhedron& casters, T slide, const char* function,
+                                                  const glm::dmat4& frame, const glm::dmat4& stand_in,
+                                                  Instead&& instead) {
+    require(is_normal(slide) && slide > T(0), function, "slide", "must be above 0 and finite");
+    const std::vector<glm::dvec3> receivers = corners_of(fit.receivers);
+    const glm::dmat4 to_ndc = slid_back(fit.camera, receivers, double(slide), function);
+    const glm::dvec4 image = to_ndc * light;
+    std::vector<glm::dvec3> in_ndc;
+    for (const glm::dvec3& p : receivers) {
+        const glm::dvec4 h = to_ndc * glm::dvec4(p, 1.0);
+        in_ndc.push_back(glm::dvec3(h) / h.w);
+    }
+    const bool far = !(glm::abs(image.w) >= 1e-4 * glm::length(glm::dvec3(image)));
+    const auto middle = far ? glm::dvec3(0) : aim(glm::dvec3(image) / image.w, in_ndc, function);
+    if (middle) {
+        const auto [low, high] = extent_of(in_ndc);
+        const glm::dvec4 y = to_ndc * glm::dvec4(frame[0][1], frame[1][1], frame[2][1], 0.0);
+        // as the stand-in has it on the camera's axis, of a lamp amid the receivers: both turn alike
+        const glm::dvec3 up = glm::dvec3(y) - light.w * 0.5 * (low + high) * y.w;
+        const auto [rays, opening] = along_rays(image, *middle, up, in_ndc, function);
+        const double share = share_of_stand_in(opening);
+        glm::dmat4 to_map = rays * to_ndc;
+        if (share > 0.0 && share < 1.0)
+            to_map = (1.0 - share) * filled(to_map, fit.receivers) + share * filled(stand_in, fit.receivers);
+        const auto warped = share < 1.0 ? refit(to_map, fit, casters, function) : std::nullopt;
+        if (warped)
+            return {*warped, far ? light_image::parallel : image.w > 0 ? light_image::source : light_image::sink};
+    }
+    return {instead(), light_image::none};
+}
+
+}  // namespace detail
+
+/// The map of a directional light through the camera's perspective. Casters behind the camera need no more of a slide:
+/// w is the same all along a ray, and depth runs on.
+///
+/// While camera and light move the map changes without a jump, from image to image of the light too, and to
+/// fit_light_space_perspective, which it turns into while what the camera sees fills 120 to 150 degrees around the
+/// light's image.
+///
+/// @param slide   how far behind its place the camera is taken for the warp, world units, > 0: the least distance to
+///                receivers. Less gives more of the map to what is close
+/// @return        light_image::none and fit_light_space_perspective where the light, or the point opposite, stands amid
+///                what the camera sees, which fills 150 degrees around it or more
+/// @throws std::invalid_argument  as fit_light_space_perspective does, and slide not above 0
+/// @cite          Stamminger, Drettakis: Perspective Shadow Maps, SIGGRAPH 2002
+template <real T = float>
+[[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, T slide = T(1)) {
+    constexpr auto function = "fit_perspective";
+    const detail::along_view v = detail::make_along_view(fit, function);
+    const glm::dvec4 light(-v.frame[0][2], -v.frame[1][2], -v.frame[2][2], 0.0);
+    const polyhedron casters = fit.casters ? polyhedron(*fit.casters) : polyhedron();
+    const double n = detail::default_distance(v);
+    return detail::perspective_of(light, fit, casters, slide, function, v.frame, detail::map_along(v, n),
+                                  [&] { return detail::warped_along(v, n, fit, function); });
+}
+
+/// The same of a point light, such as a spot: a source where it is before the camera, a sink where it is behind.
+///
+/// @param fit    whose direction is the light's axis
+/// @return       light_image::none and what the light sees along its axis, without a warp, where the light stands amid
+///               what the camera sees
+/// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
+///                                what fit_perspective complains of
+template <real T>
+[[nodiscard]] perspective_light<T> fit_perspective(const warp_fit<T>& fit, const lamp<T>& from, T slide = T(1)) {
+    constexpr auto function = "fit_perspective";
+    detail::require_warp_fit(fit, function);
+    const detail::lamp_view own = detail::view_of(from, fit, function);
+    return detail::perspective_of(glm::dvec4(glm::dvec3(from.position), 1.0), fit, own.casters, slide, function,
+                                  own.frame, detail::map_along(own),
+                                  [&] { return detail::unwarped(own, fit, function); });
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/warp/plane_optimal.hpp
+// Plane-optimal: a map that on one plane is the screen itself, pixel for pixel in proportion: the best that can be had
+// for a ground, and for nothing else.
+//
+//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//     auto ground = umbrage::fit_plane_optimal(fit, glm::vec4(0, 1, 0, 0));  // y = 0
+//
+
+namespace umbrage {
+
+/// What matrices in float leave of the plane's own depth, which is the same all over the map, under lights of 3 degrees
+/// and more above it: acne_free_bias, that sees no slope, is to be given this much more.
+template <real T>
+inline constexpr T plane_optimal_rounding = T(0x1p-20);
+
+namespace detail {
+
+/// Where a plane cuts a body's edges: the corners of what they have in common.
+[[nodiscard]] inline std::vector<glm::dvec3> crossings(const polyhedron& body, const glm::dvec4& plane) {
+    std::vector<glm::dvec3> all;
+    for (const polyhedron::face& face : body.faces())
+        for (std::size_t i = 0; i < face.corners.size(); ++i) {
+            const glm::dvec3 &p = face.corners[i], &q = face.corners[i + 1 < face.corners.size() ? i + 1 : 0];
+            const double at_p = glm::dot(plane, glm::dvec4(p, 1.0)), at_q = glm::dot(plane, glm::dvec4(q, 1.0));
+            if ((at_p < 0.0) != (at_q < 0.0)) all.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+        }
+    return all;
+}
+
+/// The map of a light, homogeneous: the way towards it and 0, or its position and 1.
+/// @param casters   that lie before w = 0
+template <real T>
+[[nodiscard]] warped_light<T> plane_optimal_of(const glm::dvec4& light, const warp_fit<T>& fit,
+                                               const polyhedron& casters, const glm::vec<4, T>& plane,
+                                               const char* function) {
+    glm::dvec4 ground(plane);
+    require(all_finite(plane) && is_normal(glm::length(glm::dvec3(ground))), function, "plane",
+            "must be finite and have a normal");
+    ground /= glm::length(glm::dvec3(ground)) * (glm::dot(ground, light) < 0.0 ? -1.0 : 1.0);
+    const double height = glm::dot(ground, light);
+    require(height > 1e-6 * glm::length(light), function, "plane", "must not be seen edge on by the light");
+    const std::vector<glm::dvec3> seen = crossings(fit.camera, ground);
+    require(!seen.empty(), function, "plane", "must lie before the camera");
+
+    // along the light onto the plane, and from there onto the screen; heights over the plane are depth
+    const glm::dmat4 cast = glm::dmat4(1.0) - glm::outerProduct(light, ground) / height;
+    const glm::dmat3 camera = axes(fit.camera);
+    glm::dmat4 rows;
+    const auto row = [&](const glm::dvec3& a) {
+        return glm::dvec4(a, -glm::dot(a, glm::dvec3(fit.camera.position))) * cast;
+    };
+    rows[0] = row(camera[0] / double(fit.camera.tan_half_x));
+    rows[1] = row(camera[1] / double(fit.camera.tan_half_y));
+    rows[2] = -ground;
+    rows[3] = row(camera[2]);
+    const glm::dmat4 to_map = glm::transpose(rows);
+
+    double least = std::numeric_limits<double>::infinity(), greatest = 0.0;
+    for (const glm::dvec3& p : seen) {
+        const double w = (to_map * glm::dvec4(p, 1.0)).w;
+        least = glm::min(least, w), greatest = glm::max(greatest, w);
+    }
+    const double eye = glm::dot(ground, glm::dvec4(glm::dvec3(fit.camera.position), 1.0));
+    require(least > 0.0 && glm::abs(eye) > 1e-6 * greatest, function, "plane",
+            "must not be seen edge on by the camera");
+    const double edge = 1.0 + 2.0 * double(fit.margin);
+    // w is a plane's point's, by a share that a point light takes away on the way towards it
+    const glm::dvec4 share = (glm::dvec4(0, 0, 0, 1) - ground * (light.w / height)) * glm::inverse(to_map);
+    const auto swept = seen_within(to_map, casters,
+                                   {{1, 0, 0, edge},
+                                    {-1, 0, 0, edge},
+                                    {0, 1, 0, edge},
+                                    {0, -1, 0, edge},
+                                    glm::dvec4(0, 0, 0, 1) - share * least,
+                                    share * greatest - glm::dvec4(0, 0, 0, 1)});
+    extent box{glm::dvec3(-edge, -edge, 0.0), glm::dvec3(edge, edge, 0.0)};
+    if (swept) box.low.z = glm::min(box.low.z, swept->low.z), box.high.z = glm::max(box.high.z, swept->high.z);
+    const double deep = glm::max(double(fit.margin), 0x1p-8) * glm::max(box.high.z - box.low.z, 1.0);
+    box.low.z -= deep, box.high.z += deep;
+    const auto warped = swept ? laid(to_map, box, least, greatest, fit, function) : std::nullopt;
+    require(warped.has_value(), function, "plane and camera", "give too large or too small a map");
+    return *warped;
+}
+
+}  // namespace detail
+
+/// The map of a directional light in which a plane lies as the camera sees it: where the map has k texels for a pixel
+/// across the screen, it has them everywhere on the plane, whatever the light. It holds what shades that part of the
+/// plane which the screen shows. Receivers apart from the plane are in it where their shadow on the plane is, and with
+/// fewer texels; the others, and what they are to be taken as, are the caller's: project_coordinate tells w <= 0, and
+/// inside_cascade the rest.
+///
+/// @param fit     but for its receivers, for which the plane stands
+/// @param plane   dot(plane, (p, 1)) = 0, a normal of any length > 0; the light may come from either side
+/// @return        of no use for what the light hardly touches: depth grows along the light by its height over the
+///                plane, over w
+/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, a plane that is none, that the
+///                                camera does not see, or that holds the light's direction (1e-6), casters that are no
+///                                box, a negative margin, and what gives matrices that are not finite
+/// @formula       x, y and w of the camera after (N.L) I - L N^T, depth - N.p
+template <real T = float>
+[[nodiscard]] warped_light<T> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane) {
+    constexpr auto function = "fit_plane_optimal";
+    detail::require_warp_fit(fit, function);
+    const glm::dmat4 view = detail::light_frame(detail::view_of(fit, function), fit.clip.hand);
+    const glm::dvec4 light(-view[0][2], -view[1][2], -view[2][2], 0.0);
+    return detail::plane_optimal_of(light, fit, fit.casters ? polyhedron(*fit.casters) : polyhedron(), plane, function);
+}
+
+/// The same of a point light.
+/// @param fit   whose direction is the light's axis
+/// @throws std::invalid_argument  receivers that do not all lie along the axis beyond z_near, z_near not above 0; and
+///                                what fit_plane_optimal complains of
+template <real T>
+[[nodiscard]] warped_light<T> fit_plane_optimal(const warp_fit<T>& fit, const glm::vec<4, T>& plane,
+                                                const lamp<T>& from) {
+    constexpr auto function = "fit_plane_optimal";
+    detail::require_warp_fit(fit, function);
+    const detail::lamp_view own = detail::view_of(from, fit, function);
+    return detail::plane_optimal_of(glm::dvec4(glm::dvec3(from.position), 1.0), fit, own.casters, plane, function);
+}
+
+}  // namespace umbrage
+
+// ---- umbrage/light/warp/trapezoidal.hpp
+// Trapezoidal shadow maps: a directional light's map from the trapezoid around what the camera sees, which is warped so
+// that up to a chosen distance the camera gets four fifths of the map.
+//
+//     umbrage::warp_fit<float> fit{.camera = camera, .direction = d,
+//                                  .receivers = umbrage::intersection(camera, scene), .casters = scene};
+//     auto warped = umbrage::fit_trapezoidal(fit, 20.0f);
+//
+
+namespace umbrage {
+
+/// The map of a directional light, warped along the camera's view with the focus on what is close.
+///
+/// @param focus   distance along the camera's view up to which four fifths of the map are for, world units, >= 0;
+///                receivers that begin behind it get the strongest warp there is; none where four fifths of the
+///                receivers lie before it
+/// @return        strength 0, which is no warp, where the sine of the angle between view and light is 0.02 or less;
+///                from there to 0.2 the warp grows, without a jump
+/// @throws std::invalid_argument  zero or non-finite direction, a camera that is none, receivers empty or of no extent,
+///                                casters that are no box, a negative margin, focus negative or not finite, and what
+///                                gives matrices that are not finite
+/// @formula       the trapezoid's top and base cross the light's image of the camera's axis at the receivers' ends,
+///                l apart; with the focus f behind the top the legs meet 0.4 l f / (1.6 l - 2 f) before it
+/// @cite          Martin, Tan: Anti-aliasing and Continuity with Trapezoidal Shadow Maps, EGSR 2004
+template <real T = float>
+[[nodiscard]] warped_light<T> fit_trapezoidal(const warp_fit<T>& fit, T focus) {
+    constexpr auto function = "fit_trapezoidal";
+    const detail::along_view v = detail::make_along_view(fit, function);
+    detail::require(is_finite(focus) && focus >= T(0), function, "focus", "must be finite and not below 0");
+    const double f = glm::max(v.camera_y + double(focus) * v.sine - v.first.y, 0.0), rest = 1.6 * v.length - 2.0 * f;
+    if (!(rest > 0.0)) return detail::unwarped(fit, function);
+    return detail::warped_along(v, 0.4 * v.length * f / rest, fit, function);
 }
 
 }  // namespace umbrage
@@ -18668,7 +18678,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
 
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
-                                        .translate = [](const snippet& s) { return std::string(s.source); },
+                                        .translate = [](const snippet& s) { return s.source.str(); },
                                         .macros = true,
                                         .scaled_macro = scaled_macro};
 
@@ -19200,7 +19210,7 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
 
 inline constexpr glsl::detail::language language{
     .prelude = "", .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source).print());
+        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source.str()).print());
     }};
 
 }  // namespace detail
@@ -19340,7 +19350,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
 
 inline constexpr glsl::detail::language language{
     .prelude = prelude, .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source).print());
+        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source.str()).print());
     }};
 
 }  // namespace detail
@@ -19361,7 +19371,7 @@ inline constexpr glsl::detail::language language{
 // ---- umbrage/shader/registry.hpp
 // Every snippet there is, in the order of the data's way: what tests, tables and tools walk through.
 //
-//     for (const umbrage::glsl::snippet* s : umbrage::glsl::registry) std::puts(umbrage::glsl::text({*s}).c_str());
+//     for (const umbrage::glsl::snippet* s : umbrage::glsl::registry()) std::puts(umbrage::glsl::text({*s}).c_str());
 //
 
 namespace umbrage::glsl {
@@ -19369,91 +19379,86 @@ namespace umbrage::glsl {
 namespace detail {
 
 /// Snippets in order, each once, what it needs before it.
-struct collection {
-    std::array<const snippet*, 512> members{};
-    std::array<std::uint32_t, 512> hashes{};
-    std::size_t size = 0;
-
-    [[nodiscard]] constexpr const snippet* const* begin() const { return members.data(); }
-    [[nodiscard]] constexpr const snippet* const* end() const { return members.data() + size; }
-
-    constexpr void add(const snippet* s) {
-        // By name: where null may be an address (as GCC's -fsanitize=undefined has it), addresses are no constants.
-        std::uint32_t hash = 2166136261;  // FNV-1a
-        for (char letter : s->name) hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619;
-        for (std::size_t i = 0; i < size; ++i)
-            if (hashes[i] == hash && members[i]->name == s->name) return;
+class collection {
+public:
+    collection& add(const snippet* s) {
+        // By name: a program and a library that it loads may each have a copy.
+        if (!names_.insert(s->name).second) return *this;
         for (const snippet* need : s->needs) add(need);
-        members[size] = s;
-        hashes[size++] = hash;
+        members_.push_back(s);
+        return *this;
     }
+    template <class... Lists>
+    collection& add_all(const Lists&... lists) {
+        const auto each = [&](const auto& some) {
+            for (const snippet* s : some) add(s);
+        };
+        (each(lists), ...);
+        return *this;
+    }
+    template <class... Encodings>
+    collection& add_writers(const list_of<Encodings...>*) {
+        return add_all(std::array{Encodings::writer...});
+    }
+    template <class... Encodings>
+    collection& add_readers(const list_of<Encodings...>*) {
+        return add_all(std::array{(Encodings::writes == written::depth ? Encodings::writer : Encodings::reader)...});
+    }
+    template <class... Filters>
+    collection& add_filters(const list_of<Filters...>*) {
+        return (add_filter<Filters>(), ..., *this);
+    }
+
+    [[nodiscard]] const std::vector<const snippet*>& members() const { return members_; }
+
+private:
+    /// One for each of the filter's values.
+    template <class Filter>
+    void add_filter() {
+        if constexpr (requires { Filter::values; }) {
+            for (const Filter& value : Filter::values) add(value.snippet);
+        } else add(Filter::snippet);
+    }
+
+    std::set<std::string_view> names_;
+    std::vector<const snippet*> members_;
 };
-
-template <class... Lists>
-constexpr collection collect(const Lists&... lists) {
-    collection all;
-    const auto add = [&](const auto& some) {
-        for (const snippet* s : some) all.add(s);
-    };
-    (add(lists), ...);
-    return all;
-}
-
-// What the types of a list name.
-template <class... Encodings>
-consteval auto writers_of(const list_of<Encodings...>*) {
-    return std::array{Encodings::writer...};
-}
-template <class... Encodings>
-consteval auto readers_of(const list_of<Encodings...>*) {
-    return std::array{(Encodings::writes == written::depth ? Encodings::writer : Encodings::reader)...};
-}
-/// One for each of the filter's values.
-template <class Filter>
-consteval auto snippets_of_filter() {
-    if constexpr (requires { Filter::values; }) {
-        std::array<const snippet*, Filter::values.size()> all{};
-        for (std::size_t i = 0; i < all.size(); ++i) all[i] = Filter::values[i].snippet;
-        return all;
-    } else return std::array{Filter::snippet};
-}
-template <class... Filters>
-consteval auto snippets_of(const list_of<Filters...>*) {
-    return collect(snippets_of_filter<Filters>()...);
-}
-inline constexpr auto writers = writers_of(static_cast<const encodings*>(nullptr));
-inline constexpr auto readers = readers_of(static_cast<const encodings*>(nullptr));
-inline constexpr auto filters = snippets_of(static_cast<const umbrage::filters::all*>(nullptr));
-
-// The rooms.
-inline constexpr auto light =
-    collect(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets, cube_atlas_snippets,
-            dual_paraboloid_snippets, tetrahedron_snippets, pancake_snippets, page_table_snippets);
-inline constexpr auto kinds = collect(kinds_snippets);
-inline constexpr auto codes = collect(scalar_snippets, floor_divide_snippets, unorm_snippets, writers,
-                                      rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>, readers);
-inline constexpr auto levels = collect(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets);
-inline constexpr auto maps =
-    collect(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets, disc_snippets,
-            filters, pcf_2x2_cube_snippets, four_tap_hardware_snippets, pcf_2x2_hardware_snippets,
-            window_hardware_snippets, disc_hardware_snippets, bounds_lit_snippets, penumbra_snippets, pcss_snippets,
-            pcss_hardware_snippets, dpcf_snippets, summed_variance_snippets, summed_moments_snippets);
-inline constexpr auto prefiltered =
-    collect(exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
-            hausdorff_snippets, look_up_snippets, decode_hardware_snippets, reduce_snippets);
-inline constexpr auto bias = collect(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets,
-                                     kernel_snippets, receiver_plane_snippets, acne_free_snippets);
-inline constexpr auto shade = collect(lighting_snippets);
-inline constexpr auto view = collect(false_colour_snippets, overlay_texel_snippets);
-inline constexpr auto everything = collect(light, kinds, codes, levels, maps, prefiltered, bias, shade, view);
 
 }  // namespace detail
 
-inline constexpr auto registry = [] {
-    std::array<const snippet*, detail::everything.size> all{};
-    std::copy_n(detail::everything.begin(), all.size(), all.begin());
+/// All of them. Made when it is first asked for: a program that does not ask carries no snippet for it.
+[[nodiscard]] inline std::span<const snippet* const> registry() {
+    static const std::vector<const snippet*> all = [] {
+        const encodings* const every_encoding = nullptr;
+        const umbrage::filters::all* const every_filter = nullptr;
+        return detail::collection()
+            // light
+            .add_all(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets, cube_atlas_snippets,
+                     dual_paraboloid_snippets, tetrahedron_snippets, pancake_snippets, page_table_snippets)
+            // depth
+            .add_all(kinds_snippets, scalar_snippets, floor_divide_snippets, unorm_snippets)
+            .add_writers(every_encoding)
+            .add_all(rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>)
+            .add_readers(every_encoding)
+            .add_all(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets)
+            // filter
+            .add_all(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets,
+                     disc_snippets)
+            .add_filters(every_filter)
+            .add_all(pcf_2x2_cube_snippets, four_tap_hardware_snippets, pcf_2x2_hardware_snippets,
+                     window_hardware_snippets, disc_hardware_snippets, bounds_lit_snippets, penumbra_snippets,
+                     pcss_snippets, pcss_hardware_snippets, dpcf_snippets, summed_variance_snippets,
+                     summed_moments_snippets)
+            .add_all(exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
+                     hausdorff_snippets, look_up_snippets, decode_hardware_snippets, reduce_snippets)
+            // bias, shade, view
+            .add_all(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets, kernel_snippets,
+                     receiver_plane_snippets, acne_free_snippets)
+            .add_all(lighting_snippets, false_colour_snippets, overlay_texel_snippets)
+            .members();
+    }();
     return all;
-}();
+}
 
 }  // namespace umbrage::glsl
 
@@ -20133,13 +20138,13 @@ namespace detail {
 
 inline void declare(const glsl::snippet& s, signatures& functions) {
     for (const glsl::snippet* need : s.needs) declare(*need, functions);
-    printer(s.source, functions).declare();
+    printer(s.source.str(), functions).declare();
 }
 
 [[nodiscard]] inline std::string translate(const glsl::snippet& s) {
     signatures functions;
     declare(s, functions);
-    return glsl::detail::laid_out(printer(s.source, functions).print());
+    return glsl::detail::laid_out(printer(s.source.str(), functions).print());
 }
 
 inline constexpr glsl::detail::language language{

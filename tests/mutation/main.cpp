@@ -120,7 +120,7 @@ void run(const entry& e, std::vector<candidate*>& mutants, std::size_t count, ba
             for (candidate* c : mutants) {
                 if (c->end != fate::alive) continue;
                 turn = 1 - turn;
-                primitives[turn].source = c->m.source;
+                primitives[turn].source = c->m.source.c_str();
                 log.str("");
                 try {
                     if (differs(changed[turn])) c->end = fate::caught;
@@ -139,10 +139,10 @@ int run_all(int argc, char** argv) {
     std::vector<std::pair<const snippet*, std::vector<candidate>>> all;
     std::size_t total = 0;
     std::set<std::string> left_out;
-    for (const snippet* s : umbrage::glsl::registry) {
+    for (const snippet* s : umbrage::glsl::registry()) {
         if (s->name.find(o.filter) == std::string::npos) continue;
         all.push_back({s, {}});
-        for (mutant& m : mutants(s->source)) {
+        for (mutant& m : mutants(s->source.str())) {
             std::string name = std::string(s->name) + ": " + std::string(m.kind) + ": " + m.site;
             if (sampled(name, o.every)) all.back().second.push_back({std::move(m), std::move(name)});
             else left_out.insert(std::move(name));

@@ -76,7 +76,7 @@ void add(std::ostream& out, const shader_language& l, const std::vector<bound>& 
 
 void write(std::ostream& out) {
     for (const shader_language& l : languages) {
-        for (const snippet* s : glsl::registry) add(out, l, {*s});
+        for (const snippet* s : glsl::registry()) add(out, l, {*s});
         for (const glsl::binding& map : maps())
             for (const snippet& s : {glsl::pcf_2x2, glsl::box, glsl::pcf_2x2_dx_sdk})
                 add(out, l, {bind(s, "sun", map)});
@@ -96,7 +96,7 @@ void write(std::ostream& out) {
         add(out, l, {bind(glsl::hard, "a", {}), bind(glsl::box, "a", {.outside_lit = true})});
     }
     for (const glsl::version v : glsl::versions)
-        for (const snippet* s : glsl::registry) {
+        for (const snippet* s : glsl::registry()) {
             if (v == glsl::version::vulkan) continue;
             const bound item(*s);
             out << "{\"version\":" << literal(directive(v)) << ",\"items\":" << json({item})

@@ -104,7 +104,7 @@ std::string words(const glsl::detail::texture_words& w) {
 
 template <class Use>
 void for_each_snippet(const Use& use) {
-    for (const snippet* s : glsl::registry) use(*s);
+    for (const snippet* s : glsl::registry()) use(*s);
     for (const snippet* s : glsl::hooks::all) use(*s);
 }
 
@@ -121,8 +121,8 @@ std::string languages_of_module() {
             out += "            " + std::string(t.name) + ": " + words(l.words->texture(t.kind)) + ",\n";
         out += "        },\n        texts: {\n";
         for_each_snippet([&](const snippet& s) {
-            const bool asks_for_macros =
-                s.source.find("\n#ifdef ") != s.source.npos || s.source.find("\n#ifndef ") != s.source.npos;
+            const std::string text = s.source.str();
+            const bool asks_for_macros = text.find("\n#ifdef ") != text.npos || text.find("\n#ifndef ") != text.npos;
             if (asks_for_macros && !l.words->macros) return;  // a hook that maps always choose
             out += "            " + literal(id(s)) + ": `" + l.words->translate(s) + "`,\n";
         });
@@ -146,7 +146,7 @@ std::string encodings_of_module() {
 std::string module_data() {
     std::string rows, names, versions, exported;
     for_each_snippet([&](const snippet& s) { rows += row(s); });
-    for (const snippet* s : glsl::registry) names += (names.empty() ? "" : ", ") + std::string(s->name);
+    for (const snippet* s : glsl::registry()) names += (names.empty() ? "" : ", ") + std::string(s->name);
     for (const glsl::version v : glsl::versions)
         if (v != glsl::version::vulkan) versions += (versions.empty() ? "" : ", ") + literal(directive(v));
     for (const shader_language& l : languages)
@@ -167,7 +167,7 @@ std::string module_data() {
 std::string module_names() {
     std::string out;
     for (const shader_language& l : languages) out += "export const " + std::string(l.name) + ": Language;\n";
-    for (const snippet* s : glsl::registry)
+    for (const snippet* s : glsl::registry())
         out += "/** " + std::string(s->summary) + " */\nexport const " + std::string(s->name) + ": Snippet;\n";
     return out;
 }
@@ -194,7 +194,7 @@ std::string one_function(const shader_language& l, const std::vector<const snipp
 
 void write_shaders(const fs::path& folder) {
     for (const shader_language& l : languages)
-        for (const snippet* s : glsl::registry) {
+        for (const snippet* s : glsl::registry()) {
             const auto file = [&](const snippet& of) {
                 return folder / l.folder / (std::string(of.name) + std::string(l.extension));
             };

@@ -116,7 +116,7 @@ int rules_without_teeth(const compiler& c) {
 
 int main(int argc, char** argv) try {
     int wrong = 0;
-    for (const snippet* s : umbrage::glsl::registry) {
+    for (const snippet* s : umbrage::glsl::registry()) {
         bool found = false;
         for (const entry& e : entries()) found = found || e.primitive == s || e.primitive->name == s->name;
         if (found) continue;
@@ -140,7 +140,7 @@ int main(int argc, char** argv) try {
         shaders += all.size();
         if (!(v == version::vulkan ? spirv_of(all) : c.accepts(v, all))) ++wrong;
     }
-    std::cout << umbrage::glsl::registry.size() << " snippets, " << entries().size() << " entries, " << shaders
+    std::cout << umbrage::glsl::registry().size() << " snippets, " << entries().size() << " entries, " << shaders
               << " shaders in " << umbrage::glsl::versions.size() << " dialects: " << wrong << " faults\n";
     return wrong ? 1 : 0;
 } catch (const std::exception& error) {

@@ -142,7 +142,7 @@ call_snippet::call_snippet(const entry& e, dialect::language in) : needs_{e.prim
     const bool several = e.bound.size() > 1;
     source_ = std::string("\nUMBRAGE_HIGHP ") + (several ? "float" : "vec4") + " umbrage_call(" + parameters +
               ") {\n    return " + e.call + ";\n}\n";
-    snippet call{.name = "call", .source = source_};
+    snippet call{.name = "call", .source = source_.c_str()};
     call.needs.first = needs_.data();
     call.needs.size = needs_.size();
     const auto call_of = [&](const std::string& name, const std::string& map) {

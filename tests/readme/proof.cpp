@@ -57,7 +57,7 @@ struct report {
             by_implementation[row[2].substr(0, row[2].find(" ("))].add(row);  // less the build
             by_primitive[name].add(row);
         }
-        for (const umbrage::glsl::snippet* s : umbrage::glsl::registry)
+        for (const umbrage::glsl::snippet* s : umbrage::glsl::registry())
             if (!names.contains(std::string(s->name)))
                 throw std::runtime_error(file.string() + " lacks " + std::string(s->name) +
                                          " and perhaps more: run its parity test whole");

@@ -70,7 +70,7 @@ std::string family::label() const { return span(names.front(), names.back()); }
 
 std::vector<family> families() {
     std::vector<family> all;
-    for (const glsl::snippet* s : glsl::registry) {
+    for (const glsl::snippet* s : glsl::registry()) {
         if (all.empty() || all.back().first->summary != s->summary) all.push_back({{}, s});
         all.back().names.push_back(s->name);
     }
@@ -138,8 +138,8 @@ std::string functions(const std::filesystem::path& folder) {
         const std::string header{std::istreambuf_iterator<char>(in), {}};
         std::string names;
         for (const std::string& name : functions_in(header))
-            if (!name.starts_with("umbrage_") &&
-                std::none_of(glsl::registry.begin(), glsl::registry.end(), [&](auto* s) { return s->name == name; }))
+            if (!name.starts_with("umbrage_") && std::none_of(glsl::registry().begin(), glsl::registry().end(),
+                                                              [&](auto* s) { return s->name == name; }))
                 names += (names.empty() ? "" : ", ") + code(name);
         const std::string place = std::filesystem::relative(file.path(), folder.parent_path()).generic_string();
         if (!names.empty())

@@ -61,10 +61,10 @@ template <int Bits, real T>
 namespace glsl {
 
 template <int Bits>
-inline constexpr auto encode_rg_name = detail::fill<16>("encode_rg$b", {{'b', Bits}});
+inline constexpr detail::short_name encode_rg_name("encode_rg$b", {{'b', Bits}});
 template <int Bits>
-inline constexpr auto encode_rg_text =
-    detail::fill<1024>(R"GLSL(
+[[nodiscard]] std::string encode_rg_text() {
+    return detail::filled(R"GLSL(
 // umbrage_encode_rg$b: depth to the two channels of a $b-bit code, whole numbers 0..255 (umbrage_to_unorm writes them)
 //   depth   clamped to [0, 1], NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
@@ -73,18 +73,20 @@ UMBRAGE_HIGHP vec2 umbrage_encode_rg$b(UMBRAGE_HIGHP float depth) {
     return vec2(x - high * 256.0, high * $s.0);
 }
 )GLSL",
-                       {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}, {'s', 1 << (16 - Bits)}});
+                          {{'b', Bits}, {'n', 1 << Bits}, {'l', (1 << Bits) - 1}, {'s', 1 << (16 - Bits)}});
+}
 template <int Bits>
 inline constexpr snippet encode_rg{.name = encode_rg_name<Bits>.view(),
                                    .summary = "depth to two channels, R the low byte",
                                    .exactness = tier::a,
                                    .needs = list<&saturate>,
-                                   .source = encode_rg_text<Bits>.view()};
+                                   .source = encode_rg_text<Bits>};
 
 template <int Bits>
-inline constexpr auto decode_rg_name = detail::fill<16>("decode_rg$b", {{'b', Bits}});
+inline constexpr detail::short_name decode_rg_name("decode_rg$b", {{'b', Bits}});
 template <int Bits>
-inline constexpr auto decode_rg_text = detail::fill<1024>(R"GLSL(
+[[nodiscard]] std::string decode_rg_text() {
+    return detail::filled(R"GLSL(
 // umbrage_decode_rg$b: two channels of a $b-bit code, as sampled, to depth
 //   edge   0.0, 0.5, 1.0: lower edge, centre, upper edge of the code's interval
 UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP float edge) {
@@ -92,13 +94,14 @@ UMBRAGE_HIGHP float umbrage_decode_rg$b(UMBRAGE_HIGHP vec2 c, UMBRAGE_HIGHP floa
     return (k.x + k.y * $g.0 + edge) * (1.0 / $n.0);
 }
 )GLSL",
-                                                          {{'b', Bits}, {'n', 1 << Bits}, {'g', 1 << (Bits - 8)}});
+                          {{'b', Bits}, {'n', 1 << Bits}, {'g', 1 << (Bits - 8)}});
+}
 template <int Bits>
 inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
                                    .summary = "two channels, R the low byte, to depth",
                                    .exactness = tier::a,
                                    .needs = list<&from_unorm>,
-                                   .source = decode_rg_text<Bits>.view()};
+                                   .source = decode_rg_text<Bits>};
 
 }  // namespace glsl
 
@@ -106,7 +109,7 @@ inline constexpr snippet decode_rg{.name = decode_rg_name<Bits>.view(),
 template <int Bits>
 struct rg {
     using texel = glm::u8vec2;
-    static constexpr auto name_text = glsl::detail::fill<8>("rg$b", {{'b', Bits}});
+    static constexpr glsl::detail::short_name name_text{"rg$b", {{'b', Bits}}};
     static constexpr std::string_view name = name_text.view();
     static constexpr std::string_view summary = "Two channels: R the low byte, G the rest in its high bits.";
     static constexpr const glsl::snippet* writer = &glsl::encode_rg<Bits>;

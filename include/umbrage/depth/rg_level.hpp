@@ -45,27 +45,30 @@ template <int Bits, real T>
 namespace glsl {
 
 template <int Bits>
-inline constexpr auto level_rg_name = detail::fill<16>("level_rg$b", {{'b', Bits}});
+inline constexpr detail::short_name level_rg_name("level_rg$b", {{'b', Bits}});
 template <int Bits>
-inline constexpr auto level_rg_text = detail::fill<512>(R"GLSL(
+[[nodiscard]] std::string level_rg_text() {
+    return detail::filled(R"GLSL(
 // umbrage_level_rg$b: two channels of a $b-bit code, as sampled, to the scale of umbrage_receiver_rg$b, on which 1.0 is
 //   not the far plane
 UMBRAGE_HIGHP float umbrage_level_rg$b(UMBRAGE_HIGHP vec2 c) {
     return c.x + c.y * $g.0;  // an exact product: fused or not, it rounds once
 }
 )GLSL",
-                                                        {{'b', Bits}, {'g', 1 << (Bits - 8)}});
+                          {{'b', Bits}, {'g', 1 << (Bits - 8)}});
+}
 template <int Bits>
 inline constexpr snippet level_rg{.name = level_rg_name<Bits>.view(),
                                   .summary = "two channels to a level to compare with",
                                   .exactness = tier::b,
                                   .scaled = true,
-                                  .source = level_rg_text<Bits>.view()};
+                                  .source = level_rg_text<Bits>};
 
 template <int Bits>
-inline constexpr auto receiver_rg_name = detail::fill<16>("receiver_rg$b", {{'b', Bits}});
+inline constexpr detail::short_name receiver_rg_name("receiver_rg$b", {{'b', Bits}});
 template <int Bits>
-inline constexpr auto receiver_rg_text = detail::fill<768>(R"GLSL(
+[[nodiscard]] std::string receiver_rg_text() {
+    return detail::filled(R"GLSL(
 // umbrage_receiver_rg$b: receiver on the scale of umbrage_level_rg$b: it is <= a texel's level exactly when
 //   depth <= umbrage_decode_rg$b(texel, edge), or beyond the far plane
 UMBRAGE_HIGHP float umbrage_receiver_rg$b(UMBRAGE_HIGHP float depth, UMBRAGE_HIGHP float edge) {
@@ -73,12 +76,13 @@ UMBRAGE_HIGHP float umbrage_receiver_rg$b(UMBRAGE_HIGHP float depth, UMBRAGE_HIG
     return depth > 1.0 ? -1.0 : level;
 }
 )GLSL",
-                                                           {{'b', Bits}, {'n', 1 << Bits}});
+                          {{'b', Bits}, {'n', 1 << Bits}});
+}
 template <int Bits>
 inline constexpr snippet receiver_rg{.name = receiver_rg_name<Bits>.view(),
                                      .summary = "receiver to a level, for maps that are not decoded",
                                      .exactness = tier::b,
-                                     .source = receiver_rg_text<Bits>.view()};
+                                     .source = receiver_rg_text<Bits>};
 
 /// Of the members named: texts are filled in where they are asked for.
 template <int... Bits>

@@ -51,9 +51,10 @@ template <int Bits, real T, class Fetch>
 namespace glsl {
 
 template <int Bits>
-inline constexpr auto encode_rg_table_name = detail::fill<24>("encode_rg$b_table", {{'b', Bits}});
+inline constexpr detail::short_name encode_rg_table_name("encode_rg$b_table", {{'b', Bits}});
 template <int Bits>
-inline constexpr auto encode_rg_table_text = detail::fill<1024>(R"GLSL(
+[[nodiscard]] std::string encode_rg_table_text() {
+    return detail::filled(R"GLSL(
 // umbrage_encode_rg$b_table: depth to the two channels of a $b-bit code through a look-up table, whole numbers 0..255
 //   table   $w x $h texels, row after row, nearest filter;   depth   clamped to [0, 1], NaN counts as far
 UMBRAGE_HIGHP vec2 umbrage_encode_rg$b_table(UMBRAGE_MAP table, UMBRAGE_HIGHP float depth) {
@@ -64,17 +65,18 @@ UMBRAGE_HIGHP vec2 umbrage_encode_rg$b_table(UMBRAGE_MAP table, UMBRAGE_HIGHP fl
     return vec2(k.x, k.y);
 }
 )GLSL",
-                                                                {{'b', Bits},
-                                                                 {'n', 1 << Bits},
-                                                                 {'l', (1 << Bits) - 1},
-                                                                 {'w', rg_table_width<Bits>},
-                                                                 {'h', (1 << Bits) / rg_table_width<Bits>}});
+                          {{'b', Bits},
+                           {'n', 1 << Bits},
+                           {'l', (1 << Bits) - 1},
+                           {'w', rg_table_width<Bits>},
+                           {'h', (1 << Bits) / rg_table_width<Bits>}});
+}
 template <int Bits>
 inline constexpr snippet encode_rg_table{.name = encode_rg_table_name<Bits>.view(),
                                          .summary = "depth to two channels through a look-up texture",
                                          .exactness = tier::a,
                                          .needs = list<&saturate, &from_unorm, &fetch_clamped>,
-                                         .source = encode_rg_table_text<Bits>.view()};
+                                         .source = encode_rg_table_text<Bits>};
 
 /// Of the members named: texts are filled in where they are asked for.
 template <int... Bits>

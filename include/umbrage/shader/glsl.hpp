@@ -120,7 +120,7 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
 
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
-                                        .translate = [](const snippet& s) { return std::string(s.source); },
+                                        .translate = [](const snippet& s) { return s.source.str(); },
                                         .macros = true,
                                         .scaled_macro = scaled_macro};
 

@@ -114,7 +114,7 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
 
 inline constexpr glsl::detail::language language{
     .prelude = "", .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source).print());
+        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source.str()).print());
     }};
 
 }  // namespace detail

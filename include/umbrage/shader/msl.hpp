@@ -128,7 +128,7 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
 
 inline constexpr glsl::detail::language language{
     .prelude = prelude, .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source).print());
+        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source.str()).print());
     }};
 
 }  // namespace detail

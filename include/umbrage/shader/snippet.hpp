@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <string>
 #include <string_view>
 
 #include <umbrage/config.hpp>
@@ -80,6 +81,20 @@ struct snippet_span {
     [[nodiscard]] constexpr const snippet* const* end() const { return first + size; }
 };
 
+/// A snippet's GLSL: as it is written down, or what a function puts together each time it is asked for, which spares
+/// whoever includes the header the work.
+class snippet_text {
+public:
+    constexpr snippet_text(const char* written) : written_(written) {}
+    constexpr snippet_text(std::string (*make)()) : make_(make) {}
+
+    [[nodiscard]] std::string str() const { return make_ ? make_() : written_; }
+
+private:
+    const char* written_ = "";
+    std::string (*make_)() = nullptr;
+};
+
 /// One GLSL function (with its overloads) and what is known of it.
 struct snippet {
     std::string_view name;       ///< of the C++ twin; the GLSL function is umbrage_<name>
@@ -91,7 +106,7 @@ struct snippet {
     snippet_span needs{};            ///< a list<>
     hook role = hook::none;
     bool scaled = false;  ///< makes depths on a scale of their own, on which 1.0 is not the far plane
-    std::string_view source;
+    snippet_text source;
 
     /// No two have one name.
     friend constexpr bool operator==(const snippet& a, const snippet& b) { return a.name == b.name; }
@@ -114,44 +129,46 @@ struct constant {
     std::string_view text{};  ///< in place of the value's digits, though it be ""
 };
 
-/// Text with the constants of one member of a family filled in, at compile time. Plain arrays, for the sake of every
-/// user's compile time.
-template <std::size_t Capacity>
-struct filled_text {
-    char data[Capacity]{};
-    std::size_t size = 0;
-    [[nodiscard]] constexpr std::string_view view() const { return {data, size}; }
-    constexpr void append(std::string_view text) {
-        for (char letter : text) data[size++] = letter;
-    }
-    /// With each `$key` replaced by the decimal digits of its value, or its text.
-    constexpr void append(std::string_view text, std::initializer_list<constant> constants) {
-        for (std::size_t i = 0; i < text.size(); ++i) {
-            if (text[i] != '$') {
-                data[size++] = text[i];
-                continue;
-            }
-            ++i;
-            for (const constant& c : constants) {
-                if (c.key != text[i]) continue;
-                append(c.text);
-                if (c.text.data() != nullptr) continue;
-                if (c.value < 0) data[size++] = '-';
-                const int digits = c.value < 0 ? -c.value : c.value;
-                int unit = 1;
-                while (digits / unit >= 10) unit *= 10;
-                for (; unit > 0; unit /= 10) data[size++] = static_cast<char>('0' + digits / unit % 10);
-            }
+/// Appends `text` with each `$key` replaced by the decimal digits of its value, or its text.
+template <class Text>
+constexpr void append(Text& out, std::string_view text, std::initializer_list<constant> constants) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '$') {
+            out.push_back(text[i]);
+            continue;
+        }
+        ++i;
+        for (const constant& c : constants) {
+            if (c.key != text[i]) continue;
+            for (char letter : c.text) out.push_back(letter);
+            if (c.text.data() != nullptr) continue;
+            if (c.value < 0) out.push_back('-');
+            const int digits = c.value < 0 ? -c.value : c.value;
+            int unit = 1;
+            while (digits / unit >= 10) unit *= 10;
+            for (; unit > 0; unit /= 10) out.push_back(static_cast<char>('0' + digits / unit % 10));
         }
     }
-};
+}
 
-template <std::size_t Capacity>
-constexpr filled_text<Capacity> fill(std::string_view text, std::initializer_list<constant> constants) {
-    filled_text<Capacity> out;
-    out.append(text, constants);
+/// Of a family's member: its text.
+[[nodiscard]] inline std::string filled(std::string_view text, std::initializer_list<constant> constants) {
+    std::string out;
+    append(out, text, constants);
     return out;
 }
+
+/// Its name, at compile time.
+struct short_name {
+    char data[24]{};
+    std::size_t size = 0;
+
+    constexpr short_name(std::string_view text, std::initializer_list<constant> constants) {
+        append(*this, text, constants);
+    }
+    constexpr void push_back(char letter) { data[size++] = letter; }
+    [[nodiscard]] constexpr std::string_view view() const { return {data, size}; }
+};
 
 }  // namespace detail
 }  // namespace umbrage::glsl

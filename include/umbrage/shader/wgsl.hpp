@@ -107,13 +107,13 @@ namespace detail {
 
 inline void declare(const glsl::snippet& s, signatures& functions) {
     for (const glsl::snippet* need : s.needs) declare(*need, functions);
-    printer(s.source, functions).declare();
+    printer(s.source.str(), functions).declare();
 }
 
 [[nodiscard]] inline std::string translate(const glsl::snippet& s) {
     signatures functions;
     declare(s, functions);
-    return glsl::detail::laid_out(printer(s.source, functions).print());
+    return glsl::detail::laid_out(printer(s.source.str(), functions).print());
 }
 
 inline constexpr glsl::detail::language language{

@@ -278,7 +278,7 @@ std::vector<job> jobs(const std::string& folder) {
 
 job registry() {
     job all{"every snippet", {}};
-    for (const snippet* s : glsl::registry) {
+    for (const snippet* s : glsl::registry()) {
         const parity::entry* of = nullptr;  // its plain one, else the first
         for (const parity::entry& e : parity::entries())
             if (e.primitive == s && (!of || (e.variant.empty() && !of->variant.empty()))) of = &e;

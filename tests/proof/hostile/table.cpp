@@ -88,7 +88,7 @@ int main(int argc, char** argv) try {
             good = false;
         }
     if (argv[1] == std::string("tier_a"))
-        for (const umbrage::glsl::snippet* s : umbrage::glsl::registry)
+        for (const umbrage::glsl::snippet* s : umbrage::glsl::registry())
             if (s->exactness == umbrage::glsl::tier::a && !tried.count(std::string(s->name))) {
                 std::cout << "missing from tier_a.cpp: " << s->name << '\n';
                 good = false;

@@ -59,11 +59,12 @@ std::vector<word> words(std::string_view code) {
 }
 
 /// What a snippet lets its users define, as UMBRAGE_LIT.
-std::vector<std::string_view> macros(const snippet& s) {
-    std::vector<std::string_view> found;
-    const auto all = words(s.source);
+std::vector<std::string> macros(const snippet& s) {
+    std::vector<std::string> found;
+    const std::string text = s.source.str();
+    const auto all = words(text);
     for (std::size_t i = 1; i < all.size(); ++i)
-        if (all[i - 1].text == "define") found.push_back(all[i].text);
+        if (all[i - 1].text == "define") found.emplace_back(all[i].text);
     return found;
 }
 
@@ -163,18 +164,19 @@ TEST_CASE("source: a dialect that a snippet does not support") {
 
 TEST_CASE("registry: names tell snippets apart, and whatever one needs is there and old enough") {
     std::set<std::string_view> names;
-    for (const snippet* s : registry) {
+    for (const snippet* s : registry()) {
         CAPTURE(s->name);
         CHECK(names.insert(s->name).second);
         CHECK_FALSE(s->summary.empty());
         CHECK((s->exactness == tier::c ? s->ulp > 0 || s->within > 0.0f : s->ulp == 0 && s->within == 0.0f));
-        CHECK(count(s->source, "umbrage_" + std::string(s->name) + "(") > 0);
-        CHECK(count(s->source, "// umbrage_" + std::string(s->name) + ":") == 1);  // a copied text explains itself
+        CHECK(count(s->source.str(), "umbrage_" + std::string(s->name) + "(") > 0);
+        CHECK(count(s->source.str(), "// umbrage_" + std::string(s->name) + ":") ==
+              1);  // a copied text explains itself
         for (const snippet* need : s->needs) {
             CAPTURE(need->name);
-            CHECK(std::find(registry.begin(), registry.end(), need) != registry.end());
+            CHECK(std::find(registry().begin(), registry().end(), need) != registry().end());
             for (version v : versions) CHECK((!supports(*s, v) || supports(*need, v)));
-            const std::string code = without_comments(s->source);
+            const std::string code = without_comments(s->source.str());
             bool used = count(code, "umbrage_" + std::string(need->name) + "(") > 0;
             for (std::string_view macro : macros(*need)) used = used || count(code, macro) > 0;
             CHECK(used);
@@ -183,7 +185,7 @@ TEST_CASE("registry: names tell snippets apart, and whatever one needs is there 
 }
 
 TEST_CASE("registry: every function of the library that a snippet calls is among its needs") {
-    for (const snippet* s : registry) {
+    for (const snippet* s : registry()) {
         const std::string out = text({*s}), code = without_comments(out);
         for (const word& w : words(code))
             if (w.text.starts_with("umbrage_")) {
@@ -198,15 +200,15 @@ TEST_CASE("registry: every function of the library that a snippet calls is among
 }
 
 TEST_CASE("registry: texts that every compiler takes and any host shader can carry") {
-    for (const snippet* s : registry) {
+    for (const snippet* s : registry()) {
         CAPTURE(s->name);
-        CHECK(s->source.size() < 12000);
-        CHECK(s->source.starts_with("\n//"));
-        CHECK(s->source.ends_with("\n"));
-        CHECK(std::all_of(s->source.begin(), s->source.end(),
-                          [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
-        CHECK(s->source.find('$') == s->source.npos);  // a key of the family left over
-        const std::string code = without_comments(s->source);
+        const std::string text = s->source.str();
+        CHECK(text.size() < 12000);
+        CHECK(text.starts_with("\n//"));
+        CHECK(text.ends_with("\n"));
+        CHECK(std::all_of(text.begin(), text.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+        CHECK(text.find('$') == text.npos);  // a key of the family left over
+        const std::string code = without_comments(text);
         CHECK(count(code, "#version") == 0);
         CHECK(count(code, "#if") == count(code, "#endif"));
         for (const word& w : words(code)) {
@@ -230,23 +232,24 @@ TEST_CASE("registry: texts that every compiler takes and any host shader can car
 // stays. So a sum lost bits behind an early return before its loop that one return of a selection keeps. Nor do fetches
 // wait for a branch then.
 TEST_CASE("registry: one exit a function, its last statement") {
-    for (const snippet* s : registry) {
+    for (const snippet* s : registry()) {
         CAPTURE(s->name);
-        for (const std::string& text : branches(without_comments(s->source)))
-            for (const std::string& function : several_exits(text)) {
+        const std::string text = s->source.str();
+        for (const std::string& branch : branches(without_comments(text)))
+            for (const std::string& function : several_exits(branch)) {
                 CAPTURE(function);
                 CHECK(false);
             }
-        for (auto at = s->source.find("#define"); at != s->source.npos; at = s->source.find("#define", at + 1))
-            CHECK(s->source.substr(at, s->source.find('\n', at) - at).find("return") == s->source.npos);
+        for (auto at = text.find("#define"); at != text.npos; at = text.find("#define", at + 1))
+            CHECK(text.substr(at, text.find('\n', at) - at).find("return") == text.npos);
     }
 }
 
 TEST_CASE("registry: a division or a root is tier C, but for the coordinate of an old-style fetch, and one mended") {
-    for (const snippet* s : registry) {
+    for (const snippet* s : registry()) {
         if (s->exactness == tier::c || s == &umbrage::glsl::floor_divide) continue;
         CAPTURE(s->name);
-        const std::string code = without_comments(s->source);
+        const std::string code = without_comments(s->source.str());
         for (std::string_view loose : {"sqrt(", "normalize(", "length(", "pow(", "exp2(", "exp(", "sin(", "cos("})
             CHECK(count(code, loose) == 0);
         for (auto at = code.find(" / "); at != code.npos; at = code.find(" / ", at + 1)) {
@@ -261,9 +264,9 @@ TEST_CASE("registry: a division or a root is tier C, but for the coordinate of a
 
 TEST_CASE("registry: highp on every parameter, local and return; int is wide enough anywhere for what it counts") {
     const std::set<std::string_view> types{"float", "vec2", "vec3", "vec4", "mat3", "mat4", "uint", "uvec4"};
-    for (const snippet* s : registry) {
+    for (const snippet* s : registry()) {
         CAPTURE(s->name);
-        const std::string code = without_comments(s->source);
+        const std::string code = without_comments(s->source.str());
         const auto all = words(code);
         for (std::size_t i = 0; i + 1 < all.size(); ++i) {
             if (!types.contains(all[i].text)) continue;

@@ -56,7 +56,7 @@ TEST_CASE("hlsl: a column of a matrix, and bits") {
 }
 
 TEST_CASE("hlsl: every snippet") {
-    for (const glsl::snippet* s : glsl::registry) {
+    for (const glsl::snippet* s : glsl::registry()) {
         CAPTURE(s->name);
         const std::string text = hlsl::text({*s});
         for (const char* word : {"UMBRAGE_HIGHP", "UMBRAGE_MAP", "UMBRAGE_PRECISE", "vec2", "vec3", "vec4", "mat4"})

@@ -46,7 +46,7 @@ TEST_CASE("msl: columns of a matrix, and bits") {
 }
 
 TEST_CASE("msl: every snippet") {
-    for (const glsl::snippet* s : glsl::registry) {
+    for (const glsl::snippet* s : glsl::registry()) {
         CAPTURE(s->name);
         const std::string text = msl::text({*s});
         for (const char* word : {"UMBRAGE_HIGHP", "UMBRAGE_MAP", "UMBRAGE_PRECISE", "vec2", "vec3", "vec4", "mat4"})

@@ -2,25 +2,32 @@
 #include <doctest/doctest.h>
 
 #include <set>
+#include <string>
 #include <string_view>
 
 #include <umbrage/shader/snippet.hpp>
 
 using namespace umbrage;
 
-TEST_CASE("fill: keys become decimal digits") {
-    constexpr auto filled = glsl::detail::fill<64>("a$b, $n.0 $b$b", {{'b', 9}, {'n', 65536}});
-    static_assert(filled.view() == "a9, 65536.0 99");
-    static_assert(glsl::detail::fill<8>("$z", {{'z', 0}}).view() == "0");
-    static_assert(glsl::detail::fill<8>("$z", {{'z', -12}}).view() == "-12");
-    static_assert(glsl::detail::fill<16>("$z.$z", {{'z', 7, "one"}}).view() == "one.one");
-    constexpr auto both = [] {
-        auto text = glsl::detail::fill<16>("a$b", {{'b', 1}});
-        text.append("c");
-        return text;
-    }();
-    static_assert(both.view() == "a1c");
-    static_assert(glsl::detail::fill<16>("$z", {{'z', 100}}).view() == "100");
+TEST_CASE("filled: keys become decimal digits") {
+    using glsl::detail::filled;
+    CHECK(filled("a$b, $n.0 $b$b", {{'b', 9}, {'n', 65536}}) == "a9, 65536.0 99");
+    CHECK(filled("$z", {{'z', 0}}) == "0");
+    CHECK(filled("$z", {{'z', -12}}) == "-12");
+    CHECK(filled("$z.$z", {{'z', 7, "one"}}) == "one.one");
+    CHECK(filled("$z", {{'z', 7, ""}}) == "");
+    CHECK(filled("$z", {{'z', 100}}) == "100");
+}
+
+TEST_CASE("short_name: the same at compile time") {
+    constexpr glsl::detail::short_name name("decode_rg$b", {{'b', 16}});
+    static_assert(name.view() == "decode_rg16");
+}
+
+TEST_CASE("snippet_text: written down, or put together when it is asked for") {
+    constexpr glsl::snippet_text written("\nfloat f;\n"), made([] { return glsl::detail::filled("$n", {{'n', 5}}); });
+    CHECK(written.str() == "\nfloat f;\n");
+    CHECK(made.str() == "5");
 }
 
 TEST_CASE("directive: every dialect has one, Vulkan's is that of 450") {

@@ -36,7 +36,7 @@ fn umbrage_box_scale(radius: i32) -> f32 {
 }
 
 TEST_CASE("wgsl::text: every snippet translates, in lines that people read, each function once") {
-    for (const glsl::snippet* s : glsl::registry) {
+    for (const glsl::snippet* s : glsl::registry()) {
         CAPTURE(s->name);
         const std::string text = wgsl::text({*s});
         CHECK(text.starts_with("// umbrage "));

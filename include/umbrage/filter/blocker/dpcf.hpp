@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include <umbrage/filter/blocker/penumbra.hpp>
@@ -58,9 +59,9 @@ namespace glsl {
 namespace detail {
 
 template <int Points>
-constexpr filled_text<1200> hardened_text() {
+[[nodiscard]] std::string hardened_text() {
     constexpr int n = Points;
-    return fill<1200>(R"GLSL(
+    return filled(R"GLSL(
 // umbrage_hardened$n: the share of $n points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
 UMBRAGE_HIGHP float umbrage_hardened$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGHP float ratio) {
@@ -71,12 +72,12 @@ UMBRAGE_HIGHP float umbrage_hardened$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGH
     return (hard * (256.0 - ratio) + blocked * ratio * $s.0) * (1.0 / $w.0);
 }
 )GLSL",
-                      {{'n', n}, {'c', n * n * n}, {'s', 2 * n * n}, {'w', 512 * n * n * n}});
+                  {{'n', n}, {'c', n * n * n}, {'s', 2 * n * n}, {'w', 512 * n * n * n}});
 }
 
 template <int Points>
-constexpr filled_text<2000> dpcf_text() {
-    return fill<2000>(R"GLSL(
+[[nodiscard]] std::string dpcf_text() {
+    return filled(R"GLSL(
 // umbrage_dpcf$n: contact hardening by $n points; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
@@ -95,21 +96,17 @@ UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     return compared ? 1.0 - dark : 1.0;
 }
 )GLSL",
-                      {{'n', Points}});
+                  {{'n', Points}});
 }
 
 }  // namespace detail
 
 template <int Points>
-inline constexpr auto hardened_text = detail::hardened_text<Points>();
-template <int Points>
 inline constexpr snippet hardened{.name = Points == 8 ? "hardened8" : (Points == 16 ? "hardened16" : "hardened32"),
                                   .summary = "a disc's share in shadow, steepened",
                                   .exactness = tier::a,
-                                  .source = hardened_text<Points>.view()};
+                                  .source = detail::hardened_text<Points>};
 
-template <int Points>
-inline constexpr auto dpcf_text = detail::dpcf_text<Points>();
 template <int Points>
 inline constexpr snippet dpcf{
     .name = Points == 8 ? "dpcf8" : (Points == 16 ? "dpcf16" : "dpcf32"),
@@ -118,7 +115,7 @@ inline constexpr snippet dpcf{
                               : "contact hardening by 32 points",
     .exactness = tier::a,
     .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &hardened<Points>>,
-    .source = dpcf_text<Points>.view()};
+    .source = detail::dpcf_text<Points>};
 
 inline constexpr auto dpcf_snippets = list<&hardened<8>, &hardened<16>, &hardened<32>, &dpcf<8>, &dpcf<16>, &dpcf<32>>;
 

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include <umbrage/filter/blocker/penumbra.hpp>
@@ -49,8 +50,8 @@ namespace glsl {
 namespace detail {
 
 template <int Points>
-constexpr filled_text<2000> pcss_text() {
-    return fill<2000>(R"GLSL(
+[[nodiscard]] std::string pcss_text() {
+    return filled(R"GLSL(
 // umbrage_pcss$n: percentage-closer soft shadows, $n points twice; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   softness  of make_softness;   turn  umbrage_disc_turn of the pixel
@@ -68,13 +69,11 @@ UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     return umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 )GLSL",
-                      {{'n', Points}});
+                  {{'n', Points}});
 }
 
 }  // namespace detail
 
-template <int Points>
-inline constexpr auto pcss_text = detail::pcss_text<Points>();
 template <int Points>
 inline constexpr snippet pcss{
     .name = Points == 8 ? "pcss8" : (Points == 16 ? "pcss16" : "pcss32"),
@@ -83,7 +82,7 @@ inline constexpr snippet pcss{
                               : "percentage-closer soft shadows, 32 points twice",
     .exactness = tier::a,
     .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
-    .source = pcss_text<Points>.view()};
+    .source = detail::pcss_text<Points>};
 
 inline constexpr auto pcss_snippets = list<&pcss<8>, &pcss<16>, &pcss<32>>;
 

@@ -18,6 +18,7 @@
 // Points of the search within a rounding of a texel's border may read the texel beside it.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include <umbrage/filter/blocker/penumbra.hpp>
@@ -139,27 +140,25 @@ UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP 
 namespace detail {
 
 template <int Points>
-constexpr auto blockers_hardware_text() {
-    auto text = fill<(Points + 16) * 120>(R"GLSL(
+[[nodiscard]] std::string blockers_hardware_text() {
+    std::string text = filled(R"GLSL(
 // umbrage_blockers_hardware$n: of the texels at $n points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                                UMBRAGE_HIGHP vec2 turn) {)GLSL",
-                                          {{'n', Points}});
-    text.append(disc_in_uv);
-    text.append("    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);\n");
+                              {{'n', Points}});
+    text += disc_in_uv;
+    text += "    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);\n";
     for (const disc_point p : disc_points<Points>)
         append_point(text, p, "    n += umbrage_blocker_at(map, size, ", ", receiver);\n");
-    text.append("    return compared ? n : vec2(0.0, 0.0);\n}\n");
+    text += "    return compared ? n : vec2(0.0, 0.0);\n}\n";
     return text;
 }
 
 }  // namespace detail
 
-template <int Points>
-inline constexpr auto blockers_hardware_text = detail::blockers_hardware_text<Points>();
 template <int Points>
 inline constexpr snippet blockers_hardware{
     .name = Points == 8 ? "blockers_hardware8" : (Points == 16 ? "blockers_hardware16" : "blockers_hardware32"),
@@ -169,7 +168,7 @@ inline constexpr snippet blockers_hardware{
     .exactness = tier::c,
     .ulp = 1,
     .needs = list<&is_compared, &blocker_at>,
-    .source = blockers_hardware_text<Points>.view()};
+    .source = detail::blockers_hardware_text<Points>};
 
 inline constexpr auto pcss_hardware_snippets =
     list<&blocker_at, &pcss_radius, &blockers_hardware<8>, &blockers_hardware<16>, &blockers_hardware<32>>;

@@ -168,8 +168,8 @@ namespace detail {
 
 /// The search's text, its points a line each.
 template <int Points>
-constexpr filled_text<(Points + 12) * 120> blockers_text() {
-    filled_text<(Points + 12)* 120> text = fill<(Points + 12) * 120>(R"GLSL(
+[[nodiscard]] std::string blockers_text() {
+    std::string text = filled(R"GLSL(
 // umbrage_blockers$n: how many of a disc's $n points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
 //   radius     in 1/16 texel, a whole number from 0 to 4095;   turn  umbrage_disc_turn of the pixel
@@ -178,26 +178,24 @@ UMBRAGE_HIGHP vec2 umbrage_blockers$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                       UMBRAGE_HIGHP vec2 turn) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
 )GLSL",
-                                                                     {{'n', Points}});
+                              {{'n', Points}});
     for (const disc_point p : disc_points<Points>)
-        text.append(
-            "    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2($x.0, $y.0), turn, radius), "
-            "receiver);\n",
-            {{'x', p.x}, {'y', p.y}});
-    text.append("    return n;\n}\n");
+        append(text,
+               "    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2($x.0, $y.0), turn, radius), "
+               "receiver);\n",
+               {{'x', p.x}, {'y', p.y}});
+    text += "    return n;\n}\n";
     return text;
 }
 
 }  // namespace detail
 
 template <int Points>
-inline constexpr auto blockers_text = detail::blockers_text<Points>();
-template <int Points>
 inline constexpr snippet blockers{.name = Points == 8 ? "blockers8" : (Points == 16 ? "blockers16" : "blockers32"),
                                   .summary = "texels under a disc's points that lie before a receiver",
                                   .exactness = tier::a,
                                   .needs = list<&disc_tap, &blocker>,
-                                  .source = blockers_text<Points>.view()};
+                                  .source = detail::blockers_text<Points>};
 
 inline constexpr auto penumbra_snippets =
     list<&distance_code, &penumbra, &blocker, &blockers<8>, &blockers<16>, &blockers<32>>;

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 #include <umbrage/filter/filter.hpp>
@@ -187,8 +188,8 @@ namespace detail {
 
 /// A disc's text, its points a line each.
 template <int Points>
-constexpr filled_text<(Points + 12) * 120> disc_text() {
-    filled_text<(Points + 12)* 120> text = fill<(Points + 12) * 120>(R"GLSL(
+[[nodiscard]] std::string disc_text() {
+    std::string text = filled(R"GLSL(
 // umbrage_disc$n: lit share of $n points of a disc; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
@@ -199,18 +200,16 @@ UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     UMBRAGE_HIGHP float n = 0.0;
 )GLSL",
-                                                                     {{'n', Points}});
+                              {{'n', Points}});
     for (const disc_point p : disc_points<Points>)
-        text.append("    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), turn, rho), receiver);\n",
-                    {{'x', p.x}, {'y', p.y}});
-    text.append("    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', Points}});
+        append(text, "    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), turn, rho), receiver);\n",
+               {{'x', p.x}, {'y', p.y}});
+    append(text, "    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', Points}});
     return text;
 }
 
 }  // namespace detail
 
-template <int Points>
-inline constexpr auto disc_text = detail::disc_text<Points>();
 template <int Points>
 inline constexpr snippet disc{.name = Points == 8 ? "disc8" : (Points == 16 ? "disc16" : "disc32"),
                               .summary = Points == 8    ? "disc of 8 points, turned by the pixel"
@@ -218,7 +217,7 @@ inline constexpr snippet disc{.name = Points == 8 ? "disc8" : (Points == 16 ? "d
                                                         : "disc of 32 points, turned by the pixel",
                               .exactness = tier::a,
                               .needs = list<&is_compared, &disc_radius, &disc_tap, &lit>,
-                              .source = disc_text<Points>.view()};
+                              .source = detail::disc_text<Points>};
 
 inline constexpr auto disc_snippets = list<&disc_turn, &disc_tap, &disc_radius, &disc<8>, &disc<16>, &disc<32>>;
 

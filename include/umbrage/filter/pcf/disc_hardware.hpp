@@ -9,6 +9,7 @@
 // them anyway: nothing is rounded, so that a point costs little more than its look-up.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include <umbrage/filter/pcf/disc.hpp>
@@ -69,43 +70,39 @@ inline constexpr std::string_view disc_in_uv = R"GLSL(
 )GLSL";
 
 /// `text` with the point's place in uv: centre + x $x + y $y.
-template <std::size_t Capacity>
-constexpr void append_point(filled_text<Capacity>& text, disc_point p, std::string_view before,
-                            std::string_view after) {
+inline void append_point(std::string& text, disc_point p, std::string_view before, std::string_view after) {
     const auto sign = [](int v) { return v < 0 ? std::string_view("-") : std::string_view("+"); };
     const auto size = [](int v) { return v < 0 ? -v : v; };
-    text.append(before);
-    text.append("centre $s x * $x.0 $t y * $y.0",
-                {{'s', 0, sign(p.x)}, {'x', size(p.x)}, {'t', 0, sign(p.y)}, {'y', size(p.y)}});
-    text.append(after);
+    text += before;
+    append(text, "centre $s x * $x.0 $t y * $y.0",
+           {{'s', 0, sign(p.x)}, {'x', size(p.x)}, {'t', 0, sign(p.y)}, {'y', size(p.y)}});
+    text += after;
 }
 
 template <int Points>
-constexpr auto disc_hardware_text() {
-    auto text = fill<(Points + 16) * 120>(R"GLSL(
+[[nodiscard]] std::string disc_hardware_text() {
+    std::string text = filled(R"GLSL(
 // umbrage_disc_hardware$n: $n points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   radius  in texels, at most 255.9375;   turn  umbrage_disc_turn of the pixel
 UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                             UMBRAGE_HIGHP vec2 turn) {)GLSL",
-                                          {{'n', Points}});
-    text.append(disc_in_uv);
-    text.append("    UMBRAGE_HIGHP float n = 0.0;\n");
+                              {{'n', Points}});
+    text += disc_in_uv;
+    text += "    UMBRAGE_HIGHP float n = 0.0;\n";
     for (const disc_point p : disc_points<Points>)
         append_point(text, p, "    n += umbrage_lit_at(map, size, ", ", receiver);\n");
-    text.append(R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / $n.0) : 0.0;
+    append(text, R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / $n.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 )GLSL",
-                {{'n', Points}});
+           {{'n', Points}});
     return text;
 }
 
 }  // namespace detail
 
-template <int Points>
-inline constexpr auto disc_hardware_text = detail::disc_hardware_text<Points>();
 template <int Points>
 inline constexpr snippet disc_hardware{
     .name = Points == 8 ? "disc_hardware8" : (Points == 16 ? "disc_hardware16" : "disc_hardware32"),
@@ -115,7 +112,7 @@ inline constexpr snippet disc_hardware{
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
     .needs = list<&is_compared, &before_far, &lit_at>,
-    .source = disc_hardware_text<Points>.view()};
+    .source = detail::disc_hardware_text<Points>};
 
 inline constexpr auto disc_hardware_snippets = list<&lit_at, &disc_hardware<8>, &disc_hardware<16>, &disc_hardware<32>>;
 

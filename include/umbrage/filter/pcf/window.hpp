@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include <umbrage/config.hpp>
@@ -135,20 +136,19 @@ template <real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 namespace detail {
 
-using long_text = filled_text<6000>;
-
 /// The parameter of a window's i-th weight.
 constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : size - 1 - i; }
 
 /// What the i-th of the touched texels weighs, floors left aside.
-constexpr filled_text<32> window_weight(int size, int i) {
+[[nodiscard]] inline std::string window_weight(int size, int i) {
     const constant ahead{'a', window_parameter(size, i)}, behind{'b', window_parameter(size, i - 1)};
-    return fill<32>(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
+    return filled(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
 }
 
-constexpr long_text window_sum_text(int size) {
-    const int middle = size / 2;
-    long_text text = fill<6000>(R"GLSL(
+template <int Size>
+[[nodiscard]] std::string window_sum_text() {
+    constexpr int size = Size, middle = size / 2;
+    std::string text = filled(R"GLSL(
 // umbrage_window_sum$n: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   steps  of a texel, a power of two up to 256
@@ -157,47 +157,43 @@ constexpr long_text window_sum_text(int size) {
 UMBRAGE_HIGHP float umbrage_window_sum$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                         UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float steps, UMBRAGE_HIGHP float k0,
                                         UMBRAGE_HIGHP float k1)GLSL",
-                                {{'n', size}, {'m', middle}});
-    for (int i = 2; i <= middle; ++i) text.append(", UMBRAGE_HIGHP float k$i", {{'i', i}});
-    text.append(R"GLSL() {
+                              {{'n', size}, {'m', middle}});
+    for (int i = 2; i <= middle; ++i) append(text, ", UMBRAGE_HIGHP float k$i", {{'i', i}});
+    text += R"GLSL() {
     bool compared = umbrage_is_compared(coord, receiver);  // no branch: fetches overlap
     UMBRAGE_HIGHP vec2 x = compared ? floor(coord * 256.0) - 128.0 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x * (1.0 / 256.0));
     UMBRAGE_HIGHP vec2 s = floor((x - texel * 256.0) * (1.0 / 256.0) * steps);
     UMBRAGE_HIGHP vec2 r = steps - s;
-    UMBRAGE_HIGHP float whole = steps * (k0)GLSL");
-    for (int i = 1; i < size; ++i) text.append(" + k$i", {{'i', window_parameter(size, i)}});
-    text.append(");\n");
+    UMBRAGE_HIGHP float whole = steps * (k0)GLSL";
+    for (int i = 1; i < size; ++i) append(text, " + k$i", {{'i', window_parameter(size, i)}});
+    text += ");\n";
     for (int i = 0; i <= size; ++i)
         if (i != middle)
-            text.append("    UMBRAGE_HIGHP vec2 w$i = floor($w);\n",
-                        {{'i', i}, {'w', 0, window_weight(size, i).view()}});
-    text.append("    UMBRAGE_HIGHP vec2 w$m = whole - (w0", {{'m', middle}});
+            append(text, "    UMBRAGE_HIGHP vec2 w$i = floor($w);\n", {{'i', i}, {'w', 0, window_weight(size, i)}});
+    append(text, "    UMBRAGE_HIGHP vec2 w$m = whole - (w0", {{'m', middle}});
     for (int i = 1; i <= size; ++i)
-        if (i != middle) text.append(" + w$i", {{'i', i}});
-    text.append(");\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
-                {{'m', middle}});
+        if (i != middle) append(text, " + w$i", {{'i', i}});
+    append(text, ");\n    UMBRAGE_HIGHP vec2 first = texel - $m.0;\n    UMBRAGE_HIGHP float n = 0.0;\n",
+           {{'m', middle}});
     for (int j = 0; j <= size; j += 2) {
         for (int i = 0; i <= size; i += 2)
-            text.append(
-                "    $t$a = umbrage_lit_2x2(map, size, first + vec2($i.0, $j.0), receiver);\n",
-                {{'t', 0, j == 0 ? "UMBRAGE_HIGHP vec4 " : ""}, {'a', 0, {&"abcd"[i / 2], 1}}, {'i', i}, {'j', j}});
+            append(text, "    $t$a = umbrage_lit_2x2(map, size, first + vec2($i.0, $j.0), receiver);\n",
+                   {{'t', 0, j == 0 ? "UMBRAGE_HIGHP vec4 " : ""}, {'a', 0, {&"abcd"[i / 2], 1}}, {'i', i}, {'j', j}});
         for (int row : {0, 1}) {
-            text.append("    n += w$j.y * (w0.x * a.$c", {{'j', j + row}, {'c', 0, {&"xz"[row], 1}}});
+            append(text, "    n += w$j.y * (w0.x * a.$c", {{'j', j + row}, {'c', 0, {&"xz"[row], 1}}});
             for (int i = 1; i <= size; ++i)
-                text.append(" + w$i.x * $a.$c",
-                            {{'i', i}, {'a', 0, {&"abcd"[i / 2], 1}}, {'c', 0, {&"xyzw"[2 * row + i % 2], 1}}});
-            text.append(");\n");
+                append(text, " + w$i.x * $a.$c",
+                       {{'i', i}, {'a', 0, {&"abcd"[i / 2], 1}}, {'c', 0, {&"xyzw"[2 * row + i % 2], 1}}});
+            text += ");\n";
         }
     }
-    text.append("    return compared ? n : whole * whole;\n}\n");
+    text += "    return compared ? n : whole * whole;\n}\n";
     return text;
 }
 
 }  // namespace detail
 
-template <int Size>
-inline constexpr auto window_sum_text = detail::window_sum_text(Size);
 template <int Size>
 inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size == 5 ? "window_sum5" : "window_sum7"),
                                     .summary = Size == 3   ? "weighted count of lit texels under a window of 3 x 3"
@@ -205,7 +201,7 @@ inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size ==
                                                            : "weighted count of lit texels under a window of 7 x 7",
                                     .exactness = tier::a,
                                     .needs = list<&is_compared, &lit_2x2>,
-                                    .source = window_sum_text<Size>.view()};
+                                    .source = detail::window_sum_text<Size>};
 
 inline constexpr auto window_snippets = list<&window_sum<3>, &window_sum<5>, &window_sum<7>>;
 

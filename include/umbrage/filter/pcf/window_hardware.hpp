@@ -54,75 +54,75 @@ namespace glsl {
 namespace detail {
 
 /// What an axis' texels 2 k and 2 k + 1 weigh together (w), and the latter alone (b).
-constexpr filled_text<160> pair_weights(int size, int k) {
+[[nodiscard]] inline std::string pair_weights(int size, int k) {
     const constant number{'k', k}, before{'a', window_parameter(size, 2 * k - 1)},
         here{'b', window_parameter(size, 2 * k)}, after{'c', window_parameter(size, 2 * k + 1)};
     if (k == 0)
-        return fill<160>(
+        return filled(
             "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
             "    UMBRAGE_HIGHP vec2 w$k = k$b + k$c - s * k$c;\n",
             {number, here, after});
     if (2 * k + 1 == size)
-        return fill<160>(
+        return filled(
             "    UMBRAGE_HIGHP vec2 b$k = s * k$b;\n"
             "    UMBRAGE_HIGHP vec2 w$k = k$b + s * k$a;\n",
             {number, before, here});
     if (2 * k == size / 2)  // the middle two of all, wherever the window is
-        return fill<160>(
+        return filled(
             "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
             "    UMBRAGE_HIGHP vec2 w$k = vec2(k$b + k$c, k$b + k$c);\n",
             {number, here, after});
-    return fill<160>(
+    return filled(
         "    UMBRAGE_HIGHP vec2 b$k = k$c + s * (k$b - k$c);\n"
         "    UMBRAGE_HIGHP vec2 w$k = k$b + k$c + s * (k$a - k$c);\n",
         {number, before, here, after});
 }
 
 /// For each look-up along an axis: what the farther of its texels weighs, what both do, and where it lies.
-constexpr long_text window_hardware_text(int size) {
-    long_text text = fill<6000>(R"GLSL(
+template <int Size>
+[[nodiscard]] std::string window_hardware_text() {
+    constexpr int size = Size;
+    std::string text = filled(R"GLSL(
 // umbrage_window_hardware$n: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased;   k0 .. k$m  weights from the edge to the middle one; the others mirror them
 UMBRAGE_HIGHP float umbrage_window_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                              UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float k0,
                                              UMBRAGE_HIGHP float k1)GLSL",
-                                {{'n', size}, {'m', size / 2}});
-    for (int i = 2; i <= size / 2; ++i) text.append(", UMBRAGE_HIGHP float k$i", {{'i', i}});
-    text.append(R"GLSL() {
+                              {{'n', size}, {'m', size / 2}});
+    for (int i = 2; i <= size / 2; ++i) append(text, ", UMBRAGE_HIGHP float k$i", {{'i', i}});
+    text += R"GLSL() {
     bool compared = umbrage_is_compared(coord, receiver);
     UMBRAGE_HIGHP vec2 x = compared ? coord - 0.5 : vec2(0.0, 0.0);
     UMBRAGE_HIGHP vec2 texel = floor(x);
     UMBRAGE_HIGHP vec2 s = x - texel;
-    UMBRAGE_HIGHP float whole = k0)GLSL");
-    for (int i = 1; i < size; ++i) text.append(" + k$i", {{'i', window_parameter(size, i)}});
-    text.append(";\n");
+    UMBRAGE_HIGHP float whole = k0)GLSL";
+    for (int i = 1; i < size; ++i) append(text, " + k$i", {{'i', window_parameter(size, i)}});
+    text += ";\n";
     for (int k = 0; 2 * k <= size; ++k) {
         const int texel = 2 * k - size / 2;
-        text.append(pair_weights(size, k).view());
-        text.append("    UMBRAGE_HIGHP vec2 p$k = (texel $s $t.5 + b$k / w$k) / size;\n",
-                    {{'k', k}, {'s', 0, texel < 0 ? "-" : "+"}, {'t', texel < 0 ? -texel - 1 : texel}});
+        text += pair_weights(size, k);
+        append(text, "    UMBRAGE_HIGHP vec2 p$k = (texel $s $t.5 + b$k / w$k) / size;\n",
+               {{'k', k}, {'s', 0, texel < 0 ? "-" : "+"}, {'t', texel < 0 ? -texel - 1 : texel}});
     }
-    text.append("    UMBRAGE_HIGHP float n = 0.0;\n");
+    text += "    UMBRAGE_HIGHP float n = 0.0;\n";
     for (int j = 0; 2 * j <= size; ++j) {
-        text.append("    $trow = 0.0;\n", {{'t', 0, j == 0 ? "UMBRAGE_HIGHP float " : ""}});
+        append(text, "    $trow = 0.0;\n", {{'t', 0, j == 0 ? "UMBRAGE_HIGHP float " : ""}});
         for (int i = 0; 2 * i <= size; ++i)
-            text.append("    row += w$i.x * umbrage_lit_at(map, size, vec2(p$i.x, p$j.y), receiver);\n",
-                        {{'i', i}, {'j', j}});
-        text.append("    n += w$j.y * row;\n", {{'j', j}});
+            append(text, "    row += w$i.x * umbrage_lit_at(map, size, vec2(p$i.x, p$j.y), receiver);\n",
+                   {{'i', i}, {'j', j}});
+        append(text, "    n += w$j.y * row;\n", {{'j', j}});
     }
-    text.append(R"GLSL(    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
+    text += R"GLSL(    UMBRAGE_HIGHP float share = clamp(n / (whole * whole), 0.0, 1.0);
     UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? share : 0.0;
     return compared ? visibility : 1.0;
 }
-)GLSL");
+)GLSL";
     return text;
 }
 
 }  // namespace detail
 
-template <int Size>
-inline constexpr auto window_hardware_text = detail::window_hardware_text(Size);
 template <int Size>
 inline constexpr snippet window_hardware{
     .name = Size == 3 ? "window_hardware3" : (Size == 5 ? "window_hardware5" : "window_hardware7"),
@@ -132,7 +132,7 @@ inline constexpr snippet window_hardware{
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
     .needs = list<&is_compared, &before_far, &lit_at>,
-    .source = window_hardware_text<Size>.view()};
+    .source = detail::window_hardware_text<Size>};
 
 inline constexpr auto window_hardware_snippets = list<&window_hardware<3>, &window_hardware<5>, &window_hardware<7>>;
 

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include <umbrage/filter/pcf/window.hpp>
@@ -88,9 +89,10 @@ namespace glsl {
 namespace detail {
 
 /// A row's text: window_sum with its numbers, and what becomes of it.
-constexpr filled_text<1024> window_text(std::string_view name, int size, std::string_view weights,
-                                        std::string_view numbers, std::string_view share = "n * (1.0 / 16777216.0)") {
-    return fill<1024>(R"GLSL(
+[[nodiscard]] inline std::string window_text(std::string_view name, int size, std::string_view weights,
+                                             std::string_view numbers,
+                                             std::string_view share = "n * (1.0 / 16777216.0)") {
+    return filled(R"GLSL(
 // umbrage_$f$n: lit share under $n x $n weights, $w, that slide over the map; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
@@ -100,13 +102,13 @@ UMBRAGE_HIGHP float umbrage_$f$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRA
     return $s;
 }
 )GLSL",
-                      {{'f', 0, name}, {'n', size}, {'w', 0, weights}, {'k', 0, numbers}, {'s', 0, share}});
+                  {{'f', 0, name}, {'n', size}, {'w', 0, weights}, {'k', 0, numbers}, {'s', 0, share}});
 }
 
 /// Of the windows of 3 x 3 texels: what the neighbours before and behind weigh, in 1/4096.
-constexpr filled_text<2048> text_3x3(std::string_view name, std::string_view what, std::string_view before,
-                                     std::string_view behind) {
-    return fill<2048>(R"GLSL(
+[[nodiscard]] inline std::string text_3x3(std::string_view name, std::string_view what, std::string_view before,
+                                          std::string_view behind) {
+    return filled(R"GLSL(
 // umbrage_$f: lit share of 3 x 3 texels, $w; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
 //   receiver   depth, biased
@@ -130,7 +132,7 @@ UMBRAGE_HIGHP float umbrage_$f(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE
     return compared ? n * (1.0 / 16777216.0) : 1.0;
 }
 )GLSL",
-                      {{'f', 0, name}, {'w', 0, what}, {'b', 0, before}, {'e', 0, behind}});
+                  {{'f', 0, name}, {'w', 0, what}, {'b', 0, before}, {'e', 0, behind}});
 }
 
 /// What a family's texts need, by the size of their window.
@@ -142,62 +144,65 @@ inline constexpr auto window_needs<2> = list<&is_compared, &lit_2x2>;
 }  // namespace detail
 
 template <int Size>
-inline constexpr auto tent_text = [] {
+[[nodiscard]] std::string tent_text() {
     if constexpr (Size == 2) return detail::text_3x3("tent2", "the window 1 1", "r * 8.0", "s * 8.0");
     else if constexpr (Size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
     else return detail::window_text("tent", 7, "1 2 3 4 3 2 1", "256.0, 1.0, 2.0, 3.0, 4.0");
-}();
+}
 template <int Size>
 inline constexpr snippet tent{
     .name = Size == 2 ? "tent2" : (Size == 3 ? "tent3" : "tent7"),
     .summary = Size == 2 ? "sliding window 1 1" : (Size == 3 ? "sliding window 1 2 1" : "sliding window 1 2 3 4 3 2 1"),
     .exactness = tier::a,
     .needs = detail::window_needs<Size>,
-    .source = tent_text<Size>.view()};
+    .source = tent_text<Size>};
 
 template <int Size>
-inline constexpr auto binomial_text = Size == 5
-                                          ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
-                                          : detail::window_text("binomial", 7, "1 6 15 20 15 6 1",
-                                                                "256.0, 0.25, 1.5, 3.75, 5.0");
+[[nodiscard]] std::string binomial_text() {
+    return Size == 5 ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
+                     : detail::window_text("binomial", 7, "1 6 15 20 15 6 1", "256.0, 0.25, 1.5, 3.75, 5.0");
+}
 template <int Size>
 inline constexpr snippet binomial{.name = Size == 5 ? "binomial5" : "binomial7",
                                   .summary = Size == 5 ? "sliding window 1 4 6 4 1" : "sliding window 1 6 15 20 15 6 1",
                                   .exactness = tier::a,
                                   .needs = detail::window_needs<Size>,
-                                  .source = binomial_text<Size>.view()};
+                                  .source = binomial_text<Size>};
 
 template <int Size>
-inline constexpr auto castano_text =
-    Size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
-                                    "n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0")
-              : detail::window_text("castano", 7, "1 5 12 16 12 5 1", "64.0, 1.0, 5.0, 12.0, 16.0",
-                                    "n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0");
+[[nodiscard]] std::string castano_text() {
+    return Size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
+                                           "n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0")
+                     : detail::window_text("castano", 7, "1 5 12 16 12 5 1", "64.0, 1.0, 5.0, 12.0, 16.0",
+                                           "n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0");
+}
 template <int Size>
 inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
                                  .summary = Size == 5 ? "sliding window 1 3 4 3 1" : "sliding window 1 5 12 16 12 5 1",
                                  .exactness = tier::b,
                                  .needs = detail::window_needs<Size>,
-                                 .source = castano_text<Size>.view()};
+                                 .source = castano_text<Size>};
 
 template <int Size>
-inline constexpr auto castano_dyadic_text = detail::window_text("castano_dyadic", 5, "5 16 22 16 5",
-                                                                "256.0, 1.25, 4.0, 5.5");
+[[nodiscard]] std::string castano_dyadic_text() {
+    return detail::window_text("castano_dyadic", 5, "5 16 22 16 5", "256.0, 1.25, 4.0, 5.5");
+}
 template <int Size>
 inline constexpr snippet castano_dyadic{.name = "castano_dyadic5",
                                         .summary = "sliding window 5 16 22 16 5",
                                         .exactness = tier::a,
                                         .needs = detail::window_needs<Size>,
-                                        .source = castano_dyadic_text<Size>.view()};
+                                        .source = castano_dyadic_text<Size>};
 
-inline constexpr auto quadratic_b_spline_text =
-    detail::text_3x3("quadratic_b_spline", "weighed by the quadratic B-spline", "floor(r * r * (1.0 / 32.0))",
-                     "floor(s * s * (1.0 / 32.0))");
+[[nodiscard]] inline std::string quadratic_b_spline_text() {
+    return detail::text_3x3("quadratic_b_spline", "weighed by the quadratic B-spline", "floor(r * r * (1.0 / 32.0))",
+                            "floor(s * s * (1.0 / 32.0))");
+}
 inline constexpr snippet quadratic_b_spline{.name = "quadratic_b_spline",
                                             .summary = "quadratic B-spline of 3 x 3 texels",
                                             .exactness = tier::a,
                                             .needs = detail::window_needs<2>,
-                                            .source = quadratic_b_spline_text.view()};
+                                            .source = quadratic_b_spline_text};
 
 }  // namespace glsl
 

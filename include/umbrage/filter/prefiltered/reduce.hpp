@@ -59,11 +59,11 @@ template <class Fetch>
 namespace glsl {
 
 template <int Taps>
-inline constexpr auto blur_row_name = detail::fill<16>("blur_row$n", {{'n', Taps}});
+inline constexpr detail::short_name blur_row_name("blur_row$n", {{'n', Taps}});
 template <int Taps>
-inline constexpr auto blur_row_text = [] {
-    detail::filled_text<1536> out =
-        detail::fill<1536>(R"GLSL(
+[[nodiscard]] std::string blur_row_text() {
+    std::string out =
+        detail::filled(R"GLSL(
 // umbrage_blur_row$n: mean of $n texels in a row, weighed by a row of Pascal's triangle
 //   map, size  read from, and its size in texels;   texel  whole numbers, (0, 0) is the first
 //   along      (1.0, 0.0) or (0.0, 1.0)
@@ -71,22 +71,23 @@ UMBRAGE_HIGHP vec4 umbrage_blur_row$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                      UMBRAGE_HIGHP vec2 along) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * ($w.0 / $d.0);
 )GLSL",
-                           {{'n', Taps}, {'w', umbrage::detail::binomial_weight<Taps>(0)}, {'d', 1 << (Taps - 1)}});
+                       {{'n', Taps}, {'w', umbrage::detail::binomial_weight<Taps>(0)}, {'d', 1 << (Taps - 1)}});
     for (int i = 1; i <= Taps / 2; ++i)
-        out.append(R"GLSL(    UMBRAGE_HIGHP vec4 before$i = umbrage_fetch_clamped(map, size, texel - along * $i.0);
+        detail::append(out,
+                       R"GLSL(    UMBRAGE_HIGHP vec4 before$i = umbrage_fetch_clamped(map, size, texel - along * $i.0);
     UMBRAGE_HIGHP vec4 after$i = umbrage_fetch_clamped(map, size, texel + along * $i.0);
     sum = sum + (before$i + after$i) * ($w.0 / $d.0);
 )GLSL",
-                   {{'i', i}, {'w', umbrage::detail::binomial_weight<Taps>(i)}, {'d', 1 << (Taps - 1)}});
-    out.append("    return sum;\n}\n");
+                       {{'i', i}, {'w', umbrage::detail::binomial_weight<Taps>(i)}, {'d', 1 << (Taps - 1)}});
+    out += "    return sum;\n}\n";
     return out;
-}();
+}
 template <int Taps>
 inline constexpr snippet blur_row{.name = blur_row_name<Taps>.view(),
                                   .summary = "mean of texels in a row",
                                   .exactness = tier::b,
                                   .needs = list<&fetch_clamped>,
-                                  .source = blur_row_text<Taps>.view()};
+                                  .source = blur_row_text<Taps>};
 
 inline constexpr snippet halve_texels{
     .name = "halve_texels",

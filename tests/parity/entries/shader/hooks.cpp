@@ -229,7 +229,7 @@ void expect_all(const std::vector<entry>& all) {
         for (const glsl::bound& item : e.items())
             if (!item.by_macros) look(look, item.what, item.map);
     for (const snippet* s : glsl::hooks::all)
-        if (!found.contains(s)) throw std::logic_error("no parity entry has " + std::string(s->source));
+        if (!found.contains(s)) throw std::logic_error("no parity entry has " + s->source.str());
 }
 
 }  // namespace
