@@ -10617,14 +10617,9 @@ inline constexpr int block = 64;
 
 }  // namespace umbrage::detail
 
-// ---- umbrage/simd/lanes.hpp
-// Registers: several values side by side, an operation on all of them at once.
+// ---- umbrage/simd/plain_lanes.hpp
+// What lanes.hpp does, for any compiler: arrays instead of registers, and loops.
 //
-//     lanes_of<float, 8> depths;
-//     load_lanes(texels, depths);  // with + - & and [] of the language
-//
-// The compiler's own vectors: they need no header and know no machine. Where it has none, or for a test, plain_lanes
-// gives the same bits. Vectors go by reference: by value, the calling convention depends on the instruction set.
 
 UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
@@ -10657,32 +10652,6 @@ struct plain_lanes {
     friend plain_lanes operator*(plain_lanes a, const plain_lanes& b) { return a *= b; }
     friend plain_lanes operator&(plain_lanes a, const plain_lanes& b) { return a &= b; }
 };
-
-#if defined(__GNUC__) || defined(__clang__)
-/// Whether the compiler has vectors of its own, with all operators of the language.
-inline constexpr bool has_lanes = true;
-
-template <class T, int Count>
-struct compiler_lanes {
-    typedef T type __attribute__((vector_size(Count * sizeof(T))));
-};
-template <class T, int Count>
-using lanes_of = typename compiler_lanes<T, Count>::type;
-#else
-inline constexpr bool has_lanes = false;
-template <class T, int Count>
-using lanes_of = plain_lanes<T, Count>;
-#endif
-
-/// From memory of any alignment, and back.
-template <class Lanes>
-UMBRAGE_INLINE inline void load_lanes(const void* from, Lanes& v) {
-    std::memcpy(&v, from, sizeof v);
-}
-template <class Lanes>
-UMBRAGE_INLINE inline void store_lanes(const Lanes& v, void* to) {
-    std::memcpy(to, &v, sizeof v);
-}
 
 /// Lane i of the result is lane From[i] of a, then b, counted through; lanes of 32 bits.
 template <int... From, class T, int Count>
@@ -10739,6 +10708,48 @@ template <class T>
 inline void sum_four_lanes(const plain_lanes<T, 4>& a, const plain_lanes<T, 4>& b, const plain_lanes<T, 4>& c,
                            const plain_lanes<T, 4>& d, plain_lanes<T, 4>& sums) {
     for (int k = 0; const auto* v : {&a, &b, &c, &d}) sums[k++] = (*v)[0] + (*v)[1] + (*v)[2] + (*v)[3];
+}
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
+// ---- umbrage/simd/lanes.hpp
+// Registers: several values side by side, an operation on all of them at once.
+//
+//     lanes_of<float, 8> depths;
+//     load_lanes(texels, depths);  // with + - & and [] of the language
+//
+// The compiler's own vectors: they need no header and know no machine. Where it has none, or for a test,
+// plain_lanes.hpp gives the same bits, and says what each function does. Vectors go by reference: by value, the calling
+// convention depends on the instruction set.
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+#if defined(__GNUC__) || defined(__clang__)
+/// Whether the compiler has vectors of its own, with all operators of the language.
+inline constexpr bool has_lanes = true;
+
+template <class T, int Count>
+struct compiler_lanes {
+    typedef T type __attribute__((vector_size(Count * sizeof(T))));
+};
+template <class T, int Count>
+using lanes_of = typename compiler_lanes<T, Count>::type;
+#else
+inline constexpr bool has_lanes = false;
+template <class T, int Count>
+using lanes_of = plain_lanes<T, Count>;
+#endif
+
+/// From memory of any alignment, and back.
+template <class Lanes>
+UMBRAGE_INLINE inline void load_lanes(const void* from, Lanes& v) {
+    std::memcpy(&v, from, sizeof v);
+}
+template <class Lanes>
+UMBRAGE_INLINE inline void store_lanes(const Lanes& v, void* to) {
+    std::memcpy(to, &v, sizeof v);
 }
 
 #if defined(__GNUC__) || defined(__clang__)
@@ -10877,6 +10888,31 @@ UMBRAGE_INLINE inline void running_sum(Lanes& v) {
     }
 }
 
+/// Running sums of bytes, eight by eight: they fit 16 bits, of which registers hold twice as many.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+inline constexpr bool sums_bytes = true;
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi"
+UMBRAGE_INLINE inline void running_sums_of_bytes(const std::uint8_t* from, lanes_of<std::uint32_t, 8>& first,
+                                                 lanes_of<std::uint32_t, 8>& second) {
+    using halves = compiler_lanes<long long, 4>::type;
+    using numbers = compiler_lanes<short, 16>::type;
+    compiler_lanes<char, 16>::type bytes;
+    load_lanes(from, bytes);
+    numbers v = __builtin_ia32_pmovzxbw256(bytes);
+    v += reinterpret_cast<numbers>(__builtin_ia32_pslldqi256(reinterpret_cast<halves>(v), 16));
+    v += reinterpret_cast<numbers>(__builtin_ia32_pslldqi256(reinterpret_cast<halves>(v), 32));
+    v += reinterpret_cast<numbers>(__builtin_ia32_pslldqi256(reinterpret_cast<halves>(v), 64));
+    compiler_lanes<short, 8>::type half[2];
+    std::memcpy(half, &v, sizeof half);
+    first = reinterpret_cast<lanes_of<std::uint32_t, 8>>(__builtin_ia32_pmovzxwd256(half[0]));
+    second = reinterpret_cast<lanes_of<std::uint32_t, 8>>(__builtin_ia32_pmovzxwd256(half[1]));
+}
+#pragma GCC diagnostic pop
+#else
+inline constexpr bool sums_bytes = false;
+#endif
+
 /// The last lane in all of them.
 template <int Count, class Lanes>
 UMBRAGE_INLINE inline void all_last(Lanes& v) {
@@ -10973,6 +11009,15 @@ UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead
 #pragma GCC unroll 16
     for (int line = 0; line < count; line += 64)
         prefetch_line(reinterpret_cast<const void*>(first + static_cast<std::uintptr_t>(line)));
+}
+
+/// Prefetches what a row holds behind its last whole step, before non-temporal stores to the row: the rest is stored
+/// plainly, stores take their turn, and those of the next rows would wait for its cache lines. Rows of 2032 texels were
+/// seven times as slow.
+template <class T>
+UMBRAGE_INLINE inline void prefetch_rest(const T* row, int count, int step = block) {
+    for (int x = count / step * step; x < count; x += static_cast<int>(64 / sizeof(T))) prefetch_line(row + x);
+    if (count % step != 0) prefetch_line(row + count - 1);
 }
 
 }  // namespace umbrage::detail
@@ -14223,17 +14268,22 @@ struct codec<depth32f> {
 namespace umbrage {
 namespace detail {
 
-/// A row in blocks; the last one goes through copies as long as a block.
-template <class From, class To, class Convert>
-UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert) {
+/// A row in blocks; what is left goes through copies as long as a block, by a conversion that may be another.
+template <class From, class To, class Convert, class ConvertRest>
+UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert,
+                                       const ConvertRest& convert_rest) {
     int x = 0;
     for (; x + block <= count; x += block) convert(from + x, to + x);
     if (x == count) return;
     From padded[block]{};
     To result[block];
-    for (int i = 0; i < count - x; ++i) padded[i] = from[x + i];
-    convert(padded, result);
-    for (int i = 0; i < count - x; ++i) to[x + i] = result[i];
+    std::copy_n(from + x, count - x, padded);
+    convert_rest(padded, result);
+    std::copy_n(result, count - x, to + x);
+}
+template <class From, class To, class Convert>
+UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert) {
+    convert_row(from, to, count, convert, convert);
 }
 
 template <class Codec, class ParallelFor>
@@ -14246,14 +14296,16 @@ void encode_rows(image_view<const float> depth, image_view<typename Codec::texel
     parallel(depth.size.y, [&](int first, int last) {
         on_best_isa([&](auto) UMBRAGE_INLINE {
             const auto in_place = [&](const float* from, texel* to) UMBRAGE_INLINE { codec.encode(from, to); };
-            const auto by_a_copy = [&](const float* from, texel* to) UMBRAGE_INLINE {
+            const auto past_caches = [&](const float* from, texel* to) UMBRAGE_INLINE {
                 alignas(64) texel texels_of_block[block];
                 codec.encode(from, texels_of_block);
                 stream_block(to, texels_of_block);
             };
-            for (int y = first; y < last; ++y)
-                if (large) convert_row(depth.row(y), texels.row(y), depth.size.x, by_a_copy);
+            for (int y = first; y < last; ++y) {
+                if (large) prefetch_rest(texels.row(y), depth.size.x);
+                if (large) convert_row(depth.row(y), texels.row(y), depth.size.x, past_caches, in_place);
                 else convert_row(depth.row(y), texels.row(y), depth.size.x, in_place);
+            }
         });
         if (large) finish_streaming();
     });
@@ -14971,12 +15023,12 @@ enum class table_store { none, plain, streaming };
 template <table_store Store, int Lanes, class From, class Sum>
 UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line, Sum* to, int count) {
     using few = lanes_of<Sum, Lanes>;
+    constexpr bool by_bytes = sums_bytes && sizeof(From) == 1 && Lanes == 8;
+    constexpr int step = by_bytes ? 2 * Lanes : Lanes;
     few carry{};
-    const auto sum_few = [&](const Sum* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
-        few sums, there, together;
-        load_lanes(values, together);
+    const auto add_few = [&](few& together, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
+        few sums, there;
         load_lanes(lines, there);
-        running_sum<Lanes>(together);
         sums = (carry + together) + there;
         all_last<Lanes>(together);
         carry = carry + together;
@@ -14989,29 +15041,52 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         if constexpr (Store == table_store::plain) store_lanes(sums, result);
         if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
     };
-    int x = 0;
-    // This block and the next, which is loaded before the stores that its loads could alias with.
-    alignas(64) Sum values[2][block];
-    const auto load = [&](int first) UMBRAGE_INLINE {
-        Sum* const into = values[first / block % 2];
-        // Measured: the hardware prefetcher comes too late.
-        prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));
-        for (int i = 0; i < block; ++i) into[i] = from[first + i];
+    const auto sum_some = [&](const auto* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
+        few together;
+        if constexpr (by_bytes) {
+            few next;
+            running_sums_of_bytes(values, together, next);
+            add_few(together, under, lines, result);
+            add_few(next, under + Lanes, lines + Lanes, result + Lanes);
+        } else {
+            load_lanes(values, together);
+            running_sum<Lanes>(together);
+            add_few(together, under, lines, result);
+        }
     };
-    if (block <= count) load(0);
-    for (; x + block <= count; x += block) {
-        if (x + 2 * block <= count) load(x + block);
-        const Sum* const now = values[x / block % 2];
-        for (int i = 0; i < block; i += Lanes) sum_few(now + i, base + x + i, line + x + i, to + x + i);
+    if constexpr (Store == table_store::streaming) prefetch_rest(to, count, step);
+    // Measured: the hardware prefetcher comes too late.
+    const auto prefetch = [&](int first) UMBRAGE_INLINE {
+        prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));
+    };
+    int x = 0;
+    if constexpr (by_bytes) {
+        for (; x + step <= count; x += step) {
+            if (x % block == 0) prefetch(x);
+            sum_some(from + x, base + x, line + x, to + x);
+        }
+    } else {
+        // This block and the next, which is loaded before the stores that its loads could alias with.
+        alignas(64) Sum values[2][block];
+        const auto load = [&](int first) UMBRAGE_INLINE {
+            prefetch(first);
+            for (int i = 0; i < block; ++i) values[first / block % 2][i] = from[first + i];
+        };
+        if (block <= count) load(0);
+        for (; x + block <= count; x += block) {
+            if (x + 2 * block <= count) load(x + block);
+            const Sum* const now = values[x / block % 2];
+            for (int i = 0; i < block; i += step) sum_some(now + i, base + x + i, line + x + i, to + x + i);
+        }
     }
-    for (; x < count; x += Lanes) {  // base and line are padded
-        const int there = count - x < Lanes ? count - x : Lanes;
-        Sum rest[std::size_t(Lanes)]{};
-        alignas(Lanes * sizeof(Sum)) Sum result[std::size_t(Lanes)];
+    for (; x < count; x += step) {  // base and line are padded
+        const int there = count - x < step ? count - x : step;
+        std::conditional_t<by_bytes, From, Sum> rest[std::size_t(step)]{};
+        alignas(Lanes * sizeof(Sum)) Sum result[std::size_t(step)];
         for (int i = 0; i < there; ++i) rest[i] = from[x + i];
-        sum_few(rest, base + x, line + x, result);
+        sum_some(rest, base + x, line + x, there == step ? to + x : result);
         if constexpr (Store != table_store::none)
-            for (int i = 0; i < there; ++i) to[x + i] = result[i];
+            if (there < step) std::copy_n(result, there, to + x);
     }
 }
 
@@ -15080,7 +15155,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
     if (values.size != sums.size) detail::fail("umbrage::summed_area: sizes differ");
     if (values.empty()) return;
     const int height = sums.size.y, bands = (height + detail::band_rows - 1) / detail::band_rows;
-    const auto length = (static_cast<std::size_t>(sums.size.x) + 7) / 8 * 8;
+    const auto length = (static_cast<std::size_t>(sums.size.x) + 15) / 16 * 16;
     const auto end_of = [=](int b) { return b + 1 < bands ? (b + 1) * detail::band_rows : height; };
     const auto add = [=](const Sum* from, Sum* to) {
         for (std::size_t i = 0; i < length; ++i) to[i] = from[i] + to[i];
@@ -15351,6 +15426,7 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
             if (n + 1 < ring) continue;
             blocks(placed[(n + 1) % ring], at.count(), visibility, set);
             float* const to = out.row(at.y) + at.x;
+            if (large && at.x == 0) prefetch_rest(to, out.size.x);
             if (large && at.count() == block) stream_block(to, visibility);
             else copy_floats(to, visibility, at.count());
             at.step();

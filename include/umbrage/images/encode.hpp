@@ -9,6 +9,8 @@
 // that compilers can vectorise; any other type like them works as well.
 #pragma once
 
+#include <algorithm>
+
 #include <umbrage/depth/encoding.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/parallel.hpp>
@@ -19,17 +21,22 @@
 namespace umbrage {
 namespace detail {
 
-/// A row in blocks; the last one goes through copies as long as a block.
-template <class From, class To, class Convert>
-UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert) {
+/// A row in blocks; what is left goes through copies as long as a block, by a conversion that may be another.
+template <class From, class To, class Convert, class ConvertRest>
+UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert,
+                                       const ConvertRest& convert_rest) {
     int x = 0;
     for (; x + block <= count; x += block) convert(from + x, to + x);
     if (x == count) return;
     From padded[block]{};
     To result[block];
-    for (int i = 0; i < count - x; ++i) padded[i] = from[x + i];
-    convert(padded, result);
-    for (int i = 0; i < count - x; ++i) to[x + i] = result[i];
+    std::copy_n(from + x, count - x, padded);
+    convert_rest(padded, result);
+    std::copy_n(result, count - x, to + x);
+}
+template <class From, class To, class Convert>
+UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert) {
+    convert_row(from, to, count, convert, convert);
 }
 
 template <class Codec, class ParallelFor>
@@ -42,14 +49,16 @@ void encode_rows(image_view<const float> depth, image_view<typename Codec::texel
     parallel(depth.size.y, [&](int first, int last) {
         on_best_isa([&](auto) UMBRAGE_INLINE {
             const auto in_place = [&](const float* from, texel* to) UMBRAGE_INLINE { codec.encode(from, to); };
-            const auto by_a_copy = [&](const float* from, texel* to) UMBRAGE_INLINE {
+            const auto past_caches = [&](const float* from, texel* to) UMBRAGE_INLINE {
                 alignas(64) texel texels_of_block[block];
                 codec.encode(from, texels_of_block);
                 stream_block(to, texels_of_block);
             };
-            for (int y = first; y < last; ++y)
-                if (large) convert_row(depth.row(y), texels.row(y), depth.size.x, by_a_copy);
+            for (int y = first; y < last; ++y) {
+                if (large) prefetch_rest(texels.row(y), depth.size.x);
+                if (large) convert_row(depth.row(y), texels.row(y), depth.size.x, past_caches, in_place);
                 else convert_row(depth.row(y), texels.row(y), depth.size.x, in_place);
+            }
         });
         if (large) finish_streaming();
     });

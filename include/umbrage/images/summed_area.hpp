@@ -68,12 +68,12 @@ enum class table_store { none, plain, streaming };
 template <table_store Store, int Lanes, class From, class Sum>
 UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line, Sum* to, int count) {
     using few = lanes_of<Sum, Lanes>;
+    constexpr bool by_bytes = sums_bytes && sizeof(From) == 1 && Lanes == 8;
+    constexpr int step = by_bytes ? 2 * Lanes : Lanes;
     few carry{};
-    const auto sum_few = [&](const Sum* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
-        few sums, there, together;
-        load_lanes(values, together);
+    const auto add_few = [&](few& together, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
+        few sums, there;
         load_lanes(lines, there);
-        running_sum<Lanes>(together);
         sums = (carry + together) + there;
         all_last<Lanes>(together);
         carry = carry + together;
@@ -86,29 +86,52 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         if constexpr (Store == table_store::plain) store_lanes(sums, result);
         if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
     };
-    int x = 0;
-    // This block and the next, which is loaded before the stores that its loads could alias with.
-    alignas(64) Sum values[2][block];
-    const auto load = [&](int first) UMBRAGE_INLINE {
-        Sum* const into = values[first / block % 2];
-        // Measured: the hardware prefetcher comes too late.
-        prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));
-        for (int i = 0; i < block; ++i) into[i] = from[first + i];
+    const auto sum_some = [&](const auto* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
+        few together;
+        if constexpr (by_bytes) {
+            few next;
+            running_sums_of_bytes(values, together, next);
+            add_few(together, under, lines, result);
+            add_few(next, under + Lanes, lines + Lanes, result + Lanes);
+        } else {
+            load_lanes(values, together);
+            running_sum<Lanes>(together);
+            add_few(together, under, lines, result);
+        }
     };
-    if (block <= count) load(0);
-    for (; x + block <= count; x += block) {
-        if (x + 2 * block <= count) load(x + block);
-        const Sum* const now = values[x / block % 2];
-        for (int i = 0; i < block; i += Lanes) sum_few(now + i, base + x + i, line + x + i, to + x + i);
+    if constexpr (Store == table_store::streaming) prefetch_rest(to, count, step);
+    // Measured: the hardware prefetcher comes too late.
+    const auto prefetch = [&](int first) UMBRAGE_INLINE {
+        prefetch_bytes(from + first, 1536, block * static_cast<int>(sizeof(From)));
+    };
+    int x = 0;
+    if constexpr (by_bytes) {
+        for (; x + step <= count; x += step) {
+            if (x % block == 0) prefetch(x);
+            sum_some(from + x, base + x, line + x, to + x);
+        }
+    } else {
+        // This block and the next, which is loaded before the stores that its loads could alias with.
+        alignas(64) Sum values[2][block];
+        const auto load = [&](int first) UMBRAGE_INLINE {
+            prefetch(first);
+            for (int i = 0; i < block; ++i) values[first / block % 2][i] = from[first + i];
+        };
+        if (block <= count) load(0);
+        for (; x + block <= count; x += block) {
+            if (x + 2 * block <= count) load(x + block);
+            const Sum* const now = values[x / block % 2];
+            for (int i = 0; i < block; i += step) sum_some(now + i, base + x + i, line + x + i, to + x + i);
+        }
     }
-    for (; x < count; x += Lanes) {  // base and line are padded
-        const int there = count - x < Lanes ? count - x : Lanes;
-        Sum rest[std::size_t(Lanes)]{};
-        alignas(Lanes * sizeof(Sum)) Sum result[std::size_t(Lanes)];
+    for (; x < count; x += step) {  // base and line are padded
+        const int there = count - x < step ? count - x : step;
+        std::conditional_t<by_bytes, From, Sum> rest[std::size_t(step)]{};
+        alignas(Lanes * sizeof(Sum)) Sum result[std::size_t(step)];
         for (int i = 0; i < there; ++i) rest[i] = from[x + i];
-        sum_few(rest, base + x, line + x, result);
+        sum_some(rest, base + x, line + x, there == step ? to + x : result);
         if constexpr (Store != table_store::none)
-            for (int i = 0; i < there; ++i) to[x + i] = result[i];
+            if (there < step) std::copy_n(result, there, to + x);
     }
 }
 
@@ -177,7 +200,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
     if (values.size != sums.size) detail::fail("umbrage::summed_area: sizes differ");
     if (values.empty()) return;
     const int height = sums.size.y, bands = (height + detail::band_rows - 1) / detail::band_rows;
-    const auto length = (static_cast<std::size_t>(sums.size.x) + 7) / 8 * 8;
+    const auto length = (static_cast<std::size_t>(sums.size.x) + 15) / 16 * 16;
     const auto end_of = [=](int b) { return b + 1 < bands ? (b + 1) * detail::band_rows : height; };
     const auto add = [=](const Sum* from, Sum* to) {
         for (std::size_t i = 0; i < length; ++i) to[i] = from[i] + to[i];

@@ -57,6 +57,7 @@ void filter_rows(const Receivers& receivers, const Blocks& blocks, image_view<fl
             if (n + 1 < ring) continue;
             blocks(placed[(n + 1) % ring], at.count(), visibility, set);
             float* const to = out.row(at.y) + at.x;
+            if (large && at.x == 0) prefetch_rest(to, out.size.x);
             if (large && at.count() == block) stream_block(to, visibility);
             else copy_floats(to, visibility, at.count());
             at.step();

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -43,6 +44,19 @@ TEST_CASE("encode, decode: images are the primitive at every texel") {
     is_the_primitive_at_every_texel(rgb24{});
     is_the_primitive_at_every_texel(float_bits{});
     is_the_primitive_at_every_texel(depth32f{});
+}
+
+TEST_CASE("encode: large images, which bypass the cache, with some texels behind the last whole block") {
+    image<float> map({1100, 2000});
+    std::uint32_t bits = 1;
+    for (float& depth : map.texels())
+        depth = static_cast<float>((bits = bits * 1664525u + 1013904223u) >> 8) * 0x1p-24f;
+    image<glm::u8vec2> texels(map.size());
+    encode(map, texels, rg<11>{});
+    int wrong = 0;
+    for (int y = 0; y < map.size().y; ++y)
+        for (int x = 0; x < map.size().x; ++x) wrong += texels[{x, y}] != encode_rg<11>(map[{x, y}]);
+    CHECK(wrong == 0);
 }
 
 TEST_CASE("encode, decode: strided and bottom-up views; what lies between rows stays") {
