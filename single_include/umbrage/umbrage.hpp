@@ -7785,7 +7785,7 @@ template <real T>
 /// @param bias      msm_bias_32, msm_bias_16
 /// @return          visibility, 0 to 1: at least the lit share, less bias.x and the error below. Where moments are
 ///                  those of fewer than three depths, and of NaN: 1 where the receiver is no farther than their mean,
-///                  else 0
+///                  else 0. Of numbers that are no depths' moments: 0 to 1, and beside poles rounding decides which
 /// @formula         1 - sum of the shares of moment_atoms before the receiver
 /// @exactness       C: within 1/64 in a shader. Rounding in binary32 does to first order as much as moments do that are
 ///                  off by (0, 1, 3, 7) 2^-24, which is at most 9 2^-24 / (bias.x e), e the least eigenvalue of the
