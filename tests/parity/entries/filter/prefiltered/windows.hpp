@@ -51,8 +51,8 @@ template <class Encode>
     return kinds;
 }
 
-/// NaN and infinities. Numbers that are no depths' moments have shares with poles, beside which rounding decides between
-/// 0 and 1: of 2^20 of them softpipe, whose division rounds otherwise, differed in one or two.
+/// NaN and infinities. Numbers that are no depths' moments have shares with poles, beside which rounding decides
+/// between 0 and 1: of 2^20 of them softpipe, whose division rounds otherwise, differed in one or two.
 [[nodiscard]] inline std::vector<value_class> values_of_moments() {
     auto kinds = special_values();
     std::erase_if(kinds, [](const value_class& k) { return k.name != "NaN" && k.name != "infinity"; });
