@@ -43,9 +43,10 @@ void multiply(int first, int last) {
 }
 
 struct state {
-    image<float> depth = bench::make_map(), back{bench::map_size}, one{bench::screen}, two{bench::screen};
-    image<glm::u8vec2> packed{bench::map_size};
-    image<std::uint32_t> words{bench::map_size, 200u}, sums{bench::map_size};
+    image<float> depth = bench::make_map(), back{bench::map_size}, back_too = back, one{bench::screen},
+                 two{bench::screen};
+    image<glm::u8vec2> packed{bench::map_size}, packed_too = packed;
+    image<std::uint32_t> words{bench::map_size, 200u}, sums{bench::map_size}, sums_too = sums;
     image<glm::vec3> receivers = bench::make_receivers(bench::order::coherent);
     std::vector<char> from = std::vector<char>(std::size_t(bench::map_texels) * 4, 1), to = from;
     bench::mesh hills = bench::hills(724), large = bench::scattered(10000, 100.0f);
@@ -63,65 +64,79 @@ struct state {
 const bench::registration rows([] {
     const auto s = std::make_shared<state>();
 
-    // run(out, threads) writes the same with two threads as alone.
-    const auto on_both = [s](const std::string& work, double at_least, int bytes, auto& out, const auto& run) {
-        const auto same_alone = [run, &out] {
-            auto alone = std::remove_cvref_t<decltype(out)>(out.size());
-            run(alone, umbrage::serial{});
-            return std::ranges::equal(out.texels(), alone.texels());
+    // run(out, threads) writes the same with two threads as alone. What two processors give to two programs that know
+    // nothing of each other is what they can give to one: twice on two threads, against two runs at once.
+    const auto beside = [s](const std::string& work, double items, auto& out, auto& other, const auto& run) {
+        const auto same = [run, &out, &other] {
+            run(out, two_threads);
+            run(other, umbrage::serial{});
+            return std::ranges::equal(out.texels(), other.texels());
         };
+        bench::add({.work = work + ", two threads",
+                    .peer = "two runs side by side",
+                    .at_least = 0.9,
+                    .items = 2 * items,
+                    .ours =
+                        [run, &out, &other] {
+                            run(out, two_threads);
+                            run(other, two_threads);
+                        },
+                    .theirs =
+                        [run, &out, &other] {
+                            two_threads(2, [&](int first, int last) {
+                                for (int i = first; i < last; ++i) run(i == 0 ? out : other, umbrage::serial{});
+                            });
+                        },
+                    .agree = same,
+                    .measured = bench::clock::wall});
+    };
+    const auto on_both = [=](const std::string& work, double at_least, int bytes, auto& out, auto& other,
+                             const auto& run) {
+        beside(work, bench::map_texels, out, other, run);
         bench::add({.work = work + ", two threads",
                     .peer = "memcpy, two threads",
                     .at_least = at_least,
                     .items = bench::map_texels,
                     .ours = [run, &out] { run(out, two_threads); },
                     .theirs = [=] { s->copy(bytes); },
-                    .agree = same_alone,
+                    .agree = {},
                     .measured = bench::clock::wall});
     };
     const umbrage::rg<11> rg;
-    on_both("encode 11 bits", 0.9, 3, s->packed,
+    on_both("encode 11 bits", 0.9, 3, s->packed, s->packed_too,
             [=](auto& out, const auto& threads) { umbrage::encode(s->depth, out, rg, threads); });
-    on_both("decode 11 bits", 0.9, 3, s->back,
+    on_both("decode 11 bits", 0.9, 3, s->back, s->back_too,
             [=](auto& out, const auto& threads) { umbrage::decode(s->packed, out, rg, threads); });
-    on_both("summed-area table of uint32", 0, 4, s->sums,
+    on_both("summed-area table of uint32", 0, 4, s->sums, s->sums_too,
             [=](auto& out, const auto& threads) { umbrage::summed_area(s->words.view(), out.view(), threads); });
 
-    const auto against_one = [](const std::string& work, double at_least, double items, const auto& two,
-                                const auto& one, const auto& agree) {
+    constexpr int products = 1000000;
+    bench::add({.work = "limit: multiplications, two threads",
+                .peer = "one thread",
+                .items = products,
+                .ours = [] { two_threads(products, multiply); },
+                .theirs = [] { multiply(0, products); },
+                .agree = {},
+                .measured = bench::clock::wall});
+    const auto against_one = [&](const std::string& work, double items, const auto& run) {
+        beside(work, items, s->one, s->two, run);
         bench::add({.work = work + ", two threads",
                     .peer = "one thread",
-                    .at_least = at_least,
                     .items = items,
-                    .ours = two,
-                    .theirs = one,
-                    .agree = agree,
+                    .ours = [=] { run(s->one, two_threads); },
+                    .theirs = [=] { run(s->two, umbrage::serial{}); },
+                    .agree = {},
                     .measured = bench::clock::wall});
     };
-    constexpr int products = 1000000;
-    against_one(
-        "limit: multiplications", 0, products, [=] { two_threads(products, multiply); }, [] { multiply(0, products); },
-        std::function<bool()>());
-    const auto same = [s] { return std::ranges::equal(s->one.texels(), s->two.texels()); };
-    const auto filtered = [=](image<float>& out, const auto& threads) {
-        return [=, &out] {
-            umbrage::visibility(s->depth, umbrage::depth32f{}, s->receivers, umbrage::filters::box{2}, out, threads);
-        };
-    };
-    against_one("PCF 5x5, float map", 1.75, bench::pixels, filtered(s->two, two_threads),
-                filtered(s->one, umbrage::serial{}), same);
-    const auto drawn = [=](const bench::mesh& mesh, image<float>& out, const auto& threads) {
-        return [=, &mesh, &out] {
-            std::ranges::fill(out.texels(), 1.0f);
-            umbrage::rasterize_depth(out, mesh, glm::mat4(1.0f), {}, umbrage::cull_mode::none, threads);
-        };
-    };
-    for (const bool large : {false, true}) {
-        const bench::mesh& mesh = large ? s->large : s->hills;
-        against_one(large ? "depth pass, 100-pixel triangles" : "depth pass, hills", 1.75,
-                    double(mesh.triangles.size()), drawn(mesh, s->two, two_threads),
-                    drawn(mesh, s->one, umbrage::serial{}), same);
-    }
+    against_one("PCF 5x5, float map", bench::pixels, [s](image<float>& out, const auto& threads) {
+        umbrage::visibility(s->depth, umbrage::depth32f{}, s->receivers, umbrage::filters::box{2}, out, threads);
+    });
+    for (const bench::mesh* mesh : {&s->hills, &s->large})
+        against_one(mesh == &s->large ? "depth pass, 100-pixel triangles" : "depth pass, hills",
+                    double(mesh->triangles.size()), [s, mesh](image<float>& out, const auto& threads) {
+                        std::ranges::fill(out.texels(), 1.0f);
+                        umbrage::rasterize_depth(out, *mesh, glm::mat4(1.0f), {}, umbrage::cull_mode::none, threads);
+                    });
 });
 
 }  // namespace
