@@ -11012,8 +11012,8 @@ UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead
 }
 
 /// Prefetches what a row holds behind its last whole step, before non-temporal stores to the row: the rest is stored
-/// plainly, stores take their turn, and those of the next rows would wait for its cache lines. Rows of 2032 texels were
-/// seven times as slow.
+/// plainly, stores take their turn, and those of the next rows would wait for its cache lines. Tables of 2032
+/// columns were five to seven times as slow.
 template <class T>
 UMBRAGE_INLINE inline void prefetch_rest(const T* row, int count, int step = block) {
     for (int x = count / step * step; x < count; x += static_cast<int>(64 / sizeof(T))) prefetch_line(row + x);
@@ -14301,6 +14301,7 @@ void encode_rows(image_view<const float> depth, image_view<typename Codec::texel
                 codec.encode(from, texels_of_block);
                 stream_block(to, texels_of_block);
             };
+            // What is left of a row is copied from where it is put: not past the cache.
             for (int y = first; y < last; ++y) {
                 if (large) prefetch_rest(texels.row(y), depth.size.x);
                 if (large) convert_row(depth.row(y), texels.row(y), depth.size.x, past_caches, in_place);
@@ -15026,34 +15027,38 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
     constexpr bool by_bytes = sums_bytes && sizeof(From) == 1 && Lanes == 8;
     constexpr int step = by_bytes ? 2 * Lanes : Lanes;
     few carry{};
-    const auto add_few = [&](few& together, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
+    const auto add_few = [&](auto store, few& together, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
+        constexpr table_store how = decltype(store)::value;
         few sums, there;
         load_lanes(lines, there);
         sums = (carry + together) + there;
         all_last<Lanes>(together);
         carry = carry + together;
         store_lanes(sums, lines);
-        if constexpr (Store == table_store::none) return;
+        if constexpr (how == table_store::none) return;
         if constexpr (!std::is_integral_v<Sum>) {
             load_lanes(under, there);
             sums = sums + there;
         }
-        if constexpr (Store == table_store::plain) store_lanes(sums, result);
-        if constexpr (Store == table_store::streaming) stream<sizeof sums>(result, &sums);
+        if constexpr (how == table_store::plain) store_lanes(sums, out);
+        if constexpr (how == table_store::streaming) stream<sizeof sums>(out, &sums);
     };
-    const auto sum_some = [&](const auto* values, const Sum* under, Sum* lines, Sum* result) UMBRAGE_INLINE {
+    const auto sum_some = [&](auto store, const auto* values, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
         few together;
         if constexpr (by_bytes) {
             few next;
             running_sums_of_bytes(values, together, next);
-            add_few(together, under, lines, result);
-            add_few(next, under + Lanes, lines + Lanes, result + Lanes);
+            add_few(store, together, under, lines, out);
+            add_few(store, next, under + Lanes, lines + Lanes, out + Lanes);
         } else {
             load_lanes(values, together);
             running_sum<Lanes>(together);
-            add_few(together, under, lines, result);
+            add_few(store, together, under, lines, out);
         }
     };
+    constexpr std::integral_constant<table_store, Store> as_asked{};
+    // Of the row's last few, which are copied from where they are put: not past the cache.
+    constexpr std::integral_constant<table_store, Store == table_store::none ? Store : table_store::plain> to_copy{};
     if constexpr (Store == table_store::streaming) prefetch_rest(to, count, step);
     // Measured: the hardware prefetcher comes too late.
     const auto prefetch = [&](int first) UMBRAGE_INLINE {
@@ -15063,7 +15068,7 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
     if constexpr (by_bytes) {
         for (; x + step <= count; x += step) {
             if (x % block == 0) prefetch(x);
-            sum_some(from + x, base + x, line + x, to + x);
+            sum_some(as_asked, from + x, base + x, line + x, to + x);
         }
     } else {
         // This block and the next, which is loaded before the stores that its loads could alias with.
@@ -15076,7 +15081,7 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         for (; x + block <= count; x += block) {
             if (x + 2 * block <= count) load(x + block);
             const Sum* const now = values[x / block % 2];
-            for (int i = 0; i < block; i += step) sum_some(now + i, base + x + i, line + x + i, to + x + i);
+            for (int i = 0; i < block; i += step) sum_some(as_asked, now + i, base + x + i, line + x + i, to + x + i);
         }
     }
     for (; x < count; x += step) {  // base and line are padded
@@ -15084,9 +15089,12 @@ UMBRAGE_INLINE inline void sum_row(const From* from, const Sum* base, Sum* line,
         std::conditional_t<by_bytes, From, Sum> rest[std::size_t(step)]{};
         alignas(Lanes * sizeof(Sum)) Sum result[std::size_t(step)];
         for (int i = 0; i < there; ++i) rest[i] = from[x + i];
-        sum_some(rest, base + x, line + x, there == step ? to + x : result);
-        if constexpr (Store != table_store::none)
-            if (there < step) std::copy_n(result, there, to + x);
+        if (there == step) {
+            sum_some(as_asked, rest, base + x, line + x, to + x);
+        } else {
+            sum_some(to_copy, rest, base + x, line + x, result);
+            if constexpr (Store != table_store::none) std::copy_n(result, there, to + x);
+        }
     }
 }
 

@@ -54,6 +54,7 @@ void encode_rows(image_view<const float> depth, image_view<typename Codec::texel
                 codec.encode(from, texels_of_block);
                 stream_block(to, texels_of_block);
             };
+            // What is left of a row is copied from where it is put: not past the cache.
             for (int y = first; y < last; ++y) {
                 if (large) prefetch_rest(texels.row(y), depth.size.x);
                 if (large) convert_row(depth.row(y), texels.row(y), depth.size.x, past_caches, in_place);

@@ -88,8 +88,8 @@ UMBRAGE_INLINE inline void prefetch_bytes(const void* from, std::ptrdiff_t ahead
 }
 
 /// Prefetches what a row holds behind its last whole step, before non-temporal stores to the row: the rest is stored
-/// plainly, stores take their turn, and those of the next rows would wait for its cache lines. Rows of 2032 texels were
-/// seven times as slow.
+/// plainly, stores take their turn, and those of the next rows would wait for its cache lines. Tables of 2032
+/// columns were five to seven times as slow.
 template <class T>
 UMBRAGE_INLINE inline void prefetch_rest(const T* row, int count, int step = block) {
     for (int x = count / step * step; x < count; x += static_cast<int>(64 / sizeof(T))) prefetch_line(row + x);
