@@ -11,7 +11,7 @@
 
 #include <array>
 #include <cassert>
-#include <cstddef>
+#include <string>
 
 #include <glm/fwd.hpp>
 #include <glm/vec2.hpp>

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 
 #include <glm/vec2.hpp>
 

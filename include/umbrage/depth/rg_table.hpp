@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 
 #include <umbrage/depth/rg.hpp>
 

@@ -19,7 +19,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/pcf/disc_hardware.hpp>

@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>

@@ -18,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 #include <umbrage/config.hpp>
 #include <umbrage/filter/filter.hpp>

@@ -11,6 +11,8 @@
 //
 #pragma once
 
+#include <string>
+
 #include <umbrage/filter/pcf/pcf_2x2_hardware.hpp>
 #include <umbrage/filter/pcf/window.hpp>
 

@@ -8,6 +8,8 @@
 //
 #pragma once
 
+#include <string>
+
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
