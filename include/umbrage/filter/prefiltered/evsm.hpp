@@ -99,23 +99,26 @@ struct evsm_parameters {
 };
 
 /// @throws std::invalid_argument   an exponent not above 0, or beyond what keeps powers and squares finite and normal,
-///                                 55 in 32 bits, 7.99 in 16; a least deviation below 0, or one whose least variance
-///                                 is no normal number beside the least power, which hardware takes for 0
+///                                 55 in 32 bits, 7.99 in 16; a least deviation below 0, or one beside whose least
+///                                 variance squares of distances count that are no normal numbers, which hardware
+///                                 takes for 0: the usual one is large enough up to a falling exponent of 43
 /// @formula   deviations = 2 ln(2) exponents least_deviation, the derivative of the power over the power
 [[nodiscard]] inline evsm_parameters make_evsm(const evsm_settings& settings) {
     const bool single = settings.store == float_store::single;
     const float most = single ? 55.0f : 7.99f, usual = single ? 1e-4f : 1e-2f;
     if (!(settings.least_deviation >= 0.0f)) detail::fail("umbrage::make_evsm: least deviation below 0");
     const float least = settings.least_deviation > 0.0f ? settings.least_deviation : usual;
-    const auto deviation = [&](float exponent) {
+    const auto deviation = [&](float exponent, bool falls) {
         if (!(exponent > 0.0f && exponent <= most))
             detail::fail("umbrage::make_evsm: exponent not above 0, or above 55, 7.99 in 16 bits");
         const float part = exponent * (1.38629436f * least);
-        if (part * exp2_polynomial(-exponent) < 0x1p-63f)
+        const float least_power = falls ? exp2_polynomial(-exponent) : 1.0f;
+        if (part * least_power < 0x1p-51f)  // squares that count beside its square may be below 2^-126
             detail::fail("umbrage::make_evsm: least deviation too small for the exponent");
         return part;
     };
-    return {{settings.exponent, settings.falling}, {deviation(settings.exponent), deviation(settings.falling)}};
+    return {{settings.exponent, settings.falling},
+            {deviation(settings.exponent, false), deviation(settings.falling, true)}};
 }
 
 namespace glsl {

@@ -47,10 +47,18 @@ TEST_CASE("evsm: set-up") {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     for (const evsm_settings& bad :
          {evsm_settings{.exponent = 55.5f}, evsm_settings{.falling = 55.5f}, evsm_settings{.exponent = 0.0f},
-          evsm_settings{.falling = nan}, evsm_settings{.least_deviation = -1.0f},
-          evsm_settings{.exponent = 55.0f, .least_deviation = 1e-6f}, evsm_settings{.least_deviation = nan},
-          evsm_settings{.exponent = 8.0f, .store = float_store::half}})
+          evsm_settings{.falling = nan}, evsm_settings{.least_deviation = -1.0f}, evsm_settings{.falling = 44.0f},
+          evsm_settings{.falling = 40.0f, .least_deviation = 1e-6f}, evsm_settings{.least_deviation = 1e-18f},
+          evsm_settings{.least_deviation = nan}, evsm_settings{.exponent = 8.0f, .store = float_store::half}})
         CHECK_THROWS_AS((void)make_evsm(bad), std::invalid_argument);
+}
+
+TEST_CASE("evsm: where hardware takes denormals for 0, the square of a distance that is one changes no visibility") {
+    const evsm_parameters p = make_evsm({.exponent = 55.0f, .falling = 43.0f});
+    const float n = -warp_depth(1.0f, -43.0f), m = n - 0x1p-64f;
+    REQUIRE((n - m) * (n - m) < std::numeric_limits<float>::min());
+    const float a = decode_evsm4(glm::vec4(0x1p56f, 0x1p112f, m, m * m), 1.0f, p.exponents, p.deviations);
+    CHECK(std::abs(a - 1.0f) <= 0x1p-23f);
 }
 
 TEST_CASE(

@@ -7,7 +7,7 @@ namespace parity {
 
 void add_filter_prefiltered_evsm(std::vector<entry>& all) {
     using namespace umbrage;
-    const range unit{}, exponent{1.0f, 54.0f}, deviation{0.005f, 0.02f};
+    const range unit{}, exponent{1.0f, 54.0f}, falling{1.0f, 43.0f}, deviation{0.005f, 0.02f};  // of make_evsm
     const auto exponents = [](const sample& s) { return vec2(s.x[1].y, s.x[1].z); };
     add_both(all,
              {.primitive = &glsl::encode_evsm2,
@@ -19,10 +19,9 @@ void add_filter_prefiltered_evsm(std::vector<entry>& all) {
               .classes = spread({unit, exponent, exponent}, special_values()),
               .call = "umbrage_encode_evsm4(x0.x, vec2(x0.y, x0.z))"},
              [](const sample& s, float far) { return encode_evsm4(s.x[0].x, vec2(s.x[0].y, s.x[0].z), far); });
-    auto classes =
-        all_kinds({unit, unit, unit, unit, unit}, large_values(), {exponent, exponent, deviation, deviation});
+    auto classes = all_kinds({unit, unit, unit, unit, unit}, large_values(), {exponent, falling, deviation, deviation});
     classes.push_back(windows([exponents](float d, sample& s) { return encode_evsm4(d, exponents(s)); },
-                              {exponent, exponent, deviation, deviation}));
+                              {exponent, falling, deviation, deviation}));
     add_both(
         all,
         {.primitive = &glsl::decode_evsm2,
