@@ -134,7 +134,9 @@ const bench::registration rows([] {
     for (const bench::mesh* mesh : {&s->hills, &s->large})
         against_one(mesh == &s->large ? "depth pass, 100-pixel triangles" : "depth pass, hills",
                     double(mesh->triangles.size()), [s, mesh](image<float>& out, const auto& threads) {
-                        std::ranges::fill(out.texels(), 1.0f);
+                        threads(out.size().y, [&](int first, int last) {
+                            std::fill(out.view().row(first), out.view().row(last - 1) + out.size().x, 1.0f);
+                        });
                         umbrage::rasterize_depth(out, *mesh, glm::mat4(1.0f), {}, umbrage::cull_mode::none, threads);
                     });
 });

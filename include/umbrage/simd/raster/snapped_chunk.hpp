@@ -53,11 +53,15 @@ private:
 };
 
 struct index_range {
-    unsigned lowest, highest;
+    unsigned lowest = ~0u, highest = 0;
+
+    void include(const index_range& other) {
+        lowest = std::min(lowest, other.lowest), highest = std::max(highest, other.highest);
+    }
 };
 
 [[nodiscard]] inline index_range indices_of(std::span<const glm::uvec3> triangles) {
-    index_range range{~0u, 0u};
+    index_range range;
     on_best_isa([&](auto) UMBRAGE_INLINE {
         const glm::uvec3* t = triangles.data();
         const glm::uvec3* const last = t + triangles.size();
@@ -87,13 +91,13 @@ public:
     /// From a triangle and an instance on: the rest of the mesh, and as many instances more as `most` has room for, or
     /// `most` triangles.
     /// @param instances   those from that instance on, at least one
-    void take(std::size_t first, std::span<const projection> instances, std::size_t most) {
+    /// @param indices     of the triangles that are taken
+    void take(std::size_t first, std::span<const projection> instances, std::size_t most, const index_range& indices) {
         first_ = first;
         triangles_ = std::min(most, mesh_.triangles.size() - first);
-        const auto [lowest, highest] = indices_of(mesh_.triangles.subspan(first_, triangles_));
-        const std::size_t corners = 3 * triangles_, range = std::size_t(highest) - lowest + 1;
+        const std::size_t corners = 3 * triangles_, range = std::size_t(indices.highest) - indices.lowest + 1;
         by_corner_ = corners < range;
-        lowest_ = lowest;
+        lowest_ = indices.lowest;
         used_ = std::min(corners, range);
         stride_ = (used_ + block - 1) / block * block;
         const bool whole = triangles_ == mesh_.triangles.size();

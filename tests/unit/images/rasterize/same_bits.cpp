@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -148,4 +149,44 @@ TEST_CASE("rasterize_depth: meshes of several chunks, coherent or not, are drawn
         });
         CHECK(same_bits(by_halves, reference));
     }
+}
+
+TEST_CASE("rasterize_depth: ground around the camera, cut by every plane, is drawn in bands like sample by sample") {
+    generator random;
+    const glm::ivec2 size(300, 700);
+    constexpr unsigned side = 150;  // rows of which many runs lie in few bands, and some have corners without a row
+    mesh m;
+    for (unsigned z = 0; z <= side; ++z)
+        for (unsigned x = 0; x <= side; ++x)
+            m.positions.emplace_back(0.1f * (float(x) - 75.0f), random.real(-1.1f, -0.9f), 0.1f * (75.0f - float(z)));
+    m.positions[500].y = nan_value;
+    m.positions[9000].x = infinity;
+    m.positions[9500].x = -1e30f;  // beyond the guard band
+    for (unsigned z = 0; z < side; ++z)
+        for (unsigned x = 0; x < side; ++x) {
+            const unsigned i = z * (side + 1) + x, above = i + side + 1;
+            m.triangles.emplace_back(i, i + 1, above);
+            m.triangles.emplace_back(i + 1, above + 1, above);
+        }
+    for (const near_plane at_near : {near_plane::clips, near_plane::clamps})
+        for (const float turn : {0.0f, 0.5f, 2.0f}) {
+            glm::mat4 turned(1.0f);
+            turned[0][0] = turned[1][1] = std::cos(turn), turned[0][1] = std::sin(turn), turned[1][0] = -turned[0][1];
+            const glm::mat4 matrix = perspective() * turned;
+            image<float> reference(size, 1.0f), alone = reference, in_pieces = reference;
+            rasterize(
+                size, m, matrix, {},
+                [&](glm::ivec2 texel, float z, unsigned) { reference[texel] = std::min(reference[texel], z); },
+                cull_mode::none, at_near);
+            CHECK(std::count(reference.texels().begin(), reference.texels().end(), 1.0f) < 200000);
+            rasterize_depth(alone, m, matrix, {}, cull_mode::none, serial{}, at_near);
+            CHECK(same_bits(alone, reference));
+            rasterize_depth(
+                in_pieces, m, matrix, {}, cull_mode::none,
+                [](int count, auto&& piece) {
+                    for (int i = count; i-- > 0;) piece(i, i + 1);
+                },
+                at_near);
+            CHECK(same_bits(in_pieces, reference));
+        }
 }
