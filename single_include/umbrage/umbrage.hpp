@@ -12922,13 +12922,13 @@ inline void require_drawable(glm::ivec2 size) {
     if (size.x > guard_band || size.y > guard_band) detail::fail("umbrage::rasterize: image side above 16384 texels");
 }
 
-/// What stands for a vertex outside of planes: off the grid, with their bits.
-[[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
-    return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
+/// What stands for a vertex outside of planes: off the grid with their bits, its row kept.
+[[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes, std::int32_t y) {
+    return {static_cast<std::int32_t>(planes) + std::numeric_limits<std::int32_t>::min(), y, 0.0};
 }
 /// A bit for each plane that a vertex is outside of.
 [[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
-    return v.x == std::numeric_limits<std::int32_t>::min() ? static_cast<unsigned>(v.y) : 0u;
+    return v.x < -guard_band * subtexels ? static_cast<unsigned>(v.x) & 0xFFu : 0u;
 }
 
 /// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
@@ -12937,6 +12937,7 @@ class projection {
 public:
     static constexpr int planes = 6, z_near = 1;       ///< w > 0, the near plane, four sides of the guard band
     static constexpr unsigned nowhere = 1u << planes;  ///< stands for a position that is not finite
+    static constexpr unsigned rowless = nowhere | 1u;  ///< has no row: not finite, or w is not above 0
 
     /// @param world_to_clip  projection * view; its elements must be finite
     /// @throws std::invalid_argument  see require_drawable
@@ -12989,20 +12990,18 @@ public:
 
     /// To the grid, halves upwards. The point must be inside all planes; clamps only catch the rounding of cut().
     [[nodiscard]] snapped_vertex snap(const glm::dvec4& h) const {
-        constexpr double limit = double(guard_band) * subtexels;
-        const auto grid = [&](double v) {
-            const double steps = v / h.w * subtexels + 0.5;
-            const double inside = steps > -limit ? (steps < limit ? steps : limit) : -limit;
-            const auto whole = static_cast<std::int32_t>(inside);
-            return whole - (inside < whole ? 1 : 0);
-        };
         const double depth = h.z / h.w;
-        if (clip_.direction == depth_direction::forward) return {grid(h.x), grid(h.y), depth > 0.0 ? depth : 0.0};
-        return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
+        const double kept =
+            clip_.direction == depth_direction::forward ? (depth > 0.0 ? depth : 0.0) : (depth < 1.0 ? depth : 1.0);
+        return {grid(h.x / h.w), grid(h.y / h.w), kept};
     }
 
-    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes, and those that are
-    /// not finite, become `outside_vertex`.
+    /// What stands for a point outside of planes.
+    [[nodiscard]] snapped_vertex snap_outside(const glm::dvec4& h, unsigned planes_of_it) const {
+        return outside_vertex(planes_of_it, planes_of_it & rowless ? 0 : grid(h.y / h.w));
+    }
+
+    /// 64 positions at once, to where homogeneous() and snap() or snap_outside() put them.
     /// @exactness  the bits of one by one
     void snap(const glm::vec3 (&positions)[block], snapped_vertex* vertices) const {
         using bits = std::int64_t;
@@ -13010,6 +13009,7 @@ public:
         const bool forward = clip_.direction == depth_direction::forward;
         const double z_share = clip_.range == depth_range::minus_one_to_one ? 0.5 : 1.0, w_share = 1.0 - z_share;
         const double near_z = forward ? 1.0 : -1.0, near_w = forward ? 0.0 : 1.0;
+        constexpr bits limit = bit_cast<bits>(double(guard_band) * subtexels);
         const bits lowest = forward ? 0 : minus_zero;
         const bits highest = forward ? std::numeric_limits<bits>::max() : bit_cast<bits>(1.0);
         on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
@@ -13038,9 +13038,10 @@ public:
                 outside[i] = bit(w - smallest_w, 0) | bit(near_z * hz + near_w * w, 1) | bit(band + hx, 2) |
                              bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5) |
                              (~bits(finite[i]) & bits(nowhere));
-                const bits inside = -bits(outside[i] == 0);
+                const bits inside = -bits(outside[i] == 0), has_row = -bits((outside[i] & rowless) == 0);
                 column[i] = bit_cast<double>(bit_cast<bits>(hx / w * subtexels + 0.5) & inside);
-                row[i] = bit_cast<double>(bit_cast<bits>(hy / w * subtexels + 0.5) & inside);
+                const bits steps = bit_cast<bits>(hy / w * subtexels + 0.5), size = steps & ~minus_zero;
+                row[i] = bit_cast<double>(((size < limit ? size : limit) | (steps & minus_zero)) & has_row);
                 bits d = bit_cast<bits>(hz / w);
                 d = d < lowest ? lowest : d;
                 d = d > highest ? highest : d;
@@ -13055,14 +13056,25 @@ public:
             };
             floors(column, columns);
             floors(row, rows);
+            for (int i = 0; i < block; ++i) {  // outside_vertex where there are planes, whose columns are 0
+                const auto planes_of_it = static_cast<std::int32_t>(outside[i]);
+                columns[i] += planes_of_it | -std::int32_t(planes_of_it != 0) << 31;
+            }
             for (int i = 0; i < block; ++i) vertices[i] = {columns[i], rows[i], depth[i]};
-            for (int i = 0; i < block; ++i)
-                if (outside[i]) vertices[i] = outside_vertex(static_cast<unsigned>(outside[i]));
         });
     }
 
 private:
     static constexpr double smallest_w = 0x1p-126;
+
+    /// Texels to 1/256 texel, halves upwards, within the guard band.
+    [[nodiscard]] static std::int32_t grid(double texels) {
+        constexpr double limit = double(guard_band) * subtexels;
+        const double steps = texels * subtexels + 0.5;
+        const double inside = steps > -limit ? (steps < limit ? steps : limit) : -limit;
+        const auto whole = static_cast<std::int32_t>(inside);
+        return whole - (inside < whole ? 1 : 0);
+    }
 
     [[nodiscard]] double row(glm::length_t r, glm::vec3 p) const {
         return matrix_[0][r] * double(p.x) + matrix_[1][r] * double(p.y) + matrix_[2][r] * double(p.z) + matrix_[3][r];
@@ -13666,11 +13678,15 @@ private:
 };
 
 struct index_range {
-    unsigned lowest, highest;
+    unsigned lowest = ~0u, highest = 0;
+
+    void include(const index_range& other) {
+        lowest = std::min(lowest, other.lowest), highest = std::max(highest, other.highest);
+    }
 };
 
 [[nodiscard]] inline index_range indices_of(std::span<const glm::uvec3> triangles) {
-    index_range range{~0u, 0u};
+    index_range range;
     on_best_isa([&](auto) UMBRAGE_INLINE {
         const glm::uvec3* t = triangles.data();
         const glm::uvec3* const last = t + triangles.size();
@@ -13700,13 +13716,13 @@ public:
     /// From a triangle and an instance on: the rest of the mesh, and as many instances more as `most` has room for, or
     /// `most` triangles.
     /// @param instances   those from that instance on, at least one
-    void take(std::size_t first, std::span<const projection> instances, std::size_t most) {
+    /// @param indices     of the triangles that are taken
+    void take(std::size_t first, std::span<const projection> instances, std::size_t most, const index_range& indices) {
         first_ = first;
         triangles_ = std::min(most, mesh_.triangles.size() - first);
-        const auto [lowest, highest] = indices_of(mesh_.triangles.subspan(first_, triangles_));
-        const std::size_t corners = 3 * triangles_, range = std::size_t(highest) - lowest + 1;
+        const std::size_t corners = 3 * triangles_, range = std::size_t(indices.highest) - indices.lowest + 1;
         by_corner_ = corners < range;
-        lowest_ = lowest;
+        lowest_ = indices.lowest;
         used_ = std::min(corners, range);
         stride_ = (used_ + block - 1) / block * block;
         const bool whole = triangles_ == mesh_.triangles.size();
@@ -13787,12 +13803,18 @@ class snapped_mesh {
 public:
     /// @param to_clip   of each instance; those that are not finite draw nothing
     /// @throws std::invalid_argument  an index is out of range; a side of the image is above guard_band
+    template <class ParallelFor>
     snapped_mesh(glm::ivec2 size, const mesh_view& mesh, std::span<const glm::mat4> to_clip, clip_space clip,
-                 cull_mode cull, near_plane at_near)
+                 cull_mode cull, near_plane at_near, ParallelFor&& parallel)
         : mesh_(mesh), size_(size), cull_(cull), at_near_(at_near), chunk_(mesh) {
         require_drawable(size);
         if (mesh.triangles.empty()) return;
-        if (indices_of(mesh.triangles).highest >= mesh.positions.size())
+        indices_.resize((mesh.triangles.size() + piece - 1) / piece);
+        parallel(static_cast<int>(indices_.size()), [&](int first, int last) {
+            for (std::size_t i = std::size_t(first); i < std::size_t(last); ++i)
+                indices_[i] = indices_of(piece_of(mesh.triangles, i));
+        });
+        if (indices_between(0, mesh.triangles.size()).highest >= mesh.positions.size())
             detail::fail("umbrage::rasterize: a triangle's index is out of range");
         if (size.x == 0 || size.y == 0) return;
         for (const glm::mat4& matrix : to_clip)
@@ -13808,7 +13830,8 @@ public:
         constexpr std::size_t step = is_serial<ParallelFor> ? 1 << 16 : 1 << 20;
         for (std::size_t instance = 0; instance < instances_.size(); instance += chunk_.instances())
             for (std::size_t first = 0; first < mesh_.triangles.size(); first += step) {
-                chunk_.take(first, std::span<const projection>(instances_).subspan(instance), step);
+                chunk_.take(first, std::span<const projection>(instances_).subspan(instance), step,
+                            indices_between(first, std::min(first + step, mesh_.triangles.size())));
                 chunk_.snap(parallel);
                 use();
             }
@@ -13819,25 +13842,36 @@ public:
     template <class Draw>
     void for_each_batch(const Draw& draw) const {
         for_each_batch(
-            {{0, 0}, size_}, chunk_.count(), [](std::size_t k) { return unsigned(k); }, draw);
+            {{0, 0}, size_}, chunk_.count(), [](std::size_t k) { return unsigned(k); },
+            [](const auto&...) { return true; }, draw);
     }
 
     /// The chunk band by band, where that keeps texels in the cache or lets threads draw side by side; else as above.
     template <class ParallelFor, class Draw>
     void for_each_batch_in_bands(ParallelFor&& parallel, const Draw& draw) {
         const int rows = std::clamp(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;
-        if (is_serial<ParallelFor> && (bands == 1 || is_coherent(rows))) return for_each_batch(draw);
-        sort_into_bands(rows, bands, parallel);
+        const bool coherent = is_coherent(rows);
+        if (is_serial<ParallelFor> && (bands == 1 || coherent)) return for_each_batch(draw);
+        const unsigned length = coherent ? run_of_many : 1;
+        sort_into_bands(rows, bands, length, parallel);
         parallel(bands, [&](int first, int last) {
             for (int band = first; band < last; ++band) {
                 const texel_bounds bounds{{0, band * rows}, {size_.x, std::min((band + 1) * rows, size_.y)}};
+                const int bottom = bounds.first.y * subtexels, top = bounds.last.y * subtexels;
                 for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands)) {
                     const std::vector<unsigned>& list = lists_[i];
+                    if (list.empty()) continue;
+                    const std::size_t count = (list.size() - 1) * length + run_from(list.back(), length).size();
                     const auto next = [&](std::size_t k) {
+                        if (coherent) return list[k / run_of_many] + unsigned(k % run_of_many);
                         expect(list, k);
                         return list[k];
                     };
-                    for_each_batch(bounds, list.size(), next, draw);
+                    const auto is_wanted = [&](const snapped_vertex& a, const snapped_vertex& b,
+                                               const snapped_vertex& c) {
+                        return std::max({a.y, b.y, c.y}) >= bottom && std::min({a.y, b.y, c.y}) <= top;
+                    };
+                    for_each_batch(bounds, count, next, is_wanted, draw);
                 }
             }
         });
@@ -13847,11 +13881,40 @@ private:
     template <class ParallelFor>
     static constexpr bool is_serial = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
     static constexpr int band_texels = 1 << 16, band_rows = 64;
-    static constexpr unsigned piece = 1 << 16;  // triangles that one thread sorts at a time
+    static constexpr unsigned piece = 1 << 16;  // triangles that one thread reads or sorts at a time
+    static constexpr unsigned run_of_many = 64;
+
+    /// Triangles of the chunk that follow each other.
+    struct run {
+        unsigned first, last;
+
+        [[nodiscard]] unsigned size() const { return last - first; }
+    };
+    [[nodiscard]] run run_from(unsigned first, unsigned length) const {
+        return {first, std::min(first + length, chunk_.count())};
+    }
+
+    [[nodiscard]] static std::span<const glm::uvec3> piece_of(std::span<const glm::uvec3> triangles, std::size_t i) {
+        return triangles.subspan(i * piece, std::min(std::size_t(piece), triangles.size() - i * piece));
+    }
+    /// Of triangles first .. last - 1, whose bounds are those of pieces.
+    [[nodiscard]] index_range indices_between(std::size_t first, std::size_t last) const {
+        index_range all;
+        for (std::size_t i = first / piece; i * piece < last; ++i) all.include(indices_[i]);
+        return all;
+    }
 
     [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b,
                                                  const snapped_vertex& c) {
+        if (std::min({a.x, b.x, c.x}) >= -guard_band * subtexels) return 0;
         return planes_outside(a) | planes_outside(b) | planes_outside(c);
+    }
+
+    /// Whether a triangle is wholly outside of a plane that clips it, or not finite.
+    [[nodiscard]] bool is_left_out(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c) const {
+        const unsigned clamping = at_near_ == near_plane::clamps ? 1u << projection::z_near : 0u;
+        const unsigned beyond = planes_outside(a) & planes_outside(b) & planes_outside(c);
+        return (beyond & ~clamping) || (planes_crossed(a, b, c) & projection::nowhere);
     }
 
     /// What is drawn of a triangle that crosses planes: the part behind the near plane, and where that clamps the part
@@ -13860,21 +13923,22 @@ private:
     template <class Use>
     void for_each_part(const drawn_triangle& at, const snapped_vertex& a, const snapped_vertex& b,
                        const snapped_vertex& c, unsigned crossed, const Use& use) const {
+        if (is_left_out(a, b, c)) return;
         constexpr unsigned before = 1u << projection::z_near;
-        const unsigned beyond = planes_outside(a) & planes_outside(b) & planes_outside(c);
-        if ((beyond & ~before) || (crossed & projection::nowhere)) return;
         const auto h = [&](glm::length_t corner) { return chunk_.homogeneous(at, corner); };
         const auto part = [&](near_side side) {
             const clipped_polygon polygon = clip_triangle(chunk_.projection_of(at), h(0), h(1), h(2), crossed, side);
             if (polygon.count > 0) use(polygon);
         };
-        if (!beyond) part(near_side::behind);
+        if (!(planes_outside(a) & planes_outside(b) & planes_outside(c))) part(near_side::behind);
         if (at_near_ == near_plane::clamps && (crossed & before)) part(near_side::before);
     }
 
     /// @param next   (std::size_t k) -> the k-th triangle
-    template <class Next, class Draw>
-    void for_each_batch(const texel_bounds& bounds, std::size_t count, const Next& next, const Draw& draw) const {
+    /// @param is_wanted   whether a triangle with these corners may lie in the bounds' rows, if it has any
+    template <class Next, class IsWanted, class Draw>
+    void for_each_batch(const texel_bounds& bounds, std::size_t count, const Next& next, const IsWanted& is_wanted,
+                        const Draw& draw) const {
         triangles batch;
         const auto add = [&](const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c, unsigned i) {
             batch.add(a, b, c, i);
@@ -13887,7 +13951,9 @@ private:
             const drawn_triangle at = chunk_.place_of(next(k));
             const unsigned id = static_cast<unsigned>(at.triangle);
             const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
-            if (const unsigned crossed = planes_crossed(a, b, c)) {
+            const unsigned crossed = planes_crossed(a, b, c);
+            if (!is_wanted(a, b, c) && !(crossed & projection::rowless)) continue;
+            if (crossed) {
                 for_each_part(at, a, b, c, crossed, [&](const clipped_polygon& polygon) {
                     for (std::size_t v = 1; int(v) + 1 < polygon.count; ++v)
                         add(polygon.vertices[0], polygon.vertices[v], polygon.vertices[v + 1], id);
@@ -13901,47 +13967,47 @@ private:
         draw(batch);
     }
 
-    /// Whether triangles that follow each other lie in a band's rows, by a look at some.
-    [[nodiscard]] bool is_coherent(int rows) const {
-        constexpr unsigned looks = 64;
-        const unsigned step = std::max(1u, chunk_.count() / looks);
-        unsigned near = 0, all = 0;
-        for (unsigned i = 0; i + 1 < chunk_.count(); i += step, ++all) {
-            const int here = chunk_.vertex(chunk_.place_of(i), 0).y >> 8,
-                      next = chunk_.vertex(chunk_.place_of(i + 1), 0).y >> 8;
-            near += next - here < rows && here - next < rows;
+    /// Whether runs of many triangles lie in few bands, by a look at some.
+    [[nodiscard]] bool is_coherent(int rows_a_band) const {
+        constexpr unsigned looks = 16;
+        const unsigned step = std::max(chunk_.count() / looks, run_of_many);
+        int covered = 0, allowed = 0;
+        for (unsigned i = 0; i < chunk_.count(); i += step, allowed += 2 * rows_a_band) {
+            const glm::ivec2 covered_rows = rows(run_from(i, run_of_many));
+            covered += std::max(covered_rows.y - covered_rows.x, 0);
         }
-        return 4 * near >= 3 * all;
+        return covered <= allowed;
     }
 
-    /// Rows that a triangle may cover, from the bottom: first <= y < last, of which there may be none.
-    [[nodiscard]] glm::ivec2 rows(unsigned triangle) const {
-        const drawn_triangle at = chunk_.place_of(triangle);
-        const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
-        std::int32_t lowest = std::min({a.y, b.y, c.y}), highest = std::max({a.y, b.y, c.y});
-        if (const unsigned crossed = planes_crossed(a, b, c)) {
-            lowest = std::numeric_limits<std::int32_t>::max(), highest = std::numeric_limits<std::int32_t>::min();
-            for_each_part(at, a, b, c, crossed, [&](const clipped_polygon& polygon) {
-                for (std::size_t i = 0; int(i) < polygon.count; ++i) {
-                    lowest = std::min(lowest, polygon.vertices[i].y);
-                    highest = std::max(highest, polygon.vertices[i].y);
-                }
-            });
-            if (lowest > highest) return {0, 0};
+    /// Rows that triangles may cover, from the bottom: first <= y < last, of which there may be none.
+    [[nodiscard]] glm::ivec2 rows(const run& some) const {
+        std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -lowest;
+        unsigned crossed_by_any = 0;
+        for (unsigned i = some.first; i < some.last; ++i) {
+            const drawn_triangle at = chunk_.place_of(i);
+            const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
+            const unsigned crossed = planes_crossed(a, b, c);
+            if (crossed && is_left_out(a, b, c)) continue;
+            crossed_by_any |= crossed;
+            lowest = std::min(lowest, std::min({a.y, b.y, c.y})), highest = std::max(highest, std::max({a.y, b.y, c.y}));
         }
-        const auto between = triangles::rows_between(lowest, highest);
+        if (crossed_by_any & projection::rowless) return {0, size_.y};
+        if (lowest > highest) return {0, 0};
+        const int rounded = crossed_by_any ? 1 : 0;  // where planes cut edges
+        const auto between = triangles::rows_between(lowest - rounded, highest + rounded);
         return {std::max(between.x, 0), std::min(between.y, size_.y)};
     }
 
+    /// Runs of a length into lists of the bands in which they may be seen.
     template <class ParallelFor>
-    void sort_into_bands(int rows_a_band, int bands, ParallelFor&& parallel) {
+    void sort_into_bands(int rows_a_band, int bands, unsigned length, ParallelFor&& parallel) {
         const unsigned pieces = (chunk_.count() + piece - 1) / piece;
         for (auto& list : lists_) list.clear();
         lists_.resize(std::size_t(pieces) * std::size_t(bands));
         parallel(static_cast<int>(pieces), [&](int from, int to) {
-            for (unsigned i = unsigned(from) * piece; i < std::min(unsigned(to) * piece, chunk_.count()); ++i) {
+            for (unsigned i = unsigned(from) * piece; i < std::min(unsigned(to) * piece, chunk_.count()); i += length) {
                 auto* const lists = lists_.data() + std::size_t(i / piece) * std::size_t(bands);
-                const glm::ivec2 covered = rows(i);
+                const glm::ivec2 covered = rows(run_from(i, length));
                 for (int band = covered.x / rows_a_band; band * rows_a_band < covered.y; ++band)
                     lists[band].push_back(i);
             }
@@ -13964,7 +14030,8 @@ private:
     near_plane at_near_;
     std::vector<projection> instances_;
     snapped_chunk chunk_;
-    std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band
+    std::vector<index_range> indices_;          // of a piece
+    std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band: where runs begin
 };
 
 }  // namespace umbrage::detail
@@ -13998,7 +14065,7 @@ namespace detail {
 template <class ParallelFor>
 void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<const glm::mat4> to_clip,
                      clip_space clip, cull_mode cull, ParallelFor&& parallel, near_plane at_near) {
-    snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near);
+    snapped_mesh snapped(depth.size, mesh, to_clip, clip, cull, at_near, parallel);
     const bool flipped = clip.origin == texture_origin::top, forward = clip.direction == depth_direction::forward;
     snapped.for_each_chunk(parallel, [&] {
         snapped.for_each_batch_in_bands(parallel, [&](const triangles& batch) {
@@ -14056,7 +14123,7 @@ template <class Sample>
 void rasterize(glm::ivec2 size, const mesh_view& mesh, const glm::mat4& world_to_clip, clip_space clip, Sample&& sample,
                cull_mode cull = cull_mode::none, near_plane at_near = near_plane::clips) {
     const bool flipped = clip.origin == texture_origin::top;
-    detail::snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull, at_near);
+    detail::snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull, at_near, serial{});
     snapped.for_each_chunk(serial{}, [&] {
         snapped.for_each_batch([&](const detail::triangles& batch) {
             for (int i = 0; i < batch.count; ++i) {
