@@ -13989,7 +13989,7 @@ private:
             const unsigned crossed = planes_crossed(a, b, c);
             if (crossed && is_left_out(a, b, c)) continue;
             crossed_by_any |= crossed;
-            lowest = std::min(lowest, std::min({a.y, b.y, c.y})), highest = std::max(highest, std::max({a.y, b.y, c.y}));
+            lowest = std::min({lowest, a.y, b.y, c.y}), highest = std::max({highest, a.y, b.y, c.y});
         }
         if (crossed_by_any & projection::rowless) return {0, size_.y};
         if (lowest > highest) return {0, 0};
