@@ -12922,13 +12922,13 @@ inline void require_drawable(glm::ivec2 size) {
     if (size.x > guard_band || size.y > guard_band) detail::fail("umbrage::rasterize: image side above 16384 texels");
 }
 
-/// What stands for a vertex outside of planes: off the grid with their bits, its row kept.
-[[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes, std::int32_t y) {
-    return {static_cast<std::int32_t>(planes) + std::numeric_limits<std::int32_t>::min(), y, 0.0};
+/// What stands for a vertex outside of planes: off the grid, with their bits.
+[[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
+    return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
 }
 /// A bit for each plane that a vertex is outside of.
 [[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
-    return v.x < -guard_band * subtexels ? static_cast<unsigned>(v.x) & 0xFFu : 0u;
+    return v.x == std::numeric_limits<std::int32_t>::min() ? static_cast<unsigned>(v.y) : 0u;
 }
 
 /// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
@@ -12937,7 +12937,6 @@ class projection {
 public:
     static constexpr int planes = 6, z_near = 1;       ///< w > 0, the near plane, four sides of the guard band
     static constexpr unsigned nowhere = 1u << planes;  ///< stands for a position that is not finite
-    static constexpr unsigned rowless = nowhere | 1u;  ///< has no row: not finite, or w is not above 0
 
     /// @param world_to_clip  projection * view; its elements must be finite
     /// @throws std::invalid_argument  see require_drawable
@@ -12990,18 +12989,20 @@ public:
 
     /// To the grid, halves upwards. The point must be inside all planes; clamps only catch the rounding of cut().
     [[nodiscard]] snapped_vertex snap(const glm::dvec4& h) const {
+        constexpr double limit = double(guard_band) * subtexels;
+        const auto grid = [&](double v) {
+            const double steps = v / h.w * subtexels + 0.5;
+            const double inside = steps > -limit ? (steps < limit ? steps : limit) : -limit;
+            const auto whole = static_cast<std::int32_t>(inside);
+            return whole - (inside < whole ? 1 : 0);
+        };
         const double depth = h.z / h.w;
-        const double kept =
-            clip_.direction == depth_direction::forward ? (depth > 0.0 ? depth : 0.0) : (depth < 1.0 ? depth : 1.0);
-        return {grid(h.x / h.w), grid(h.y / h.w), kept};
+        if (clip_.direction == depth_direction::forward) return {grid(h.x), grid(h.y), depth > 0.0 ? depth : 0.0};
+        return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
     }
 
-    /// What stands for a point outside of planes.
-    [[nodiscard]] snapped_vertex snap_outside(const glm::dvec4& h, unsigned planes_of_it) const {
-        return outside_vertex(planes_of_it, planes_of_it & rowless ? 0 : grid(h.y / h.w));
-    }
-
-    /// 64 positions at once, to where homogeneous() and snap() or snap_outside() put them.
+    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes, and those that are
+    /// not finite, become `outside_vertex`.
     /// @exactness  the bits of one by one
     void snap(const glm::vec3 (&positions)[block], snapped_vertex* vertices) const {
         using bits = std::int64_t;
@@ -13009,7 +13010,6 @@ public:
         const bool forward = clip_.direction == depth_direction::forward;
         const double z_share = clip_.range == depth_range::minus_one_to_one ? 0.5 : 1.0, w_share = 1.0 - z_share;
         const double near_z = forward ? 1.0 : -1.0, near_w = forward ? 0.0 : 1.0;
-        constexpr bits limit = bit_cast<bits>(double(guard_band) * subtexels);
         const bits lowest = forward ? 0 : minus_zero;
         const bits highest = forward ? std::numeric_limits<bits>::max() : bit_cast<bits>(1.0);
         on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
@@ -13038,10 +13038,9 @@ public:
                 outside[i] = bit(w - smallest_w, 0) | bit(near_z * hz + near_w * w, 1) | bit(band + hx, 2) |
                              bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5) |
                              (~bits(finite[i]) & bits(nowhere));
-                const bits inside = -bits(outside[i] == 0), has_row = -bits((outside[i] & rowless) == 0);
+                const bits inside = -bits(outside[i] == 0);
                 column[i] = bit_cast<double>(bit_cast<bits>(hx / w * subtexels + 0.5) & inside);
-                const bits steps = bit_cast<bits>(hy / w * subtexels + 0.5), size = steps & ~minus_zero;
-                row[i] = bit_cast<double>(((size < limit ? size : limit) | (steps & minus_zero)) & has_row);
+                row[i] = bit_cast<double>(bit_cast<bits>(hy / w * subtexels + 0.5) & inside);
                 bits d = bit_cast<bits>(hz / w);
                 d = d < lowest ? lowest : d;
                 d = d > highest ? highest : d;
@@ -13056,25 +13055,14 @@ public:
             };
             floors(column, columns);
             floors(row, rows);
-            for (int i = 0; i < block; ++i) {  // outside_vertex where there are planes, whose columns are 0
-                const auto planes_of_it = static_cast<std::int32_t>(outside[i]);
-                columns[i] += planes_of_it | -std::int32_t(planes_of_it != 0) << 31;
-            }
             for (int i = 0; i < block; ++i) vertices[i] = {columns[i], rows[i], depth[i]};
+            for (int i = 0; i < block; ++i)
+                if (outside[i]) vertices[i] = outside_vertex(static_cast<unsigned>(outside[i]));
         });
     }
 
 private:
     static constexpr double smallest_w = 0x1p-126;
-
-    /// Texels to 1/256 texel, halves upwards, within the guard band.
-    [[nodiscard]] static std::int32_t grid(double texels) {
-        constexpr double limit = double(guard_band) * subtexels;
-        const double steps = texels * subtexels + 0.5;
-        const double inside = steps > -limit ? (steps < limit ? steps : limit) : -limit;
-        const auto whole = static_cast<std::int32_t>(inside);
-        return whole - (inside < whole ? 1 : 0);
-    }
 
     [[nodiscard]] double row(glm::length_t r, glm::vec3 p) const {
         return matrix_[0][r] * double(p.x) + matrix_[1][r] * double(p.y) + matrix_[2][r] * double(p.z) + matrix_[3][r];
@@ -13814,7 +13802,7 @@ public:
             for (std::size_t i = std::size_t(first); i < std::size_t(last); ++i)
                 indices_[i] = indices_of(piece_of(mesh.triangles, i));
         });
-        if (indices_between(0, mesh.triangles.size()).highest >= mesh.positions.size())
+        if (indices_from(0, mesh.triangles.size()).highest >= mesh.positions.size())
             detail::fail("umbrage::rasterize: a triangle's index is out of range");
         if (size.x == 0 || size.y == 0) return;
         for (const glm::mat4& matrix : to_clip)
@@ -13827,11 +13815,11 @@ public:
     template <class ParallelFor, class Use>
     void for_each_chunk(ParallelFor&& parallel, const Use& use) {
         // As many vertices as a cache holds; with threads more, which are then started less often.
-        constexpr std::size_t step = is_serial<ParallelFor> ? 1 << 16 : 1 << 20;
+        constexpr std::size_t step = is_serial<ParallelFor> ? piece : 16 * piece;
         for (std::size_t instance = 0; instance < instances_.size(); instance += chunk_.instances())
             for (std::size_t first = 0; first < mesh_.triangles.size(); first += step) {
                 chunk_.take(first, std::span<const projection>(instances_).subspan(instance), step,
-                            indices_between(first, std::min(first + step, mesh_.triangles.size())));
+                            indices_from(first, step));
                 chunk_.snap(parallel);
                 use();
             }
@@ -13897,24 +13885,17 @@ private:
     [[nodiscard]] static std::span<const glm::uvec3> piece_of(std::span<const glm::uvec3> triangles, std::size_t i) {
         return triangles.subspan(i * piece, std::min(std::size_t(piece), triangles.size() - i * piece));
     }
-    /// Of triangles first .. last - 1, whose bounds are those of pieces.
-    [[nodiscard]] index_range indices_between(std::size_t first, std::size_t last) const {
+    /// Of as many triangles, or of those that are left, from the first of a piece on.
+    [[nodiscard]] index_range indices_from(std::size_t first, std::size_t count) const {
         index_range all;
-        for (std::size_t i = first / piece; i * piece < last; ++i) all.include(indices_[i]);
+        for (std::size_t i = first / piece; i < indices_.size() && i * piece < first + count; ++i)
+            all.include(indices_[i]);
         return all;
     }
 
     [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b,
                                                  const snapped_vertex& c) {
-        if (std::min({a.x, b.x, c.x}) >= -guard_band * subtexels) return 0;
         return planes_outside(a) | planes_outside(b) | planes_outside(c);
-    }
-
-    /// Whether a triangle is wholly outside of a plane that clips it, or not finite.
-    [[nodiscard]] bool is_left_out(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c) const {
-        const unsigned clamping = at_near_ == near_plane::clamps ? 1u << projection::z_near : 0u;
-        const unsigned beyond = planes_outside(a) & planes_outside(b) & planes_outside(c);
-        return (beyond & ~clamping) || (planes_crossed(a, b, c) & projection::nowhere);
     }
 
     /// What is drawn of a triangle that crosses planes: the part behind the near plane, and where that clamps the part
@@ -13923,19 +13904,20 @@ private:
     template <class Use>
     void for_each_part(const drawn_triangle& at, const snapped_vertex& a, const snapped_vertex& b,
                        const snapped_vertex& c, unsigned crossed, const Use& use) const {
-        if (is_left_out(a, b, c)) return;
         constexpr unsigned before = 1u << projection::z_near;
+        const unsigned beyond = planes_outside(a) & planes_outside(b) & planes_outside(c);
+        if ((beyond & ~before) || (crossed & projection::nowhere)) return;
         const auto h = [&](glm::length_t corner) { return chunk_.homogeneous(at, corner); };
         const auto part = [&](near_side side) {
             const clipped_polygon polygon = clip_triangle(chunk_.projection_of(at), h(0), h(1), h(2), crossed, side);
             if (polygon.count > 0) use(polygon);
         };
-        if (!(planes_outside(a) & planes_outside(b) & planes_outside(c))) part(near_side::behind);
+        if (!beyond) part(near_side::behind);
         if (at_near_ == near_plane::clamps && (crossed & before)) part(near_side::before);
     }
 
     /// @param next   (std::size_t k) -> the k-th triangle
-    /// @param is_wanted   whether a triangle with these corners may lie in the bounds' rows, if it has any
+    /// @param is_wanted   whether a triangle with these corners, which crosses no planes, may lie in the bounds' rows
     template <class Next, class IsWanted, class Draw>
     void for_each_batch(const texel_bounds& bounds, std::size_t count, const Next& next, const IsWanted& is_wanted,
                         const Draw& draw) const {
@@ -13951,14 +13933,12 @@ private:
             const drawn_triangle at = chunk_.place_of(next(k));
             const unsigned id = static_cast<unsigned>(at.triangle);
             const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
-            const unsigned crossed = planes_crossed(a, b, c);
-            if (!is_wanted(a, b, c) && !(crossed & projection::rowless)) continue;
-            if (crossed) {
+            if (const unsigned crossed = planes_crossed(a, b, c)) {
                 for_each_part(at, a, b, c, crossed, [&](const clipped_polygon& polygon) {
                     for (std::size_t v = 1; int(v) + 1 < polygon.count; ++v)
                         add(polygon.vertices[0], polygon.vertices[v], polygon.vertices[v + 1], id);
                 });
-            } else {
+            } else if (is_wanted(a, b, c)) {
                 add(a, b, c, id);
             }
         }
@@ -13973,8 +13953,8 @@ private:
         const unsigned step = std::max(chunk_.count() / looks, run_of_many);
         int covered = 0, allowed = 0;
         for (unsigned i = 0; i < chunk_.count(); i += step, allowed += 2 * rows_a_band) {
-            const glm::ivec2 covered_rows = rows(run_from(i, run_of_many));
-            covered += std::max(covered_rows.y - covered_rows.x, 0);
+            const glm::ivec2 some = rows(run_from(i, run_of_many));
+            covered += std::max(some.y - some.x, 0);
         }
         return covered <= allowed;
     }
@@ -13982,19 +13962,23 @@ private:
     /// Rows that triangles may cover, from the bottom: first <= y < last, of which there may be none.
     [[nodiscard]] glm::ivec2 rows(const run& some) const {
         std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -lowest;
-        unsigned crossed_by_any = 0;
+        const auto include = [&](const snapped_vertex& v) {
+            lowest = std::min(lowest, v.y), highest = std::max(highest, v.y);
+        };
         for (unsigned i = some.first; i < some.last; ++i) {
             const drawn_triangle at = chunk_.place_of(i);
             const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
-            const unsigned crossed = planes_crossed(a, b, c);
-            if (crossed && is_left_out(a, b, c)) continue;
-            crossed_by_any |= crossed;
-            lowest = std::min({lowest, a.y, b.y, c.y}), highest = std::max({highest, a.y, b.y, c.y});
+            if (const unsigned crossed = planes_crossed(a, b, c)) {
+                // Not of the corners: where a plane cuts far ones, rounding may leave what lies between them.
+                for_each_part(at, a, b, c, crossed, [&](const clipped_polygon& polygon) {
+                    for (std::size_t v = 0; int(v) < polygon.count; ++v) include(polygon.vertices[v]);
+                });
+            } else {
+                include(a), include(b), include(c);
+            }
         }
-        if (crossed_by_any & projection::rowless) return {0, size_.y};
         if (lowest > highest) return {0, 0};
-        const int rounded = crossed_by_any ? 1 : 0;  // where planes cut edges
-        const auto between = triangles::rows_between(lowest - rounded, highest + rounded);
+        const auto between = triangles::rows_between(lowest, highest);
         return {std::max(between.x, 0), std::min(between.y, size_.y)};
     }
 

@@ -46,7 +46,7 @@ struct raster_suite : image_suite {
                 const detail::projection project = project_for(s);
                 const glm::dvec4 h = project.homogeneous(positions[std::size_t(s)][t]);
                 const unsigned planes = project.outside(h);
-                return words(planes ? project.snap_outside(h, planes) : project.snap(h));
+                return words(planes ? detail::outside_vertex(planes) : project.snap(h));
             },
             [&](int s, image_view<glm::uvec4> out, pieces) {
                 const auto all = positions[std::size_t(s)].texels();

@@ -50,13 +50,13 @@ inline void require_drawable(glm::ivec2 size) {
     if (size.x > guard_band || size.y > guard_band) detail::fail("umbrage::rasterize: image side above 16384 texels");
 }
 
-/// What stands for a vertex outside of planes: off the grid with their bits, its row kept.
-[[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes, std::int32_t y) {
-    return {static_cast<std::int32_t>(planes) + std::numeric_limits<std::int32_t>::min(), y, 0.0};
+/// What stands for a vertex outside of planes: off the grid, with their bits.
+[[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
+    return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
 }
 /// A bit for each plane that a vertex is outside of.
 [[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
-    return v.x < -guard_band * subtexels ? static_cast<unsigned>(v.x) & 0xFFu : 0u;
+    return v.x == std::numeric_limits<std::int32_t>::min() ? static_cast<unsigned>(v.y) : 0u;
 }
 
 /// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
@@ -65,7 +65,6 @@ class projection {
 public:
     static constexpr int planes = 6, z_near = 1;       ///< w > 0, the near plane, four sides of the guard band
     static constexpr unsigned nowhere = 1u << planes;  ///< stands for a position that is not finite
-    static constexpr unsigned rowless = nowhere | 1u;  ///< has no row: not finite, or w is not above 0
 
     /// @param world_to_clip  projection * view; its elements must be finite
     /// @throws std::invalid_argument  see require_drawable
@@ -118,18 +117,20 @@ public:
 
     /// To the grid, halves upwards. The point must be inside all planes; clamps only catch the rounding of cut().
     [[nodiscard]] snapped_vertex snap(const glm::dvec4& h) const {
+        constexpr double limit = double(guard_band) * subtexels;
+        const auto grid = [&](double v) {
+            const double steps = v / h.w * subtexels + 0.5;
+            const double inside = steps > -limit ? (steps < limit ? steps : limit) : -limit;
+            const auto whole = static_cast<std::int32_t>(inside);
+            return whole - (inside < whole ? 1 : 0);
+        };
         const double depth = h.z / h.w;
-        const double kept =
-            clip_.direction == depth_direction::forward ? (depth > 0.0 ? depth : 0.0) : (depth < 1.0 ? depth : 1.0);
-        return {grid(h.x / h.w), grid(h.y / h.w), kept};
+        if (clip_.direction == depth_direction::forward) return {grid(h.x), grid(h.y), depth > 0.0 ? depth : 0.0};
+        return {grid(h.x), grid(h.y), depth < 1.0 ? depth : 1.0};
     }
 
-    /// What stands for a point outside of planes.
-    [[nodiscard]] snapped_vertex snap_outside(const glm::dvec4& h, unsigned planes_of_it) const {
-        return outside_vertex(planes_of_it, planes_of_it & rowless ? 0 : grid(h.y / h.w));
-    }
-
-    /// 64 positions at once, to where homogeneous() and snap() or snap_outside() put them.
+    /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes, and those that are
+    /// not finite, become `outside_vertex`.
     /// @exactness  the bits of one by one
     void snap(const glm::vec3 (&positions)[block], snapped_vertex* vertices) const {
         using bits = std::int64_t;
@@ -137,7 +138,6 @@ public:
         const bool forward = clip_.direction == depth_direction::forward;
         const double z_share = clip_.range == depth_range::minus_one_to_one ? 0.5 : 1.0, w_share = 1.0 - z_share;
         const double near_z = forward ? 1.0 : -1.0, near_w = forward ? 0.0 : 1.0;
-        constexpr bits limit = bit_cast<bits>(double(guard_band) * subtexels);
         const bits lowest = forward ? 0 : minus_zero;
         const bits highest = forward ? std::numeric_limits<bits>::max() : bit_cast<bits>(1.0);
         on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {
@@ -166,10 +166,9 @@ public:
                 outside[i] = bit(w - smallest_w, 0) | bit(near_z * hz + near_w * w, 1) | bit(band + hx, 2) |
                              bit(band - hx, 3) | bit(band + hy, 4) | bit(band - hy, 5) |
                              (~bits(finite[i]) & bits(nowhere));
-                const bits inside = -bits(outside[i] == 0), has_row = -bits((outside[i] & rowless) == 0);
+                const bits inside = -bits(outside[i] == 0);
                 column[i] = bit_cast<double>(bit_cast<bits>(hx / w * subtexels + 0.5) & inside);
-                const bits steps = bit_cast<bits>(hy / w * subtexels + 0.5), size = steps & ~minus_zero;
-                row[i] = bit_cast<double>(((size < limit ? size : limit) | (steps & minus_zero)) & has_row);
+                row[i] = bit_cast<double>(bit_cast<bits>(hy / w * subtexels + 0.5) & inside);
                 bits d = bit_cast<bits>(hz / w);
                 d = d < lowest ? lowest : d;
                 d = d > highest ? highest : d;
@@ -184,25 +183,14 @@ public:
             };
             floors(column, columns);
             floors(row, rows);
-            for (int i = 0; i < block; ++i) {  // outside_vertex where there are planes, whose columns are 0
-                const auto planes_of_it = static_cast<std::int32_t>(outside[i]);
-                columns[i] += planes_of_it | -std::int32_t(planes_of_it != 0) << 31;
-            }
             for (int i = 0; i < block; ++i) vertices[i] = {columns[i], rows[i], depth[i]};
+            for (int i = 0; i < block; ++i)
+                if (outside[i]) vertices[i] = outside_vertex(static_cast<unsigned>(outside[i]));
         });
     }
 
 private:
     static constexpr double smallest_w = 0x1p-126;
-
-    /// Texels to 1/256 texel, halves upwards, within the guard band.
-    [[nodiscard]] static std::int32_t grid(double texels) {
-        constexpr double limit = double(guard_band) * subtexels;
-        const double steps = texels * subtexels + 0.5;
-        const double inside = steps > -limit ? (steps < limit ? steps : limit) : -limit;
-        const auto whole = static_cast<std::int32_t>(inside);
-        return whole - (inside < whole ? 1 : 0);
-    }
 
     [[nodiscard]] double row(glm::length_t r, glm::vec3 p) const {
         return matrix_[0][r] * double(p.x) + matrix_[1][r] * double(p.y) + matrix_[2][r] * double(p.z) + matrix_[3][r];

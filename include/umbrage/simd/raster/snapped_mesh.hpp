@@ -53,7 +53,7 @@ public:
             for (std::size_t i = std::size_t(first); i < std::size_t(last); ++i)
                 indices_[i] = indices_of(piece_of(mesh.triangles, i));
         });
-        if (indices_between(0, mesh.triangles.size()).highest >= mesh.positions.size())
+        if (indices_from(0, mesh.triangles.size()).highest >= mesh.positions.size())
             detail::fail("umbrage::rasterize: a triangle's index is out of range");
         if (size.x == 0 || size.y == 0) return;
         for (const glm::mat4& matrix : to_clip)
@@ -66,11 +66,11 @@ public:
     template <class ParallelFor, class Use>
     void for_each_chunk(ParallelFor&& parallel, const Use& use) {
         // As many vertices as a cache holds; with threads more, which are then started less often.
-        constexpr std::size_t step = is_serial<ParallelFor> ? 1 << 16 : 1 << 20;
+        constexpr std::size_t step = is_serial<ParallelFor> ? piece : 16 * piece;
         for (std::size_t instance = 0; instance < instances_.size(); instance += chunk_.instances())
             for (std::size_t first = 0; first < mesh_.triangles.size(); first += step) {
                 chunk_.take(first, std::span<const projection>(instances_).subspan(instance), step,
-                            indices_between(first, std::min(first + step, mesh_.triangles.size())));
+                            indices_from(first, step));
                 chunk_.snap(parallel);
                 use();
             }
@@ -136,24 +136,17 @@ private:
     [[nodiscard]] static std::span<const glm::uvec3> piece_of(std::span<const glm::uvec3> triangles, std::size_t i) {
         return triangles.subspan(i * piece, std::min(std::size_t(piece), triangles.size() - i * piece));
     }
-    /// Of triangles first .. last - 1, whose bounds are those of pieces.
-    [[nodiscard]] index_range indices_between(std::size_t first, std::size_t last) const {
+    /// Of as many triangles, or of those that are left, from the first of a piece on.
+    [[nodiscard]] index_range indices_from(std::size_t first, std::size_t count) const {
         index_range all;
-        for (std::size_t i = first / piece; i * piece < last; ++i) all.include(indices_[i]);
+        for (std::size_t i = first / piece; i < indices_.size() && i * piece < first + count; ++i)
+            all.include(indices_[i]);
         return all;
     }
 
     [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b,
                                                  const snapped_vertex& c) {
-        if (std::min({a.x, b.x, c.x}) >= -guard_band * subtexels) return 0;
         return planes_outside(a) | planes_outside(b) | planes_outside(c);
-    }
-
-    /// Whether a triangle is wholly outside of a plane that clips it, or not finite.
-    [[nodiscard]] bool is_left_out(const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c) const {
-        const unsigned clamping = at_near_ == near_plane::clamps ? 1u << projection::z_near : 0u;
-        const unsigned beyond = planes_outside(a) & planes_outside(b) & planes_outside(c);
-        return (beyond & ~clamping) || (planes_crossed(a, b, c) & projection::nowhere);
     }
 
     /// What is drawn of a triangle that crosses planes: the part behind the near plane, and where that clamps the part
@@ -162,19 +155,20 @@ private:
     template <class Use>
     void for_each_part(const drawn_triangle& at, const snapped_vertex& a, const snapped_vertex& b,
                        const snapped_vertex& c, unsigned crossed, const Use& use) const {
-        if (is_left_out(a, b, c)) return;
         constexpr unsigned before = 1u << projection::z_near;
+        const unsigned beyond = planes_outside(a) & planes_outside(b) & planes_outside(c);
+        if ((beyond & ~before) || (crossed & projection::nowhere)) return;
         const auto h = [&](glm::length_t corner) { return chunk_.homogeneous(at, corner); };
         const auto part = [&](near_side side) {
             const clipped_polygon polygon = clip_triangle(chunk_.projection_of(at), h(0), h(1), h(2), crossed, side);
             if (polygon.count > 0) use(polygon);
         };
-        if (!(planes_outside(a) & planes_outside(b) & planes_outside(c))) part(near_side::behind);
+        if (!beyond) part(near_side::behind);
         if (at_near_ == near_plane::clamps && (crossed & before)) part(near_side::before);
     }
 
     /// @param next   (std::size_t k) -> the k-th triangle
-    /// @param is_wanted   whether a triangle with these corners may lie in the bounds' rows, if it has any
+    /// @param is_wanted   whether a triangle with these corners, which crosses no planes, may lie in the bounds' rows
     template <class Next, class IsWanted, class Draw>
     void for_each_batch(const texel_bounds& bounds, std::size_t count, const Next& next, const IsWanted& is_wanted,
                         const Draw& draw) const {
@@ -190,14 +184,12 @@ private:
             const drawn_triangle at = chunk_.place_of(next(k));
             const unsigned id = static_cast<unsigned>(at.triangle);
             const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
-            const unsigned crossed = planes_crossed(a, b, c);
-            if (!is_wanted(a, b, c) && !(crossed & projection::rowless)) continue;
-            if (crossed) {
+            if (const unsigned crossed = planes_crossed(a, b, c)) {
                 for_each_part(at, a, b, c, crossed, [&](const clipped_polygon& polygon) {
                     for (std::size_t v = 1; int(v) + 1 < polygon.count; ++v)
                         add(polygon.vertices[0], polygon.vertices[v], polygon.vertices[v + 1], id);
                 });
-            } else {
+            } else if (is_wanted(a, b, c)) {
                 add(a, b, c, id);
             }
         }
@@ -212,8 +204,8 @@ private:
         const unsigned step = std::max(chunk_.count() / looks, run_of_many);
         int covered = 0, allowed = 0;
         for (unsigned i = 0; i < chunk_.count(); i += step, allowed += 2 * rows_a_band) {
-            const glm::ivec2 covered_rows = rows(run_from(i, run_of_many));
-            covered += std::max(covered_rows.y - covered_rows.x, 0);
+            const glm::ivec2 some = rows(run_from(i, run_of_many));
+            covered += std::max(some.y - some.x, 0);
         }
         return covered <= allowed;
     }
@@ -221,19 +213,23 @@ private:
     /// Rows that triangles may cover, from the bottom: first <= y < last, of which there may be none.
     [[nodiscard]] glm::ivec2 rows(const run& some) const {
         std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -lowest;
-        unsigned crossed_by_any = 0;
+        const auto include = [&](const snapped_vertex& v) {
+            lowest = std::min(lowest, v.y), highest = std::max(highest, v.y);
+        };
         for (unsigned i = some.first; i < some.last; ++i) {
             const drawn_triangle at = chunk_.place_of(i);
             const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
-            const unsigned crossed = planes_crossed(a, b, c);
-            if (crossed && is_left_out(a, b, c)) continue;
-            crossed_by_any |= crossed;
-            lowest = std::min({lowest, a.y, b.y, c.y}), highest = std::max({highest, a.y, b.y, c.y});
+            if (const unsigned crossed = planes_crossed(a, b, c)) {
+                // Not of the corners: where a plane cuts far ones, rounding may leave what lies between them.
+                for_each_part(at, a, b, c, crossed, [&](const clipped_polygon& polygon) {
+                    for (std::size_t v = 0; int(v) < polygon.count; ++v) include(polygon.vertices[v]);
+                });
+            } else {
+                include(a), include(b), include(c);
+            }
         }
-        if (crossed_by_any & projection::rowless) return {0, size_.y};
         if (lowest > highest) return {0, 0};
-        const int rounded = crossed_by_any ? 1 : 0;  // where planes cut edges
-        const auto between = triangles::rows_between(lowest - rounded, highest + rounded);
+        const auto between = triangles::rows_between(lowest, highest);
         return {std::max(between.x, 0), std::min(between.y, size_.y)};
     }
 
