@@ -4,7 +4,8 @@
 # made vectors of. Only loops in functions that vectorized.cpp.in uses are compiled, and looked at.
 cmake_minimum_required(VERSION 3.21)
 set(looked_at images/encode images/min_max images/summed_area images/visibility simd/blocks/receivers
-    simd/blocks/pcf_2x2 simd/raster/projection simd/raster/triangles)
+    simd/blocks/pcf_2x2 simd/raster/projection simd/raster/small_triangles
+    simd/raster/triangles)
 set(scalar # by intent: what a constructor sets once, and what a branch leaves out nearly always; or not used
     "simd/blocks/receivers.hpp:.* set[(]i, from"
     "simd/raster/projection.hpp:.* if [(]outside.i.[)] vertices"

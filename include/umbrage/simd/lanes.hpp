@@ -72,6 +72,15 @@ UMBRAGE_INLINE inline void narrow_lanes(const Half& low, const Half& high, lanes
     (std::make_integer_sequence<int, Count>{});
 }
 
+template <class Lanes>
+UMBRAGE_INLINE inline void keep_least(const Lanes& v, Lanes& least) {
+    least = v < least ? v : least;
+}
+template <class Lanes>
+UMBRAGE_INLINE inline void keep_greatest(const Lanes& v, Lanes& greatest) {
+    greatest = v > greatest ? v : greatest;
+}
+
 template <int Count, bool Forward>
 UMBRAGE_INLINE inline void lit_lanes(float receiver, const lanes_of<float, Count>& stored,
                                      lanes_of<std::int32_t, Count>& lit) {

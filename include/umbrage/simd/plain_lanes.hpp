@@ -49,6 +49,16 @@ inline void shuffle(const plain_lanes<T, Count>& a, const plain_lanes<T, Count>&
     result = {{(From < Count ? a[From % Count] : b[From % Count])...}};
 }
 
+/// Of each lane the least of both, or the greatest.
+template <class T, int Count>
+inline void keep_least(const plain_lanes<T, Count>& v, plain_lanes<T, Count>& least) {
+    for (int i = 0; i < Count; ++i) least[i] = v[i] < least[i] ? v[i] : least[i];
+}
+template <class T, int Count>
+inline void keep_greatest(const plain_lanes<T, Count>& v, plain_lanes<T, Count>& greatest) {
+    for (int i = 0; i < Count; ++i) greatest[i] = v[i] > greatest[i] ? v[i] : greatest[i];
+}
+
 /// is_lit, or is_lit the other way round, as a mask for each lane; the receiver is not NaN.
 template <int Count, bool Forward>
 inline void lit_lanes(float receiver, const plain_lanes<float, Count>& stored, plain_lanes<std::int32_t, Count>& lit) {

@@ -82,6 +82,20 @@ void check_keep() {
     CHECK(float(low[3]) == 0.0f);
 }
 
+template <template <class, int> class Lanes>
+void check_least() {
+    Lanes<std::int32_t, 4> v, least, greatest;
+    for (int i = 0; i < 4; ++i) v[i] = i - 2, least[i] = greatest[i] = -1;
+    v[3] = std::numeric_limits<std::int32_t>::min();
+    keep_least(v, least);
+    keep_greatest(v, greatest);
+    const std::int32_t low[]{-2, -1, -1, std::numeric_limits<std::int32_t>::min()}, high[]{-1, -1, 0, -1};
+    for (int i = 0; i < 4; ++i) {
+        CHECK(std::int32_t(least[i]) == low[i]);
+        CHECK(std::int32_t(greatest[i]) == high[i]);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("lanes: a running sum, and its last in all lanes") {
@@ -111,6 +125,11 @@ TEST_CASE("lanes: sums of two registers") {
 TEST_CASE("lanes: what a mask leaves out is zero, and shuffles give as many lanes as they name") {
     check_keep<lanes_of>();
     check_keep<plain_lanes>();
+}
+
+TEST_CASE("lanes: the least and the greatest, lane by lane") {
+    check_least<lanes_of>();
+    check_least<plain_lanes>();
 }
 
 TEST_CASE("lanes: masks become bits, four lanes of four masks and then the others") {

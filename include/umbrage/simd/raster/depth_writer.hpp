@@ -13,9 +13,11 @@
 #include <umbrage/config.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/scalar.hpp>
+#include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/lanes.hpp>
 #include <umbrage/simd/memory.hpp>
+#include <umbrage/simd/raster/small_triangles.hpp>
 #include <umbrage/simd/raster/triangles.hpp>
 #include <umbrage/simd/strict_math.hpp>
 
@@ -31,6 +33,25 @@ public:
           up_(flipped ? -depth.stride : depth.stride),
           width_(depth.size.x),
           skew_(static_cast<int>(reinterpret_cast<std::uintptr_t>(bottom_) / sizeof(float) % Lanes)) {}
+
+    /// The triangles of a batch.
+    UMBRAGE_INLINE void draw(const triangles& batch) const {
+        const small_triangles small(batch);
+        for (int i = 0; i < batch.count; ++i)
+            if (small.has(i)) expect(batch, i);
+        small.for_each_sample([&](int x, int y, float depth) UMBRAGE_INLINE { take_nearer(depth, row(y)[x]); });
+        for (int i = 0; i < batch.count; ++i) {
+            if (i + 1 < batch.count) expect(batch, i + 1);
+            if (!small.has(i)) draw(batch, i);
+        }
+    }
+
+private:
+    using ints = lanes_of<std::int32_t, Lanes>;
+    using floats = lanes_of<float, Lanes>;
+    using doubles = lanes_of<double, Lanes / 2>;
+
+    static constexpr int tile_columns = 64, tile_rows = 32, few_rows = 16;
 
     /// Prefetches the texels of a triangle: their latency is about the time that it takes to draw another small one.
     UMBRAGE_INLINE void expect(const triangles& batch, int i) const {
@@ -48,12 +69,13 @@ public:
         draw_rows(batch, i, plane);
     }
 
-private:
-    using ints = lanes_of<std::int32_t, Lanes>;
-    using floats = lanes_of<float, Lanes>;
-    using doubles = lanes_of<double, Lanes / 2>;
-
-    static constexpr int tile_columns = 64, tile_rows = 32, few_rows = 16;
+    /// The nearer depth, but what is there where it is a NaN.
+    /// @param depth   no NaN, not 0
+    UMBRAGE_INLINE static void take_nearer(float depth, float& there) {
+        if constexpr (finite_math_only)
+            there = select(-(Forward ? is_lit(depth, there) : is_lit(there, depth)), depth, there);
+        else there = (Forward ? depth < there : depth > there) ? depth : there;
+    }
 
     /// The nearer depth of each lane, but what is there where it is a NaN, or where `outside` is negative.
     /// @param depth   no NaN, not 0
@@ -171,11 +193,7 @@ void draw(image_view<float> depth, bool flipped, const triangles& batch) {
     on_best_isa([&](auto set) UMBRAGE_INLINE {
         constexpr isa in_use = decltype(set)::value;
         constexpr int lanes = in_use == isa::base ? 4 : in_use == isa::avx2 ? 8 : 16;
-        const depth_writer<Forward, lanes> writer(depth, flipped);
-        for (int i = 0; i < batch.count; ++i) {
-            if (i + 1 < batch.count) writer.expect(batch, i + 1);
-            writer.draw(batch, i);
-        }
+        depth_writer<Forward, lanes>(depth, flipped).draw(batch);
     });
 }
 

@@ -122,6 +122,7 @@ private:
     static constexpr int band_texels = 1 << 16, band_rows = 64;
     static constexpr unsigned piece = 1 << 16;  // triangles that one thread reads or sorts at a time
     static constexpr unsigned run_of_many = 64;
+    static constexpr unsigned before = 1u << projection::z_near;
 
     /// Triangles of the chunk that follow each other.
     struct run {
@@ -149,15 +150,19 @@ private:
         return planes_outside(a) | planes_outside(b) | planes_outside(c);
     }
 
+    /// Whether nothing is drawn of triangles whose corners are all outside of these planes, of which there may be none.
+    [[nodiscard]] bool is_out_of_sight(unsigned planes) const {
+        return at_near_ == near_plane::clips ? planes != 0 : (planes & ~before) != 0;
+    }
+
     /// What is drawn of a triangle that crosses planes: the part behind the near plane, and where that clamps the part
     /// before it; nothing where it is outside of another plane, or not finite.
     /// @param use   (const clipped_polygon&), of three vertices or more
     template <class Use>
     void for_each_part(const drawn_triangle& at, const snapped_vertex& a, const snapped_vertex& b,
                        const snapped_vertex& c, unsigned crossed, const Use& use) const {
-        constexpr unsigned before = 1u << projection::z_near;
         const unsigned beyond = planes_outside(a) & planes_outside(b) & planes_outside(c);
-        if ((beyond & ~before) || (crossed & projection::nowhere)) return;
+        if (is_out_of_sight(beyond) || (crossed & projection::nowhere)) return;
         const auto h = [&](glm::length_t corner) { return chunk_.homogeneous(at, corner); };
         const auto part = [&](near_side side) {
             const clipped_polygon polygon = clip_triangle(chunk_.projection_of(at), h(0), h(1), h(2), crossed, side);
@@ -212,6 +217,13 @@ private:
 
     /// Rows that triangles may cover, from the bottom: first <= y < last, of which there may be none.
     [[nodiscard]] glm::ivec2 rows(const run& some) const {
+        const auto corners = chunk_.corners_of(some.first, some.last);
+        if (corners.are_inside) return rows_between(corners.lowest, corners.highest);
+        return is_out_of_sight(corners.outside) ? glm::ivec2(0, 0) : rows_of_parts(some);
+    }
+    /// The same where planes are crossed. Not of the corners: where a plane cuts far ones, rounding may leave what
+    /// lies between them.
+    [[nodiscard]] glm::ivec2 rows_of_parts(const run& some) const {
         std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -lowest;
         const auto include = [&](const snapped_vertex& v) {
             lowest = std::min(lowest, v.y), highest = std::max(highest, v.y);
@@ -219,16 +231,15 @@ private:
         for (unsigned i = some.first; i < some.last; ++i) {
             const drawn_triangle at = chunk_.place_of(i);
             const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
-            if (const unsigned crossed = planes_crossed(a, b, c)) {
-                // Not of the corners: where a plane cuts far ones, rounding may leave what lies between them.
+            if (const unsigned crossed = planes_crossed(a, b, c))
                 for_each_part(at, a, b, c, crossed, [&](const clipped_polygon& polygon) {
                     for (std::size_t v = 0; int(v) < polygon.count; ++v) include(polygon.vertices[v]);
                 });
-            } else {
-                include(a), include(b), include(c);
-            }
+            else include(a), include(b), include(c);
         }
-        if (lowest > highest) return {0, 0};
+        return lowest > highest ? glm::ivec2(0, 0) : rows_between(lowest, highest);
+    }
+    [[nodiscard]] glm::ivec2 rows_between(std::int32_t lowest, std::int32_t highest) const {
         const auto between = triangles::rows_between(lowest, highest);
         return {std::max(between.x, 0), std::min(between.y, size_.y)};
     }

@@ -101,6 +101,10 @@ public:
         return {{first_x[i], first_y[i]}, depth_[i], dx_[i], dy_[i], low < c ? low : c, high < c ? c : high};
     }
 
+    /// Depth of the plane so many texels from the first, not limited to that of the corners.
+    [[nodiscard]] UMBRAGE_INLINE double depth(int i, int x, int y) const { return depth_[i] + dx_[i] * x + dy_[i] * y; }
+    [[nodiscard]] UMBRAGE_INLINE double corner_depth(int k, int i) const { return z_[k][i]; }
+
     /// Whether 32 bits hold the edges over the triangle's bounds, and some texels beyond.
     [[nodiscard]] UMBRAGE_INLINE bool is_small(int i) const { return side_[i] < 2048 * subtexels; }
 
