@@ -217,13 +217,13 @@ private:
 
     /// Rows that triangles may cover, from the bottom: first <= y < last, of which there may be none.
     [[nodiscard]] glm::ivec2 rows(const run& some) const {
+        if (some.size() == 1) return rows_one_by_one(some);
         const auto corners = chunk_.corners_of(some.first, some.last);
         if (corners.are_inside) return rows_between(corners.lowest, corners.highest);
-        return is_out_of_sight(corners.outside) ? glm::ivec2(0, 0) : rows_of_parts(some);
+        return is_out_of_sight(corners.outside) ? glm::ivec2(0, 0) : rows_one_by_one(some);
     }
-    /// The same where planes are crossed. Not of the corners: where a plane cuts far ones, rounding may leave what
-    /// lies between them.
-    [[nodiscard]] glm::ivec2 rows_of_parts(const run& some) const {
+    /// The same, with what planes cut. Not by its corners: where they are far, rounding may leave what lies between them.
+    [[nodiscard]] glm::ivec2 rows_one_by_one(const run& some) const {
         std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -lowest;
         const auto include = [&](const snapped_vertex& v) {
             lowest = std::min(lowest, v.y), highest = std::max(highest, v.y);
