@@ -222,7 +222,8 @@ private:
         if (corners.are_inside) return rows_between(corners.lowest, corners.highest);
         return is_out_of_sight(corners.outside) ? glm::ivec2(0, 0) : rows_one_by_one(some);
     }
-    /// The same, with what planes cut. Not by its corners: where they are far, rounding may leave what lies between them.
+    /// The same, of what planes leave of each. Not by its corners: where they are far, rounding may leave what lies
+    /// between them.
     [[nodiscard]] glm::ivec2 rows_one_by_one(const run& some) const {
         std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -lowest;
         const auto include = [&](const snapped_vertex& v) {
