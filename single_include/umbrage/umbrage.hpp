@@ -10663,6 +10663,16 @@ inline void shuffle(const plain_lanes<T, Count>& a, const plain_lanes<T, Count>&
     result = {{(From < Count ? a[From % Count] : b[From % Count])...}};
 }
 
+/// Of each lane the least of both, or the greatest.
+template <class T, int Count>
+inline void keep_least(const plain_lanes<T, Count>& v, plain_lanes<T, Count>& least) {
+    for (int i = 0; i < Count; ++i) least[i] = v[i] < least[i] ? v[i] : least[i];
+}
+template <class T, int Count>
+inline void keep_greatest(const plain_lanes<T, Count>& v, plain_lanes<T, Count>& greatest) {
+    for (int i = 0; i < Count; ++i) greatest[i] = v[i] > greatest[i] ? v[i] : greatest[i];
+}
+
 /// is_lit, or is_lit the other way round, as a mask for each lane; the receiver is not NaN.
 template <int Count, bool Forward>
 inline void lit_lanes(float receiver, const plain_lanes<float, Count>& stored, plain_lanes<std::int32_t, Count>& lit) {
@@ -10776,6 +10786,15 @@ UMBRAGE_INLINE inline void narrow_lanes(const Half& low, const Half& high, lanes
         v = __builtin_shufflevector(__builtin_convertvector(low, half), __builtin_convertvector(high, half), I...);
     }
     (std::make_integer_sequence<int, Count>{});
+}
+
+template <class Lanes>
+UMBRAGE_INLINE inline void keep_least(const Lanes& v, Lanes& least) {
+    least = v < least ? v : least;
+}
+template <class Lanes>
+UMBRAGE_INLINE inline void keep_greatest(const Lanes& v, Lanes& greatest) {
+    greatest = v > greatest ? v : greatest;
 }
 
 template <int Count, bool Forward>
@@ -12926,9 +12945,10 @@ inline void require_drawable(glm::ivec2 size) {
 [[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
     return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
 }
+[[nodiscard]] inline bool is_outside(std::int32_t x) { return x == std::numeric_limits<std::int32_t>::min(); }
 /// A bit for each plane that a vertex is outside of.
 [[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {
-    return v.x == std::numeric_limits<std::int32_t>::min() ? static_cast<unsigned>(v.y) : 0u;
+    return is_outside(v.x) ? static_cast<unsigned>(v.y) : 0u;
 }
 
 /// World positions to homogeneous texels (x/w and y/w in texels, z/w the depth in [0, 1]) and on to the grid.
@@ -13230,6 +13250,10 @@ public:
         return {{first_x[i], first_y[i]}, depth_[i], dx_[i], dy_[i], low < c ? low : c, high < c ? c : high};
     }
 
+    /// Depth of the plane so many texels from the first, not limited to that of the corners.
+    [[nodiscard]] UMBRAGE_INLINE double depth(int i, int x, int y) const { return depth_[i] + dx_[i] * x + dy_[i] * y; }
+    [[nodiscard]] UMBRAGE_INLINE double corner_depth(int k, int i) const { return z_[k][i]; }
+
     /// Whether 32 bits hold the edges over the triangle's bounds, and some texels beyond.
     [[nodiscard]] UMBRAGE_INLINE bool is_small(int i) const { return side_[i] < 2048 * subtexels; }
 
@@ -13403,6 +13427,119 @@ private:
 }  // namespace umbrage::detail
 UMBRAGE_END_STRICT_MATH
 
+// ---- umbrage/simd/raster/small_triangles.hpp
+// Triangles of a few texels, all of a batch at once: texel by texel of their bounds, each a loop over the triangles.
+//
+//     const small_triangles small(batch);
+//     small.for_each_sample([&](int x, int y, float depth) { ... });
+//     for (int i = 0; i < batch.count; ++i)
+//         if (!small.has(i)) ...  // one by one
+//
+// One by one, such a triangle takes a register for each edge and a loop over rows for two samples.
+//
+
+UMBRAGE_STRICT_MATH
+namespace umbrage::detail {
+
+class small_triangles {
+public:
+    /// Finds them: bounds of a few texels either way, depths within (0, 1] that are normal numbers. None are taken
+    /// where they are too few to pay for what is done for all triangles of the batch.
+    /// @param batch   after set_up(); it must stay
+    UMBRAGE_INLINE explicit small_triangles(const triangles& batch) : batch_(batch) {
+        using bits = std::int64_t;
+        constexpr bits least_normal = bit_cast<bits>(0x1p-126), one = bit_cast<bits>(1.0);
+        alignas(64) std::int32_t is_plain[block];
+        for (int i = 0; i < block; ++i) {  // numbers above 0 are in the order of their bits, others below them
+            const bits a = bit_cast<bits>(batch.corner_depth(0, i)), b = bit_cast<bits>(batch.corner_depth(1, i));
+            const bits c = bit_cast<bits>(batch.corner_depth(2, i)), low = a < b ? a : b, high = a < b ? b : a;
+            const bits lowest = low < c ? low : c, highest = high > c ? high : c;
+            is_plain[i] = static_cast<std::int32_t>(-bits((lowest >= least_normal) & (highest <= one)));
+            lowest_[i] = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(lowest)));
+            highest_[i] = bit_cast<std::int32_t>(static_cast<float>(bit_cast<double>(highest)));
+        }
+        std::int32_t count = 0, most_columns = 0, most_rows = 0;
+        const std::int32_t used = batch.count;
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t columns = batch.columns[i], rows = batch.rows[i];
+            const std::int32_t is_small =
+                is_plain[i] & -(std::int32_t(i < used) & std::int32_t(rows > 0) & std::int32_t(rows <= side) &
+                                std::int32_t(columns <= side) & std::int32_t(batch.is_small(i)));
+            last_x_[i] = ((columns - 1) & is_small) | ~is_small;
+            last_y_[i] = ((rows - 1) & is_small) | ~is_small;
+            count -= is_small;
+            most_columns = std::max(most_columns, columns & is_small);
+            most_rows = std::max(most_rows, rows & is_small);
+        }
+        if (count >= enough) columns_ = most_columns, rows_ = most_rows;
+    }
+
+    [[nodiscard]] UMBRAGE_INLINE bool has(int i) const { return columns_ > 0 && last_x_[i] >= 0; }
+
+    /// @param sample   (int x, int y, float depth): a covered texel, whatever the order
+    template <class Sample>
+    UMBRAGE_INLINE void for_each_sample(const Sample& sample) const {
+        for (int y = 0; y < rows_; ++y)
+            for (int x = 0; x < columns_; ++x) {
+                std::uint64_t inside = inside_at(x, y);
+                if (inside == 0) continue;
+                alignas(64) float depths[block];
+                find_depths(x, y, depths);
+                for (; inside != 0; inside &= inside - 1) {
+                    const int i = std::countr_zero(inside);
+                    sample(batch_.first_x[i] + x, batch_.first_y[i] + y, depths[i]);
+                }
+            }
+    }
+
+private:
+    static constexpr int side = 4;  // texels
+    static constexpr int enough = block / 4;
+
+    /// Which triangles cover the texel x to the right of their first one and y above it, a bit for each.
+    [[nodiscard]] UMBRAGE_INLINE std::uint64_t inside_at(int x, int y) const {
+        alignas(64) std::uint32_t outside[block];  // in the sign
+        for (int i = 0; i < block; ++i) {
+            std::uint32_t sign = std::uint32_t(last_x_[i] - x) | std::uint32_t(last_y_[i] - y);
+            for (int k = 0; k < 3; ++k)
+                sign |= std::uint32_t(batch_.edge[k][i]) + std::uint32_t(x) * std::uint32_t(batch_.right[k][i]) +
+                        std::uint32_t(y) * std::uint32_t(batch_.up[k][i]);
+            outside[i] = sign;
+        }
+        static_assert(block == 64);
+        std::uint32_t halves[2];
+        for (std::size_t half = 0; half < 2; ++half) {
+            std::uint32_t bits = 0;
+            for (std::size_t i = 0; i < 32; ++i) bits |= ((outside[half * 32 + i] >> 31) - 1) & bit_of[i];
+            halves[half] = bits;
+        }
+        return std::uint64_t(halves[1]) << 32 | halves[0];
+    }
+
+    /// As depth_plane has it, rounded, then limited, which is the same.
+    UMBRAGE_INLINE void find_depths(int x, int y, float (&depths)[block]) const {
+        for (int i = 0; i < block; ++i) {
+            std::int32_t depth = bit_cast<std::int32_t>(static_cast<float>(batch_.depth(i, x, y)));
+            depth = depth < lowest_[i] ? lowest_[i] : depth;
+            depths[i] = bit_cast<float>(depth > highest_[i] ? highest_[i] : depth);
+        }
+    }
+
+    static constexpr std::array<std::uint32_t, 32> bit_of = [] {
+        std::array<std::uint32_t, 32> bits{};
+        for (std::size_t i = 0; i < 32; ++i) bits[i] = std::uint32_t(1) << i;
+        return bits;
+    }();
+
+    const triangles& batch_;
+    int columns_ = 0, rows_ = 0;                               // the most that one has
+    alignas(64) std::int32_t last_x_[block], last_y_[block];   // from the first; -1: it is none
+    alignas(64) std::int32_t lowest_[block], highest_[block];  // depths, as bits of floats
+};
+
+}  // namespace umbrage::detail
+UMBRAGE_END_STRICT_MATH
+
 // ---- umbrage/simd/raster/depth_writer.hpp
 // Triangles into a depth image: the nearer of what is there and the plane's depth, in columns of some texels' width.
 //
@@ -13422,6 +13559,25 @@ public:
           width_(depth.size.x),
           skew_(static_cast<int>(reinterpret_cast<std::uintptr_t>(bottom_) / sizeof(float) % Lanes)) {}
 
+    /// The triangles of a batch.
+    UMBRAGE_INLINE void draw(const triangles& batch) const {
+        const small_triangles small(batch);
+        for (int i = 0; i < batch.count; ++i)
+            if (small.has(i)) expect(batch, i);
+        small.for_each_sample([&](int x, int y, float depth) UMBRAGE_INLINE { take_nearer(depth, row(y)[x]); });
+        for (int i = 0; i < batch.count; ++i) {
+            if (i + 1 < batch.count) expect(batch, i + 1);
+            if (!small.has(i)) draw(batch, i);
+        }
+    }
+
+private:
+    using ints = lanes_of<std::int32_t, Lanes>;
+    using floats = lanes_of<float, Lanes>;
+    using doubles = lanes_of<double, Lanes / 2>;
+
+    static constexpr int tile_columns = 64, tile_rows = 32, few_rows = 16;
+
     /// Prefetches the texels of a triangle: their latency is about the time that it takes to draw another small one.
     UMBRAGE_INLINE void expect(const triangles& batch, int i) const {
         const int last = batch.first_y[i] + std::min(batch.rows[i], 16);
@@ -13438,12 +13594,13 @@ public:
         draw_rows(batch, i, plane);
     }
 
-private:
-    using ints = lanes_of<std::int32_t, Lanes>;
-    using floats = lanes_of<float, Lanes>;
-    using doubles = lanes_of<double, Lanes / 2>;
-
-    static constexpr int tile_columns = 64, tile_rows = 32, few_rows = 16;
+    /// The nearer depth, but what is there where it is a NaN.
+    /// @param depth   no NaN, not 0
+    UMBRAGE_INLINE static void take_nearer(float depth, float& there) {
+        if constexpr (finite_math_only)
+            there = select(-(Forward ? is_lit(depth, there) : is_lit(there, depth)), depth, there);
+        else there = (Forward ? depth < there : depth > there) ? depth : there;
+    }
 
     /// The nearer depth of each lane, but what is there where it is a NaN, or where `outside` is negative.
     /// @param depth   no NaN, not 0
@@ -13561,11 +13718,7 @@ void draw(image_view<float> depth, bool flipped, const triangles& batch) {
     on_best_isa([&](auto set) UMBRAGE_INLINE {
         constexpr isa in_use = decltype(set)::value;
         constexpr int lanes = in_use == isa::base ? 4 : in_use == isa::avx2 ? 8 : 16;
-        const depth_writer<Forward, lanes> writer(depth, flipped);
-        for (int i = 0; i < batch.count; ++i) {
-            if (i + 1 < batch.count) writer.expect(batch, i + 1);
-            writer.draw(batch, i);
-        }
+        depth_writer<Forward, lanes>(depth, flipped).draw(batch);
     });
 }
 
@@ -13657,7 +13810,7 @@ public:
         data_ = new snapped_vertex[count];
         count_ = count;
     }
-    [[nodiscard]] snapped_vertex* data() { return data_; }
+    [[nodiscard]] snapped_vertex* data() const { return data_; }
     [[nodiscard]] const snapped_vertex& operator[](std::size_t i) const { return data_[i]; }
 
 private:
@@ -13747,6 +13900,48 @@ public:
         const std::size_t vertex = by_corner_ ? 3 * (at.triangle - first_) + std::size_t(corner)
                                               : std::size_t(mesh_.triangles[at.triangle][corner] - lowest_);
         return vertices_[at.instance * stride_ + vertex];
+    }
+
+    /// What holds of all corners of triangles that follow each other.
+    struct corner_range {
+        std::int32_t lowest, highest;  ///< in 1/256 texel, where none is outside of planes
+        bool are_inside;               ///< of all planes
+        unsigned outside;              ///< planes that all are outside of
+    };
+    /// @param last   above first
+    [[nodiscard]] corner_range corners_of(unsigned first, unsigned last) const {
+        corner_range all;
+        on_best_isa([&](auto) UMBRAGE_INLINE {
+            using words = lanes_of<std::int32_t, 4>;  // of a vertex: x, y, and the halves of its depth
+            static_assert(sizeof(words) == sizeof(snapped_vertex));
+            words least, most, common;
+            load_lanes(&vertex(place_of(first), 0), least);
+            most = common = least;
+            const auto include = [&](const snapped_vertex& corner) UMBRAGE_INLINE {
+                words v;
+                load_lanes(&corner, v);
+                keep_least(v, least);
+                keep_greatest(v, most);
+                common &= v;
+            };
+            if (instances_.size() > 1) {
+                for (unsigned i = first; i < last; ++i)
+                    for (glm::length_t k = 0; k < 3; ++k) include(vertex(place_of(i), k));
+            } else if (by_corner_) {
+                for (std::size_t i = 3 * std::size_t(first); i < 3 * std::size_t(last); ++i) include(vertices_[i]);
+            } else {
+                const snapped_vertex* const vertices = vertices_.data();
+                const glm::uvec3* const t = mesh_.triangles.data() + first_;
+                for (unsigned i = first; i < last; ++i) {
+                    include(vertices[t[i].x - lowest_]);
+                    include(vertices[t[i].y - lowest_]);
+                    include(vertices[t[i].z - lowest_]);
+                }
+            }
+            // Outside of planes is leftmost, see outside_vertex().
+            all = {least[1], most[1], !is_outside(least[0]), is_outside(most[0]) ? unsigned(common[1]) : 0u};
+        });
+        return all;
     }
 
     /// A corner before it was snapped.
@@ -13871,6 +14066,7 @@ private:
     static constexpr int band_texels = 1 << 16, band_rows = 64;
     static constexpr unsigned piece = 1 << 16;  // triangles that one thread reads or sorts at a time
     static constexpr unsigned run_of_many = 64;
+    static constexpr unsigned before = 1u << projection::z_near;
 
     /// Triangles of the chunk that follow each other.
     struct run {
@@ -13898,15 +14094,19 @@ private:
         return planes_outside(a) | planes_outside(b) | planes_outside(c);
     }
 
+    /// Whether nothing is drawn of triangles whose corners are all outside of these planes, of which there may be none.
+    [[nodiscard]] bool is_out_of_sight(unsigned planes) const {
+        return at_near_ == near_plane::clips ? planes != 0 : (planes & ~before) != 0;
+    }
+
     /// What is drawn of a triangle that crosses planes: the part behind the near plane, and where that clamps the part
     /// before it; nothing where it is outside of another plane, or not finite.
     /// @param use   (const clipped_polygon&), of three vertices or more
     template <class Use>
     void for_each_part(const drawn_triangle& at, const snapped_vertex& a, const snapped_vertex& b,
                        const snapped_vertex& c, unsigned crossed, const Use& use) const {
-        constexpr unsigned before = 1u << projection::z_near;
         const unsigned beyond = planes_outside(a) & planes_outside(b) & planes_outside(c);
-        if ((beyond & ~before) || (crossed & projection::nowhere)) return;
+        if (is_out_of_sight(beyond) || (crossed & projection::nowhere)) return;
         const auto h = [&](glm::length_t corner) { return chunk_.homogeneous(at, corner); };
         const auto part = [&](near_side side) {
             const clipped_polygon polygon = clip_triangle(chunk_.projection_of(at), h(0), h(1), h(2), crossed, side);
@@ -13961,6 +14161,14 @@ private:
 
     /// Rows that triangles may cover, from the bottom: first <= y < last, of which there may be none.
     [[nodiscard]] glm::ivec2 rows(const run& some) const {
+        if (some.size() == 1) return rows_one_by_one(some);
+        const auto corners = chunk_.corners_of(some.first, some.last);
+        if (corners.are_inside) return rows_between(corners.lowest, corners.highest);
+        return is_out_of_sight(corners.outside) ? glm::ivec2(0, 0) : rows_one_by_one(some);
+    }
+    /// The same, of what planes leave of each. Not by its corners: where they are far, rounding may leave what lies
+    /// between them.
+    [[nodiscard]] glm::ivec2 rows_one_by_one(const run& some) const {
         std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -lowest;
         const auto include = [&](const snapped_vertex& v) {
             lowest = std::min(lowest, v.y), highest = std::max(highest, v.y);
@@ -13968,16 +14176,15 @@ private:
         for (unsigned i = some.first; i < some.last; ++i) {
             const drawn_triangle at = chunk_.place_of(i);
             const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
-            if (const unsigned crossed = planes_crossed(a, b, c)) {
-                // Not of the corners: where a plane cuts far ones, rounding may leave what lies between them.
+            if (const unsigned crossed = planes_crossed(a, b, c))
                 for_each_part(at, a, b, c, crossed, [&](const clipped_polygon& polygon) {
                     for (std::size_t v = 0; int(v) < polygon.count; ++v) include(polygon.vertices[v]);
                 });
-            } else {
-                include(a), include(b), include(c);
-            }
+            else include(a), include(b), include(c);
         }
-        if (lowest > highest) return {0, 0};
+        return lowest > highest ? glm::ivec2(0, 0) : rows_between(lowest, highest);
+    }
+    [[nodiscard]] glm::ivec2 rows_between(std::int32_t lowest, std::int32_t highest) const {
         const auto between = triangles::rows_between(lowest, highest);
         return {std::max(between.x, 0), std::min(between.y, size_.y)};
     }
