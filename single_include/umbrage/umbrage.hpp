@@ -13541,7 +13541,8 @@ private:
 UMBRAGE_END_STRICT_MATH
 
 // ---- umbrage/simd/raster/depth_writer.hpp
-// Triangles into a depth image: the nearer of what is there and the plane's depth, in columns of some texels' width.
+// Triangles into a depth image: the nearer of what is there and the plane's depth. Small ones are drawn all of a batch
+// at once, the others one by one, in columns of some texels' width.
 //
 //     draw<true>(depth, flipped, batch);
 //

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangles into a depth image: the nearer of what is there and the plane's depth, in columns of some texels' width.
+// Triangles into a depth image: the nearer of what is there and the plane's depth. Small ones are drawn all of a batch
+// at once, the others one by one, in columns of some texels' width.
 //
 //     draw<true>(depth, flipped, batch);
 //
