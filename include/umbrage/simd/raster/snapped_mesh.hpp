@@ -217,7 +217,7 @@ private:
 
     /// Rows that triangles may cover, from the bottom: first <= y < last, of which there may be none.
     [[nodiscard]] glm::ivec2 rows(const run& some) const {
-        if (some.size() == 1) return rows_one_by_one(some);
+        if (some.size() == 1) return rows_one_by_one(some);  // registers pay for many
         const auto corners = chunk_.corners_of(some.first, some.last);
         if (corners.are_inside) return rows_between(corners.lowest, corners.highest);
         return is_out_of_sight(corners.outside) ? glm::ivec2(0, 0) : rows_one_by_one(some);
