@@ -13825,6 +13825,7 @@ struct index_range {
     void include(const index_range& other) {
         lowest = std::min(lowest, other.lowest), highest = std::max(highest, other.highest);
     }
+    [[nodiscard]] std::size_t count() const { return std::size_t(highest) - lowest + 1; }
 };
 
 [[nodiscard]] inline index_range indices_of(std::span<const glm::uvec3> triangles) {
@@ -13862,7 +13863,7 @@ public:
     void take(std::size_t first, std::span<const projection> instances, std::size_t most, const index_range& indices) {
         first_ = first;
         triangles_ = std::min(most, mesh_.triangles.size() - first);
-        const std::size_t corners = 3 * triangles_, range = std::size_t(indices.highest) - indices.lowest + 1;
+        const std::size_t corners = 3 * triangles_, range = indices.count();
         by_corner_ = corners < range;
         lowest_ = indices.lowest;
         used_ = std::min(corners, range);
@@ -14010,8 +14011,9 @@ public:
     /// @param use   (), which draws the chunk
     template <class ParallelFor, class Use>
     void for_each_chunk(ParallelFor&& parallel, const Use& use) {
-        // As many vertices as a cache holds; with threads more, which are then started less often.
-        constexpr std::size_t step = is_serial<ParallelFor> ? piece : 16 * piece;
+        // As many vertices as a cache holds; more with threads, which are then started less often, and where pieces
+        // share their vertices with others, which would be snapped for each.
+        const std::size_t step = is_serial<ParallelFor> && !shares_vertices() ? piece : 16 * piece;
         for (std::size_t instance = 0; instance < instances_.size(); instance += chunk_.instances())
             for (std::size_t first = 0; first < mesh_.triangles.size(); first += step) {
                 chunk_.take(first, std::span<const projection>(instances_).subspan(instance), step,
@@ -14088,6 +14090,13 @@ private:
         for (std::size_t i = first / piece; i < indices_.size() && i * piece < first + count; ++i)
             all.include(indices_[i]);
         return all;
+    }
+
+    /// Whether pieces reach farther over the mesh's vertices than they have corners, and several together do not.
+    [[nodiscard]] bool shares_vertices() const {
+        const index_range one = indices_from(0, piece), several = indices_from(0, 16 * piece);
+        return one.count() > 3 * piece &&
+               several.count() < 3 * std::min(16 * std::size_t(piece), mesh_.triangles.size());
     }
 
     [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b,

@@ -59,6 +59,7 @@ struct index_range {
     void include(const index_range& other) {
         lowest = std::min(lowest, other.lowest), highest = std::max(highest, other.highest);
     }
+    [[nodiscard]] std::size_t count() const { return std::size_t(highest) - lowest + 1; }
 };
 
 [[nodiscard]] inline index_range indices_of(std::span<const glm::uvec3> triangles) {
@@ -96,7 +97,7 @@ public:
     void take(std::size_t first, std::span<const projection> instances, std::size_t most, const index_range& indices) {
         first_ = first;
         triangles_ = std::min(most, mesh_.triangles.size() - first);
-        const std::size_t corners = 3 * triangles_, range = std::size_t(indices.highest) - indices.lowest + 1;
+        const std::size_t corners = 3 * triangles_, range = indices.count();
         by_corner_ = corners < range;
         lowest_ = indices.lowest;
         used_ = std::min(corners, range);

@@ -65,8 +65,9 @@ public:
     /// @param use   (), which draws the chunk
     template <class ParallelFor, class Use>
     void for_each_chunk(ParallelFor&& parallel, const Use& use) {
-        // As many vertices as a cache holds; with threads more, which are then started less often.
-        constexpr std::size_t step = is_serial<ParallelFor> ? piece : 16 * piece;
+        // As many vertices as a cache holds; more with threads, which are then started less often, and where pieces
+        // share their vertices with others, which would be snapped for each.
+        const std::size_t step = is_serial<ParallelFor> && !shares_vertices() ? piece : 16 * piece;
         for (std::size_t instance = 0; instance < instances_.size(); instance += chunk_.instances())
             for (std::size_t first = 0; first < mesh_.triangles.size(); first += step) {
                 chunk_.take(first, std::span<const projection>(instances_).subspan(instance), step,
@@ -143,6 +144,13 @@ private:
         for (std::size_t i = first / piece; i < indices_.size() && i * piece < first + count; ++i)
             all.include(indices_[i]);
         return all;
+    }
+
+    /// Whether pieces reach farther over the mesh's vertices than they have corners, and several together do not.
+    [[nodiscard]] bool shares_vertices() const {
+        const index_range one = indices_from(0, piece), several = indices_from(0, 16 * piece);
+        return one.count() > 3 * piece &&
+               several.count() < 3 * std::min(16 * std::size_t(piece), mesh_.triangles.size());
     }
 
     [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b,
