@@ -54,6 +54,8 @@ inline void require_drawable(glm::ivec2 size) {
 [[nodiscard]] inline snapped_vertex outside_vertex(unsigned planes) {
     return {std::numeric_limits<std::int32_t>::min(), static_cast<std::int32_t>(planes), 0.0};
 }
+
+/// Whether a vertex with this x stands for one outside of planes.
 [[nodiscard]] inline bool is_outside(std::int32_t x) { return x == std::numeric_limits<std::int32_t>::min(); }
 /// A bit for each plane that a vertex is outside of.
 [[nodiscard]] inline unsigned planes_outside(const snapped_vertex& v) {

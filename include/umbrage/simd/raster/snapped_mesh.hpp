@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Instances of a mesh on the grid of an image, some ten thousand triangles at a time: their vertices projected and
-// snapped, they themselves clipped and handed out in batches, in the mesh's order or band by band of the image's rows.
+// Instances of a mesh on the grid of an image, a chunk of triangles at a time: their vertices projected and snapped,
+// they themselves clipped and handed out in batches, in the mesh's order or band by band of the image's rows.
 //
 //     snapped_mesh snapped(size, mesh, {&world_to_clip, 1}, clip, cull_mode::none, near_plane::clips);
 //     snapped.for_each_chunk(serial{}, [&] {
@@ -67,7 +67,7 @@ public:
     void for_each_chunk(ParallelFor&& parallel, const Use& use) {
         // As many vertices as a cache holds; more with threads, which are then started less often, and where pieces
         // share their vertices with others, which would be snapped for each.
-        const std::size_t step = is_serial<ParallelFor> && !shares_vertices() ? piece : 16 * piece;
+        const std::size_t step = is_serial<ParallelFor> && !shares_vertices() ? piece : several_pieces;
         for (std::size_t instance = 0; instance < instances_.size(); instance += chunk_.instances())
             for (std::size_t first = 0; first < mesh_.triangles.size(); first += step) {
                 chunk_.take(first, std::span<const projection>(instances_).subspan(instance), step,
@@ -122,8 +122,9 @@ private:
     static constexpr bool is_serial = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
     static constexpr int band_texels = 1 << 16, band_rows = 64;
     static constexpr unsigned piece = 1 << 16;  // triangles that one thread reads or sorts at a time
+    static constexpr std::size_t several_pieces = 16 * piece;
     static constexpr unsigned run_of_many = 64;
-    static constexpr unsigned before = 1u << projection::z_near;
+    static constexpr unsigned before = 1u << projection::z_near;  // the bit of that plane
 
     /// Triangles of the chunk that follow each other.
     struct run {
@@ -148,9 +149,8 @@ private:
 
     /// Whether pieces reach farther over the mesh's vertices than they have corners, and several together do not.
     [[nodiscard]] bool shares_vertices() const {
-        const index_range one = indices_from(0, piece), several = indices_from(0, 16 * piece);
-        return one.count() > 3 * piece &&
-               several.count() < 3 * std::min(16 * std::size_t(piece), mesh_.triangles.size());
+        const index_range one = indices_from(0, piece), several = indices_from(0, several_pieces);
+        return one.count() > 3 * piece && several.count() < 3 * std::min(several_pieces, mesh_.triangles.size());
     }
 
     [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b,
