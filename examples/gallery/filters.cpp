@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <umbrage/bias/constant.hpp>
@@ -18,13 +18,35 @@ namespace {
 using namespace example;
 namespace glsl = umbrage::glsl;
 
+/// What the page asks of a filter, whichever it is: the rest is compiled once.
+struct any_filter {
+    float reach;
+    std::function<void(const umbrage::image<float>& map, const umbrage::image<glm::vec3>& receivers,
+                       umbrage::image<float>& out)>
+        visibility;
+    std::function<int(const umbrage::image<float>& map, glm::vec3 receiver)> fetches;
+};
+
 template <class Filter>
+any_filter erased(const Filter& filter) {
+    return {filter.reach(),
+            [=](const auto& map, const auto& receivers, auto& out) {
+                umbrage::visibility(map, umbrage::depth32f{}, receivers, filter, out);
+            },
+            [=](const auto& map, glm::vec3 receiver) {
+                int taps = 0;
+                const auto fetch = [&, texel = umbrage::clamped(map)](glm::ivec2 t) { return ++taps, texel(t); };
+                static_cast<void>(filter(fetch, glm::vec2(receiver), receiver.z));
+                return taps;
+            }};
+}
+
 void add_filter(page& page, const settings& o, const std::filesystem::path& folder, std::string_view id,
-                std::string_view title, std::string_view about, Filter filter, float reach,
+                std::string_view title, std::string_view about, const any_filter& filter,
                 const std::vector<glsl::snippet>& snippets) {
     shadow_system system = radeon_8500;
     system.map_size = 256;
-    system.reach = covered(reach);
+    system.reach = covered(filter.reach);
     system.epsilon = 0x1p-18f;  // floats, rounded twice
     stage stage(system, {.output = folder, .size = 3});
     const glm::ivec2 size(o.size * 2 / 3);
@@ -42,17 +64,9 @@ void add_filter(page& page, const settings& o, const std::filesystem::path& fold
     });
 
     umbrage::image<float> visibility(size);
-    const double ms = best_of_5([&] {
-        umbrage::visibility(map.view(), umbrage::depth32f{}, std::as_const(receivers).view(), filter,
-                            visibility.view());
-    });
+    const double ms = best_of_5([&] { filter.visibility(map, receivers, visibility); });
     int most_taps = 0;
-    for (glm::vec3 r : receivers.texels()) {
-        int taps = 0;
-        const auto fetch = [&, texel = umbrage::clamped(map)](glm::ivec2 t) { return ++taps, texel(t); };
-        static_cast<void>(filter(fetch, glm::vec2(r), r.z));
-        most_taps = std::max(most_taps, taps);
-    }
+    for (glm::vec3 r : receivers.texels()) most_taps = std::max(most_taps, filter.fetches(map, r));
     std::vector<float> levels(visibility.texels().begin(), visibility.texels().end());
     std::ranges::sort(levels);
     const auto different = std::ranges::unique(levels).begin() - levels.begin();
@@ -82,10 +96,9 @@ void add_filters(page& page, const settings& o, const std::filesystem::path& fol
                 filter.radius = radius;
                 const std::string each = name + "_" + std::to_string(radius);
                 add_filter(page, o, folder, each, each,
-                           about + text(" %d × %d texels.", 2 * radius + 1, 2 * radius + 1), filter, filter.reach(),
-                           snippets);
+                           about + text(" %d × %d texels.", 2 * radius + 1, 2 * radius + 1), erased(filter), snippets);
             }
-        else add_filter(page, o, folder, name, name, about, filter, filter.reach(), snippets);
+        else add_filter(page, o, folder, name, name, about, erased(filter), snippets);
     });
 }
 
