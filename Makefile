@@ -4,6 +4,7 @@
 #     make gallery   every system, encoding, bias and filter on one page: build/gallery/index.html
 #     make test    builds and runs every test
 #     make unit T=filter/pcf/box   builds and runs one header's unit tests; without T all of them
+#     make lint    the rules of the house that scripts hold
 #     make prove   every float and every code, on every implementation here: some hours on two cores
 #     make bench   ours against memcpy, GLM code, llvmpipe, Embree and OpenCV: a table, and plots in build/plots
 #     make bench-compare A=old.json B=new.json   tells two runs of it apart, or several: A="1.json 2.json" B="3.json 4.json"
@@ -63,7 +64,7 @@ endef
 # The newest clang that the packages offer, asked for when their lists have been fetched.
 newest_clang = $(shell apt-cache search --names-only '^clang-[0-9]+$$' 2> /dev/null | cut -d ' ' -f 1 | sort -V | tail -n 1)
 
-.PHONY: test unit newest-clang demo gallery bench bench-compare prove asan bench-packing bench-shaders single-header readme compile-time clean
+.PHONY: test unit lint newest-clang demo gallery bench bench-compare prove asan bench-packing bench-shaders single-header readme compile-time clean
 
 test:
 	$(call install,$(test_packages))
@@ -79,6 +80,12 @@ unit:
 	@test -f build/dev/build.ninja || cmake --preset dev
 	cmake --build --preset dev --target $(if $(T),$(program),unit)
 	$(if $(T),build/dev/tests/$(program),ctest --preset dev -R '^unit/')
+
+lint:
+	$(call install,$(test_packages))
+	@test -f build/dev/build.ninja || cmake --preset dev
+	cmake --build --preset dev --target lint.mirror
+	ctest --preset dev -R '^lint/'
 
 newest-clang:
 	$(if $(newest_clang),$(call install,$(newest_clang)))

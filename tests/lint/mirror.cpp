@@ -86,8 +86,8 @@ TEST_CASE("the mirror sees what it should") {
 
 TEST_CASE("every header for users has a unit test, and every unit test a header") {
     for (const std::string& header : headers) {
-        CAPTURE(header);
-        if (!header.starts_with("simd/") && has_functions(text_of(header))) CHECK(tested(header, unit_tests));
+        if (!header.starts_with("simd/") && has_functions(text_of(header)))
+            CHECK_MESSAGE(tested(header, unit_tests), "there is no tests/unit/" << header << ".cpp");
     }
     for (const std::string& test : unit_tests) {
         CAPTURE(test);
@@ -101,7 +101,7 @@ TEST_CASE("every header with snippets has parity entries of each of them, and ev
         const paths snippets = snippets_in(text_of(header));
         if (snippets.empty() || header.ends_with("hooks")) continue;  // parity looks itself for each of those
         CAPTURE(header);
-        CHECK(tested(header, parity_entries));
+        CHECK_MESSAGE(tested(header, parity_entries), "there is no tests/parity/entries/" << header << ".cpp");
         const std::string entries = read(root / "tests/parity/entries" / (header + ".cpp"));
         for (const std::string& name : snippets) {
             CAPTURE(name);

@@ -1,18 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every entry on one implementation, in all its dialects, against C++.
-//
-//     parity --backend llvmpipe|softpipe|lavapipe|swiftshader|swiftshader_vulkan|naga|tint|hardware|c++|metal
-//            [--count N] [--other-count N] [--every N] [--other-every N] [--whole N]
-//            [--versions "100,300 es,450"] [--filter TEXT] [--out FOLDER]
-//
-// --every: one in N entries in the main dialects, by a hash of both names; in the last dialect all.
-// --other-every: one in N in the other dialects, and of entries with bound maps or alike.
-// --whole: as many of each enumeration, in one dialect; 16777216 is all of every one.
-//
-// --mistake "FROM=TO": printers write TO for FROM; the exit status is 0 when results differ for it.
-//
-// Ends with a table, written as parity-BACKEND.tsv too. Exit status: 0 agrees, 1 differs, 77 nothing here to run on.
+// Entries on one implementation, in its dialects, against C++. `usage` says how it is called.
 #include <algorithm>
 #include <chrono>
 #include <fstream>
@@ -20,6 +8,8 @@
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <unistd.h>
@@ -30,8 +20,26 @@
 namespace parity {
 namespace {
 
+constexpr const char* usage = R"(Every entry on one implementation, in all its dialects, against C++.
+
+    parity --backend BACKEND [--filter TEXT] [--versions "100,300 es,450"] [--count N] [--other-count N]
+           [--every N] [--other-every N] [--whole N] [--out FOLDER] [--mistake FROM=TO]
+
+  --backend      c++ llvmpipe softpipe lavapipe swiftshader swiftshader_vulkan metal naga tint hardware
+  --filter       only entries whose names have this in them; without it all, which takes minutes
+  --versions     only these dialects
+  --count        inputs of an entry in the main dialects, 1048576; --other-count: in the others, 65536
+  --every        one in N entries in the main dialects, by a hash of both names; in the last dialect all
+  --other-every  one in N in the other dialects, and of entries with bound maps or alike
+  --whole        as many of each enumeration, in one dialect, 65536; 16777216 is all of every one
+  --out          where parity-BACKEND.tsv goes, the table of all entries; without a filter alone
+  --mistake      printers write TO for FROM; the exit status is 0 when results differ for it
+
+Exit status: 0 agrees, 1 differs, 2 called wrongly, 77 nothing here to run on.
+)";
+
 struct options {
-    std::string driver = "llvmpipe", filter, versions, out = ".";
+    std::string driver, filter, versions, out = ".";
     std::size_t count = std::size_t(1) << 20;        ///< in the main dialects: one of each kind of GLSL, and languages
     std::size_t other_count = std::size_t(1) << 16;  ///< in the others
     std::size_t every = 1, other_every = 1;
@@ -72,8 +80,12 @@ options parse(int argc, char** argv) {
         else if (name == "--other-count") o.other_count = std::stoull(value);
         else if (name == "--every") o.every = std::stoull(value);
         else if (name == "--other-every") o.other_every = std::stoull(value);
-        else throw std::invalid_argument("unknown option " + name);
+        else throw std::invalid_argument("unknown option " + name + ", see --help");
     }
+    if (o.driver.empty()) throw std::invalid_argument("which --backend? See --help");
+    const auto wanted = [&](const entry& e) { return e.name().find(o.filter) != std::string::npos; };
+    if (std::ranges::none_of(entries(), wanted))
+        throw std::invalid_argument("no entry's name has " + o.filter + " in it");
     return o;
 }
 
@@ -199,6 +211,8 @@ backends find(const std::string& driver) {
     if (driver == "lavapipe" || driver == "naga" || driver == "swiftshader_vulkan") return vulkan_backends(driver);
     if (driver == "swiftshader") return webgl_backends();
     if (driver == "tint") return webgpu_backends();
+    if (driver != "llvmpipe" && driver != "softpipe" && driver != "hardware")
+        throw std::invalid_argument("no backend is called " + driver + ", see --help");
     backends all = egl_backends(driver);
     if (driver == "hardware")
         for (auto& b : vulkan_backends(driver)) all.push_back(std::move(b));
@@ -206,6 +220,10 @@ backends find(const std::string& driver) {
 }
 
 int run_all(int argc, char** argv) {
+    if (argc == 1 || (argc == 2 && std::string_view(argv[1]) == "--help")) {
+        std::cout << usage;
+        return 0;
+    }
     const options o = parse(argc, argv);
     const auto start = std::chrono::steady_clock::now();
     const backends all = find(o.driver);

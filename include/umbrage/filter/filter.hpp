@@ -37,7 +37,7 @@ template <class Filter>
 concept known_filter = filter<Filter> && requires(const Filter& f, float depth) {
     { f.name } -> std::convertible_to<std::string_view>;         // a C++ identifier
     { f.snippet } -> std::convertible_to<const glsl::snippet*>;  // of the same result
-    { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest point of its texels, an axis, in texels
+    { f.reach() } -> std::same_as<float>;  // from a receiver to the farthest centre of a texel it reads, along an axis
     { f.is_lit(depth, depth) } -> std::same_as<bool>;  // the comparison, its direction inside
 };
 

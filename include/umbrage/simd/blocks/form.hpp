@@ -3,10 +3,19 @@
 // The form of a filter for blocks of 64 receivers: what visibility() runs where a filter has one. A filter that has
 // none is called receiver by receiver.
 //
-// A form says what it needs of a map, the least side of a map that it can take, and makes its blocks, for a map of
-// floats or of rg and a direction. Blocks work in two steps, some blocks apart, so that texels have come from memory
-// when they are needed: place() says where to look and prefetches it; the second step loads it, compares and weighs.
-// A place() with a third argument gets the row of pixels that the block lies in; its column is a multiple of 64.
+// A form states what it needs of a map and the smallest width and height that it can take; with_blocks() hands its
+// blocks to `use`. Where it needs texels, Map is float_texels or rg_texels, as the map is stored; where it needs floats,
+// it gets const float_texels&. A form clamps texels to the map's edge; outside_map::lit is for visibility() to see to,
+// which asks the filter's reach().
+//
+// Blocks work in two steps, some blocks apart, so that texels have come from memory when they are needed: place() says
+// where to look and prefetches it; the second step loads it, compares and weighs. A place() with a third argument gets
+// the row of pixels that the block lies in; its column is a multiple of 64. `count` receivers of a block are there:
+// loops go to `block` all the same, a number that compilers vectorise by, and what the rest gives is ignored. `Isa` is
+// the instruction set that the code is compiled for. Every function and lambda of it is UMBRAGE_INLINE: dispatch.hpp
+// says why.
+//
+// unit/simd/blocks/form and form/coherent hold each form to its filter, bit by bit.
 //
 //     template <>
 //     struct block_form<filters::pcf_2x2> {

@@ -4,6 +4,7 @@
 #include "one_by_one.hpp"
 
 #include <initializer_list>
+#include <string>
 #include <type_traits>
 
 namespace {
@@ -37,6 +38,10 @@ struct scattered {
 
 template <class Encoding, class Filter>
 void check_filter(Encoding encoding, Filter filter, glm::ivec2 map_size) {
+    const std::string name(filter.name);
+    const float reach = filter.reach();  // which decides where outside_map::lit looks again
+    CAPTURE(name);
+    CAPTURE(reach);
     CAPTURE(map_size.x);
     CAPTURE(map_size.y);
     values v;
