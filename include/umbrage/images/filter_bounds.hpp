@@ -43,8 +43,7 @@ template <class ParallelFor = serial>
     detail::box_bounds tree(map, reached.count(), parallel);
     const int steps = 256 << tree.level;
     image<glm::vec2> bounds(tree.last + 1);
-    for (int y = 0; y <= tree.last.y; ++y)
-        std::copy_n(tree.bounds.view().row(y), bounds.size().x, bounds.view().row(y));
+    for (int y = 0; y <= tree.last.y; ++y) std::copy_n(tree.bounds.view.row(y), bounds.size().x, bounds.view().row(y));
     const int first = reached.before() + (tree.cells - 1) * steps + (border ? 256 : 0);
     return {std::move(bounds), {static_cast<float>(first), 1.0f / static_cast<float>(steps)}};
 }

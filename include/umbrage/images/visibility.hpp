@@ -141,16 +141,6 @@ concept has_texels_form = requires(image_view<const typename Encoding::texel> ma
     texels_of(map, e);
 };
 
-/// Memory for a map, which an image would fill with zeros first.
-struct unset_floats {
-    explicit unset_floats(std::size_t count) : texels(new float[count]) {}
-    ~unset_floats() { delete[] texels; }
-    unset_floats(const unset_floats&) = delete;
-    unset_floats& operator=(const unset_floats&) = delete;
-
-    float* const texels;
-};
-
 /// Calls use(map) with the map as a form wants it. The map is decoded where that is less work than the receivers.
 /// @return   false where it is not, or where the form cannot take such a map
 template <class Form, class Encoding, class ParallelFor, class Use>
@@ -165,12 +155,10 @@ bool with_map(image_view<const typename Encoding::texel> map, const Encoding& en
     } else {
         const auto area = [](glm::ivec2 size) { return static_cast<double>(size.x) * size.y; };
         if (area(map.size) >= 16.0 * area(receivers)) return false;
-        const auto texels = static_cast<std::size_t>(map.size.x) * static_cast<std::size_t>(map.size.y);
-        const unset_floats memory(texels);
-        const image_view<float> depths(memory.texels, map.size);
-        if (!texel_bytes<const float>::fits(depths)) return false;
-        decode(map, depths, encoding, parallel);
-        use(float_texels{depths});
+        const unset_image<float> depths(map.size);
+        if (!texel_bytes<const float>::fits(depths.view)) return false;
+        decode(map, depths.view, encoding, parallel);
+        use(float_texels{depths.view});
     }
     return true;
 }

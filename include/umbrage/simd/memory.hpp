@@ -18,6 +18,18 @@
 
 namespace umbrage::detail {
 
+/// An image that is written before it is read: others are filled with zeros first.
+template <class T>
+struct unset_image {
+    explicit unset_image(glm::ivec2 size)
+        : view(new T[static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y)], size) {}
+    ~unset_image() { delete[] view.data; }
+    unset_image(const unset_image&) = delete;
+    unset_image& operator=(const unset_image&) = delete;
+
+    const image_view<T> view;
+};
+
 /// Whether an image is so large that non-temporal stores pay: others would read each cache line before it is
 /// overwritten, and evict what is read meanwhile.
 template <class T>

@@ -22,104 +22,111 @@ namespace umbrage::detail {
 /// squares of 2^level texels in a row.
 struct box_bounds {
     int level, cells;
-    glm::ivec2 last;          ///< of the starts, which begin cells - 1 squares in front of the map
-    image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
+    glm::ivec2 squares;             ///< of the map
+    glm::ivec2 last;                ///< of the starts, which begin cells - 1 squares in front of the map
+    unset_image<glm::vec2> bounds;  ///< least and greatest; rows are filled up to whole blocks
 
     /// @param width   of the box
     template <class ParallelFor>
     box_bounds(image_view<const float> map, int width, ParallelFor&& parallel)
-        : level(width < 9 ? 1 : 2), cells(((1 << level) + width - 2) / (1 << level) + 1) {
-        const glm::ivec2 squares = (map.size + ((1 << level) - 1)) >> level;
-        last = squares + (cells - 2);
-        bounds = image<glm::vec2>({(last.x + block) / block * block, last.y + 1});
-        image<std::int32_t> least({bounds.size().x, squares.y}), greatest(least.size());
-        parallel(squares.y, [&](int from, int to) {
-            const int blocks = (squares.x + block - 1) / block;
-            const auto columns = static_cast<std::size_t>(blocks * block) << level;
-            std::vector<std::int32_t> low(columns), high(columns),
-                padded(static_cast<std::size_t>(bounds.size().x + cells));
+        : level(width < 9 ? 1 : 2),
+          cells(((1 << level) + width - 2) / (1 << level) + 1),
+          squares((map.size + ((1 << level) - 1)) >> level),
+          last(squares + (cells - 2)),
+          bounds({(last.x + block) / block * block, last.y + 1}) {
+        parallel(bounds.view.size.y, [&](int from, int to) {
+            const int before = cells - 1, columns = bounds.view.size.x;
+            const int plane = columns + (before + block) / block * block;
+            const auto row_size = static_cast<std::size_t>(2 * plane);
+            std::vector<std::int32_t> row(row_size + static_cast<std::size_t>(before));
+            std::vector<std::int32_t> rows(row_size * static_cast<std::size_t>(cells));  // of squares, the latest
+            const auto row_at = [&](int y) UMBRAGE_INLINE { return rows.data() + (y + before) % cells * 2 * plane; };
             on_best_isa([&](auto) UMBRAGE_INLINE {
-                for (int y = from; y < to; ++y) {
-                    bounds_of_columns(map, y << level, low, high);
-                    along_row(low, squares.x, padded, least_of{}, least.view().row(y));
-                    along_row(high, squares.x, padded, greatest_of{}, greatest.view().row(y));
-                }
-            });
-        });
-        parallel(bounds.size().y, [&](int from, int to) {
-            const auto row = [&](const image<std::int32_t>& of, int y) {
-                return of.view().row(clamp_int(y - (cells - 1), squares.y - 1));
-            };
-            on_best_isa([&](auto) UMBRAGE_INLINE {
-                for (int y = from; y < to; ++y)
-                    for (int x = 0; x < bounds.size().x; x += block) {
-                        alignas(64) std::int32_t lows[block], highs[block];
-                        widen(least_of{}, lows, [&](int k) UMBRAGE_INLINE { return row(least, y + k) + x; });
-                        widen(greatest_of{}, highs, [&](int k) UMBRAGE_INLINE { return row(greatest, y + k) + x; });
-                        glm::vec2* out = bounds.view().row(y) + x;
-                        for (int i = 0; i < block; ++i) out[i] = {from_order_key(lows[i]), from_order_key(highs[i])};
+                for (int y = from - before; y < to; ++y) {
+                    std::int32_t* const planes[]{row.data(), row.data() + plane};
+                    bounds_of_squares(map, clamp_int(y, squares.y - 1), planes);
+                    for (int x = 0; x < 2 * plane; x += block)
+                        widen(row_at(y) + x, [&](int k) UMBRAGE_INLINE { return row.data() + x + k; });
+                    if (y < from) continue;
+                    for (int x = 0; x < columns; x += block) {
+                        alignas(64) std::int32_t low[block], high[block];
+                        widen(low, [&](int k) UMBRAGE_INLINE { return row_at(y - k) + x; });
+                        widen(high, [&](int k) UMBRAGE_INLINE { return row_at(y - k) + plane + x; });
+                        glm::vec2* out = bounds.view.row(y) + x;
+                        for (int i = 0; i < block; ++i) out[i] = {from_order_key(low[i]), from_order_key(~high[i])};
                     }
+                }
             });
         });
     }
 
 private:
+    static constexpr int deepest = 2;  ///< level
+
+    /// Of a row of squares: least depths and greatest, these as complements so that both are minima. Squares at the
+    /// border are repeated, as far as boxes reach.
+    UMBRAGE_INLINE void bounds_of_squares(const image_view<const float>& map, int y,
+                                          std::int32_t* const planes[2]) const {
+        for (int x = 0; x < squares.x; x += block) {
+            alignas(64) std::int32_t parts[2][block << deepest];
+            for (int i = 0; i < block << level; i += block)
+                bounds_of_columns(map, {(x << level) + i, y << level}, parts[0] + i, parts[1] + i);
+            for (int p = 0; p < 2; ++p) {
+                for (int left = block << level; left > block; left /= 2)
+                    for (int i = 0; i < left; i += 2 * block) halve(parts[p] + i, parts[p] + i / 2);
+                std::memcpy(planes[p] + cells - 1 + x, parts[p], sizeof(std::int32_t) * block);
+            }
+        }
+        for (int p = 0; p < 2; ++p) {
+            std::int32_t *const first = planes[p] + (cells - 1), *const end = first + squares.x;
+            std::fill(planes[p], first, *first);
+            std::fill(end, planes[p] + bounds.view.size.x + (cells - 1), end[-1]);
+        }
+    }
+
     /// Over 2^level rows; the last row and column are repeated.
-    UMBRAGE_INLINE void bounds_of_columns(const image_view<const float>& map, int y, std::vector<std::int32_t>& low,
-                                          std::vector<std::int32_t>& high) const {
-        for (int x = 0; x < static_cast<int>(low.size()); x += block) {
-            alignas(64) std::int32_t lows[block], highs[block], keys[block];
-            for (int k = 0; k < 1 << level; ++k) {
-                const float* depths = map.row(clamp_int(y + k, map.size.y - 1)) + x;
-                alignas(64) float repeated[block];
-                if (x + block > map.size.x) {
-                    for (int i = 0; i < block; ++i) repeated[i] = depths[clamp_int(x + i, map.size.x - 1) - x];
-                    depths = repeated;
-                }
-                for (int i = 0; i < block; ++i) {
-                    keys[i] = order_key(depths[i]);
-                    lows[i] = k ? least_of{}(lows[i], keys[i]) : keys[i];
-                    highs[i] = k ? greatest_of{}(highs[i], keys[i]) : keys[i];
-                }
-            }
-            std::memcpy(&low[std::size_t(x)], lows, sizeof lows);
-            std::memcpy(&high[std::size_t(x)], highs, sizeof highs);
+    UMBRAGE_INLINE void bounds_of_columns(const image_view<const float>& map, glm::ivec2 first, std::int32_t* low,
+                                          std::int32_t* high) const {
+        constexpr int rows = 1 << deepest;
+        alignas(64) float repeated[rows][block];
+        const float* depths[rows];
+        for (int k = 0; k < rows; ++k) {
+            const float* row = map.row(clamp_int(first.y + (k & ((1 << level) - 1)), map.size.y - 1));
+            depths[k] = row + first.x;
+            prefetch_bytes(depths[k], map.stride * (1 << level), block * sizeof(float));
+            if (first.x + block <= map.size.x) continue;
+            for (int i = 0; i < block; ++i) repeated[k][i] = row[clamp_int(first.x + i, map.size.x - 1)];
+            depths[k] = repeated[k];
+        }
+        UMBRAGE_NO_OVERLAP
+        for (int i = 0; i < block; ++i) {
+            const std::int32_t a = order_key(depths[0][i]), b = order_key(depths[1][i]);
+            const std::int32_t c = order_key(depths[2][i]), d = order_key(depths[3][i]);
+            low[i] = least(least(a, b), least(c, d));
+            high[i] = ~greatest(greatest(a, b), greatest(c, d));
         }
     }
 
-    /// to[x] = pick over the `cells` squares from x - (cells - 1) on, those at the border repeated.
-    template <class Pick>
-    UMBRAGE_INLINE void along_row(std::vector<std::int32_t>& columns, int squares, std::vector<std::int32_t>& padded,
-                                  Pick pick, std::int32_t* to) const {
-        auto count = static_cast<int>(columns.size());
-        for (int halving = 0; halving < level; ++halving) {
-            count /= 2;
-            for (int x = 0; x < count; x += block) {
-                alignas(64) std::int32_t halves[block];
-                const std::int32_t* pairs = &columns[std::size_t(2 * x)];
-                for (int i = 0; i < block; ++i) halves[i] = pick(pairs[2 * i], pairs[2 * i + 1]);
-                std::memcpy(&columns[std::size_t(x)], halves, sizeof halves);
-            }
-        }
-        const auto before = padded.begin() + (cells - 1);
-        std::fill(padded.begin(), before, columns.front());
-        std::copy_n(columns.begin(), squares, before);
-        std::fill(before + squares, padded.end(), columns[std::size_t(squares - 1)]);
-        for (int x = 0; x < bounds.size().x; x += block)
-            widen(pick, to + x, [&](int k) UMBRAGE_INLINE { return padded.data() + k + x; });
+    static UMBRAGE_INLINE void halve(const std::int32_t* pairs, std::int32_t* to) {
+        alignas(64) std::int32_t halves[block];
+        for (int i = 0; i < block; ++i) halves[i] = least(pairs[2 * i], pairs[2 * i + 1]);
+        std::memcpy(to, halves, sizeof halves);
     }
 
-    /// to[i] = pick of from(k)[i] over k < cells, for a block.
-    template <class Pick, class From>
-    UMBRAGE_INLINE void widen(Pick pick, std::int32_t* to, const From& from) const {
+    /// to[i] = least of from(k)[i] over k < cells, for a block.
+    template <class From>
+    UMBRAGE_INLINE void widen(std::int32_t* to, const From& from) const {
         alignas(64) std::int32_t best[block];
         std::memcpy(best, from(0), sizeof best);
         for (int k = 1; k < cells; ++k) {
             const std::int32_t* other = from(k);
-            for (int i = 0; i < block; ++i) best[i] = pick(best[i], other[i]);
+            for (int i = 0; i < block; ++i) best[i] = least(best[i], other[i]);
         }
         std::memcpy(to, best, sizeof best);
     }
+
+    static UMBRAGE_INLINE std::int32_t least(std::int32_t a, std::int32_t b) { return least_of{}(a, b); }
+    static UMBRAGE_INLINE std::int32_t greatest(std::int32_t a, std::int32_t b) { return greatest_of{}(a, b); }
 };
 
 /// Of filters that are known by their reach alone: texels whose centres lie so far from a receiver, an axis, and how

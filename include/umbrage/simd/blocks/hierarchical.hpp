@@ -26,7 +26,7 @@ template <class Test>
 UMBRAGE_INLINE inline std::int32_t ask_bounds(const box_bounds& tree, const std::int32_t* offsets,
                                               const std::int32_t* compared, const float* depths, float* visibility,
                                               std::int32_t* open) {
-    const texel_bytes memory(tree.bounds.view());
+    const texel_bytes<const glm::vec2> memory(tree.bounds.view);
     alignas(64) glm::vec2 bounds[block];
     std::int32_t any = 0;
     gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); }});
@@ -53,7 +53,7 @@ struct hierarchical_blocks {
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at) const {
-        const texel_bytes memory(tree.bounds.view());
+        const texel_bytes<const glm::vec2> memory(tree.bounds.view);
         const int before = tree.cells - 1, level = tree.level;
         const glm::ivec2 last = tree.last;
         UMBRAGE_NO_OVERLAP
@@ -112,7 +112,7 @@ struct hierarchical_disc_blocks {
 
     template <class Receivers>
     UMBRAGE_INLINE void place(const Receivers& receivers, placed& at, int pixel_y) const {
-        const texel_bytes memory(tree.bounds.view());
+        const texel_bytes<const glm::vec2> memory(tree.bounds.view);
         const int before = tree.cells - 1, shift = 8 + tree.level, ahead = reached.before();
         const glm::ivec2 last = tree.last;
         every_point.locate(receivers, at.points, pixel_y);
