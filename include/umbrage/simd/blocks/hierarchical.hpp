@@ -28,7 +28,12 @@ UMBRAGE_INLINE inline std::int32_t ask_bounds(const box_bounds& tree, const std:
                                               std::int32_t* open) {
     const texel_bytes<const glm::vec2> memory(tree.bounds.view);
     alignas(64) glm::vec2 bounds[block];
-    std::int32_t any = 0;
+    std::int32_t some = 0, any = 0;
+    for (int i = 0; i < block; ++i) some |= compared[i];
+    if (!some) {  // as all over the sky
+        for (int i = 0; i < block; ++i) visibility[i] = 1.0f;
+        return 0;
+    }
     gather<std::uint64_t>(gathered{bounds, [&](int i) UMBRAGE_INLINE { return memory.at(offsets[i]); }});
     for (int i = 0; i < block; ++i) {
         const std::int32_t lit = Test::all_lit(depths[i], bounds[i].x, bounds[i].y);
