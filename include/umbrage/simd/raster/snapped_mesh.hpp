@@ -81,9 +81,14 @@ public:
     /// @param draw   (const triangles&)
     template <class Draw>
     void for_each_batch(const Draw& draw) const {
-        for_each_batch(
-            {{0, 0}, size_}, chunk_.count(), [](std::size_t k) { return unsigned(k); },
-            [](const auto&...) { return true; }, draw);
+        in_batches({{0, 0}, size_}, draw, [&](const auto& add) {
+            for (unsigned i = 0; i < chunk_.count(); ++i) {
+                const drawn_triangle at = chunk_.place_of(i);
+                const corners c = corners_of(at);
+                if (c.crossed == 0) add(c.a, c.b, c.c, unsigned(at.triangle));
+                else for_each_part(at, c, add);
+            }
+        });
     }
 
     /// The chunk band by band, where that keeps texels in the cache or lets threads draw side by side; else as above.
@@ -92,27 +97,15 @@ public:
         const int rows = std::clamp(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;
         const bool coherent = is_coherent(rows);
         if (is_serial<ParallelFor> && (bands == 1 || coherent)) return for_each_batch(draw);
-        const unsigned length = coherent ? run_of_many : 1;
+        const unsigned length = coherent ? run_length : 1;
         sort_into_bands(rows, bands, length, parallel);
         parallel(bands, [&](int first, int last) {
             for (int band = first; band < last; ++band) {
                 const texel_bounds bounds{{0, band * rows}, {size_.x, std::min((band + 1) * rows, size_.y)}};
-                const int bottom = bounds.first.y * subtexels, top = bounds.last.y * subtexels;
-                for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands)) {
-                    const std::vector<unsigned>& list = lists_[i];
-                    if (list.empty()) continue;
-                    const std::size_t count = (list.size() - 1) * length + run_from(list.back(), length).size();
-                    const auto next = [&](std::size_t k) {
-                        if (coherent) return list[k / run_of_many] + unsigned(k % run_of_many);
-                        expect(list, k);
-                        return list[k];
-                    };
-                    const auto is_wanted = [&](const snapped_vertex& a, const snapped_vertex& b,
-                                               const snapped_vertex& c) {
-                        return std::max({a.y, b.y, c.y}) >= bottom && std::min({a.y, b.y, c.y}) <= top;
-                    };
-                    for_each_batch(bounds, count, next, is_wanted, draw);
-                }
+                in_batches(bounds, draw, [&](const auto& add) {
+                    for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands))
+                        add_from(lists_[i], length, bounds, add);
+                });
             }
         });
     }
@@ -123,13 +116,12 @@ private:
     static constexpr int band_texels = 1 << 16, band_rows = 64;
     static constexpr unsigned piece = 1 << 16;  // triangles that one thread reads or sorts at a time
     static constexpr std::size_t several_pieces = 16 * piece;
-    static constexpr unsigned run_of_many = 64;
+    static constexpr unsigned many = 64, run_length = 16;         // looked at; sorted: longer ones lie in more bands
     static constexpr unsigned before = 1u << projection::z_near;  // the bit of that plane
 
     /// Triangles of the chunk that follow each other.
     struct run {
         unsigned first, last;
-
         [[nodiscard]] unsigned size() const { return last - first; }
     };
     [[nodiscard]] run run_from(unsigned first, unsigned length) const {
@@ -153,9 +145,13 @@ private:
         return one.count() > 3 * piece && several.count() < 3 * std::min(several_pieces, mesh_.triangles.size());
     }
 
-    [[nodiscard]] static unsigned planes_crossed(const snapped_vertex& a, const snapped_vertex& b,
-                                                 const snapped_vertex& c) {
-        return planes_outside(a) | planes_outside(b) | planes_outside(c);
+    /// Of a triangle, and the planes that one of them is outside of.
+    struct corners {
+        const snapped_vertex &a, &b, &c;
+        unsigned crossed = planes_outside(a) | planes_outside(b) | planes_outside(c);
+    };
+    [[nodiscard]] UMBRAGE_INLINE corners corners_of(const drawn_triangle& at) const {
+        return {chunk_.vertex(at, 0), chunk_.vertex(at, 1), chunk_.vertex(at, 2)};
     }
 
     /// Whether nothing is drawn of triangles whose corners are all outside of these planes, of which there may be none.
@@ -165,86 +161,91 @@ private:
 
     /// What is drawn of a triangle that crosses planes: the part behind the near plane, and where that clamps the part
     /// before it; nothing where it is outside of another plane, or not finite.
-    /// @param use   (const clipped_polygon&), of three vertices or more
+    /// @param use   (a, b, c, unsigned triangle), for each triangle of it
     template <class Use>
-    void for_each_part(const drawn_triangle& at, const snapped_vertex& a, const snapped_vertex& b,
-                       const snapped_vertex& c, unsigned crossed, const Use& use) const {
-        const unsigned beyond = planes_outside(a) & planes_outside(b) & planes_outside(c);
-        if (is_out_of_sight(beyond) || (crossed & projection::nowhere)) return;
+    void for_each_part(const drawn_triangle& at, const corners& c, const Use& use) const {
+        const unsigned beyond = planes_outside(c.a) & planes_outside(c.b) & planes_outside(c.c);
+        if (is_out_of_sight(beyond) || (c.crossed & projection::nowhere)) return;
         const auto h = [&](glm::length_t corner) { return chunk_.homogeneous(at, corner); };
         const auto part = [&](near_side side) {
-            const clipped_polygon polygon = clip_triangle(chunk_.projection_of(at), h(0), h(1), h(2), crossed, side);
-            if (polygon.count > 0) use(polygon);
+            const auto [v, count] = clip_triangle(chunk_.projection_of(at), h(0), h(1), h(2), c.crossed, side);
+            for (std::size_t k = 1; int(k) + 1 < count; ++k) use(v[0], v[k], v[k + 1], unsigned(at.triangle));
         };
         if (!beyond) part(near_side::behind);
-        if (at_near_ == near_plane::clamps && (crossed & before)) part(near_side::before);
+        if (at_near_ == near_plane::clamps && (c.crossed & before)) part(near_side::before);
     }
 
-    /// @param next   (std::size_t k) -> the k-th triangle
-    /// @param is_wanted   whether a triangle with these corners, which crosses no planes, may lie in the bounds' rows
-    template <class Next, class IsWanted, class Draw>
-    void for_each_batch(const texel_bounds& bounds, std::size_t count, const Next& next, const IsWanted& is_wanted,
-                        const Draw& draw) const {
+    /// @param for_each   (add), which calls add(a, b, c, unsigned triangle) for each that is drawn
+    template <class Draw, class ForEach>
+    void in_batches(const texel_bounds& bounds, const Draw& draw, const ForEach& for_each) const {
         triangles batch;
-        const auto add = [&](const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c, unsigned i) {
-            batch.add(a, b, c, i);
-            if (!batch.full()) return;
+        const auto finish = [&] {
             batch.set_up(bounds, cull_);
             draw(batch);
             batch.count = 0;
         };
-        for (std::size_t k = 0; k < count; ++k) {
-            const drawn_triangle at = chunk_.place_of(next(k));
-            const unsigned id = static_cast<unsigned>(at.triangle);
-            const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
-            if (const unsigned crossed = planes_crossed(a, b, c)) {
-                for_each_part(at, a, b, c, crossed, [&](const clipped_polygon& polygon) {
-                    for (std::size_t v = 1; int(v) + 1 < polygon.count; ++v)
-                        add(polygon.vertices[0], polygon.vertices[v], polygon.vertices[v + 1], id);
-                });
-            } else if (is_wanted(a, b, c)) {
-                add(a, b, c, id);
+        for_each([&](const snapped_vertex& a, const snapped_vertex& b, const snapped_vertex& c, unsigned triangle)
+                     UMBRAGE_INLINE {
+                         batch.add(a, b, c, triangle);
+                         if (batch.full()) finish();
+                     });
+        if (batch.count > 0) finish();
+    }
+
+    /// What may be seen in a band, of a piece.
+    struct band_list {
+        struct part {
+            snapped_vertex a, b, c;
+            unsigned triangle;
+        };
+        std::vector<unsigned> runs;  // where they begin; without triangles that cross planes
+        std::vector<part> parts;     // what is left of those
+    };
+
+    template <class Add>
+    void add_from(const band_list& list, unsigned length, const texel_bounds& bounds, const Add& add) const {
+        const int bottom = bounds.first.y * subtexels, top = bounds.last.y * subtexels;
+        for (std::size_t k = 0; k < list.runs.size(); ++k) {
+            if (length == 1) expect(list.runs, k);
+            const run some = run_from(list.runs[k], length);
+            for (unsigned i = some.first; i < some.last; ++i) {
+                const drawn_triangle at = chunk_.place_of(i);
+                const auto [a, b, c, crossed] = corners_of(at);
+                if (crossed == 0 && std::max({a.y, b.y, c.y}) >= bottom && std::min({a.y, b.y, c.y}) <= top)
+                    add(a, b, c, unsigned(at.triangle));
             }
         }
-        if (batch.count == 0) return;
-        batch.set_up(bounds, cull_);
-        draw(batch);
+        for (const auto& part : list.parts) add(part.a, part.b, part.c, part.triangle);
     }
 
     /// Whether runs of many triangles lie in few bands, by a look at some.
     [[nodiscard]] bool is_coherent(int rows_a_band) const {
         constexpr unsigned looks = 16;
-        const unsigned step = std::max(chunk_.count() / looks, run_of_many);
+        const unsigned step = std::max(chunk_.count() / looks, many);
         int covered = 0, allowed = 0;
         for (unsigned i = 0; i < chunk_.count(); i += step, allowed += 2 * rows_a_band) {
-            const glm::ivec2 some = rows(run_from(i, run_of_many));
+            const glm::ivec2 some = rows(run_from(i, many), [](const auto&...) {});
             covered += std::max(some.y - some.x, 0);
         }
         return covered <= allowed;
     }
 
-    /// Rows that triangles may cover, from the bottom: first <= y < last, of which there may be none.
-    [[nodiscard]] glm::ivec2 rows(const run& some) const {
-        if (some.size() == 1) return rows_one_by_one(some);  // registers pay for many
-        const auto corners = chunk_.corners_of(some.first, some.last);
-        if (corners.are_inside) return rows_between(corners.lowest, corners.highest);
-        return is_out_of_sight(corners.outside) ? glm::ivec2(0, 0) : rows_one_by_one(some);
-    }
-    /// The same, of what planes leave of each. Not by its corners: where they are far, rounding may leave what lies
-    /// between them.
-    [[nodiscard]] glm::ivec2 rows_one_by_one(const run& some) const {
+    /// Rows first <= y < last that triangles may cover, or none. Without those that cross planes, whose parts may lie
+    /// beyond their corners' rows: where corners are far, by rounding.
+    /// @param use   (a, b, c, unsigned triangle), for what is drawn of those
+    template <class Use>
+    [[nodiscard]] glm::ivec2 rows(const run& some, const Use& use) const {
+        if (some.size() > 1) {  // registers pay for many
+            const auto all = chunk_.corners_of(some.first, some.last);
+            if (all.are_inside) return rows_between(all.lowest, all.highest);
+            if (is_out_of_sight(all.outside)) return {0, 0};
+        }
         std::int32_t lowest = std::numeric_limits<std::int32_t>::max(), highest = -lowest;
-        const auto include = [&](const snapped_vertex& v) {
-            lowest = std::min(lowest, v.y), highest = std::max(highest, v.y);
-        };
         for (unsigned i = some.first; i < some.last; ++i) {
             const drawn_triangle at = chunk_.place_of(i);
-            const snapped_vertex &a = chunk_.vertex(at, 0), &b = chunk_.vertex(at, 1), &c = chunk_.vertex(at, 2);
-            if (const unsigned crossed = planes_crossed(a, b, c))
-                for_each_part(at, a, b, c, crossed, [&](const clipped_polygon& polygon) {
-                    for (std::size_t v = 0; int(v) < polygon.count; ++v) include(polygon.vertices[v]);
-                });
-            else include(a), include(b), include(c);
+            const corners c = corners_of(at);
+            if (c.crossed != 0) for_each_part(at, c, use);
+            else lowest = std::min({lowest, c.a.y, c.b.y, c.c.y}), highest = std::max({highest, c.a.y, c.b.y, c.c.y});
         }
         return lowest > highest ? glm::ivec2(0, 0) : rows_between(lowest, highest);
     }
@@ -257,14 +258,20 @@ private:
     template <class ParallelFor>
     void sort_into_bands(int rows_a_band, int bands, unsigned length, ParallelFor&& parallel) {
         const unsigned pieces = (chunk_.count() + piece - 1) / piece;
-        for (auto& list : lists_) list.clear();
+        for (band_list& list : lists_) list.runs.clear(), list.parts.clear();
         lists_.resize(std::size_t(pieces) * std::size_t(bands));
         parallel(static_cast<int>(pieces), [&](int from, int to) {
             for (unsigned i = unsigned(from) * piece; i < std::min(unsigned(to) * piece, chunk_.count()); i += length) {
-                auto* const lists = lists_.data() + std::size_t(i / piece) * std::size_t(bands);
-                const glm::ivec2 covered = rows(run_from(i, length));
-                for (int band = covered.x / rows_a_band; band * rows_a_band < covered.y; ++band)
-                    lists[band].push_back(i);
+                band_list* const lists = lists_.data() + std::size_t(i / piece) * std::size_t(bands);
+                const auto put = [&](const glm::ivec2& covered, auto band_list::*kind, const auto& what) {
+                    for (int band = covered.x / rows_a_band; band * rows_a_band < covered.y; ++band)
+                        (lists[band].*kind).push_back(what);
+                };
+                const auto keep = [&](const auto& a, const auto& b, const auto& c, unsigned triangle) {
+                    const auto [lowest, highest] = std::minmax({a.y, b.y, c.y});
+                    put(rows_between(lowest, highest), &band_list::parts, band_list::part{a, b, c, triangle});
+                };
+                put(rows(run_from(i, length), keep), &band_list::runs, i);
             }
         });
     }
@@ -285,8 +292,8 @@ private:
     near_plane at_near_;
     std::vector<projection> instances_;
     snapped_chunk chunk_;
-    std::vector<index_range> indices_;          // of a piece
-    std::vector<std::vector<unsigned>> lists_;  // of a piece, band by band: where runs begin
+    std::vector<index_range> indices_;  // of a piece
+    std::vector<band_list> lists_;      // of a piece, band by band
 };
 
 }  // namespace umbrage::detail
