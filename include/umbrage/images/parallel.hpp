@@ -9,7 +9,8 @@
 //     umbrage::encode(depth.view(), packed.view(), umbrage::rg<11>{}, parallel_for);
 //
 // parallel_for(count, piece) calls piece(first, last) so that the pieces cover 0 .. count once, in any order, on any
-// threads, and returns when all are done. Pieces are bands of rows; no way to cut them changes a bit.
+// threads, and returns when all are done. Pieces are bands of rows, or strips of columns; no way to cut them changes a
+// bit.
 #pragma once
 
 namespace umbrage {

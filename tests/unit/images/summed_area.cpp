@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <random>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include <umbrage/images/summed_area.hpp>
@@ -166,6 +167,32 @@ TEST_CASE_TEMPLATE("summed_area: large tables, which bypass the cache", T, std::
             }
         }
         CHECK(wrong == 0);
+    }
+}
+
+TEST_CASE_TEMPLATE("summed_area: strips of columns, summed in any order", T, std::uint8_t, std::uint16_t, std::uint32_t,
+                   float) {
+    using sum = std::conditional_t<std::is_same_v<T, float>, float, std::uint32_t>;
+    std::mt19937 engine(8);
+    const auto bits = [](image<sum>& sums) {
+        std::vector<std::uint32_t> all;
+        for (sum v : sums.texels()) all.push_back(std::bit_cast<std::uint32_t>(v));
+        return all;
+    };
+    for (const glm::ivec2 size : {glm::ivec2(1025, 3), glm::ivec2(3333, 130), glm::ivec2(8192, 65)}) {
+        image<T> values(size);
+        for (T& v : values.texels()) v = static_cast<T>(static_cast<float>(engine() >> 8) * 0x1p-24f * 255.0f);
+        for_each_isa([&] {
+            image<sum> whole(size), backwards(size), forwards(size), halves(size);
+            umbrage::summed_area(values.view(), whole.view());
+            umbrage::summed_area(values.view(), backwards.view(), last_piece_first{100});
+            umbrage::summed_area(values.view(), halves.view(), last_piece_first{2});
+            umbrage::summed_area(values.view(), forwards.view(), [](int count, auto&& piece) {
+                for (int i = 0; i < count; ++i) piece(i, i + 1);
+            });
+            const auto wanted = bits(whole);
+            CHECK((bits(backwards) == wanted && bits(forwards) == wanted && bits(halves) == wanted));
+        });
     }
 }
 
