@@ -33,9 +33,13 @@ namespace detail {
 /// Rows of a table that are summed from zero, then put on top of what is before them.
 inline constexpr int band_rows = 64;
 
-/// Columns that a thread takes at a time. Each row of a strip lies on a page of its own: narrow ones were slower. Two
-/// threads keep memory busy.
-inline constexpr int strip_columns = 1024;
+/// Columns of the strips that threads take: whole blocks, alike wide, two or more strips where there are so many blocks.
+/// Each row of a strip lies on a page of its own, so that narrow ones are slower.
+[[nodiscard]] inline int columns_a_strip(int width) {
+    constexpr int widest = 1024;
+    const int strips = std::max(2, (width + widest - 1) / widest);
+    return ((width + strips - 1) / strips + block - 1) / block * block;
+}
 
 /// Rows of a strip, of one band. `line` holds the sums of what is above them in the band, and then down to there.
 /// @param before   of each row, the sum of all to the left of the strip, and then up to its end
@@ -122,8 +126,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
     if (values.empty()) return;
     constexpr bool in_one = std::is_same_v<std::remove_cvref_t<ParallelFor>, serial>;
     const glm::ivec2 size = sums.size;
-    const int strips = in_one ? 1 : (size.x + detail::strip_columns - 1) / detail::strip_columns;
-    const int columns = ((size.x + strips - 1) / strips + detail::block - 1) / detail::block * detail::block;
+    const int columns = in_one ? size.x : detail::columns_a_strip(size.x), strips = (size.x + columns - 1) / columns;
     const bool is_large = detail::past_cache(sums);
     detail::strip_starts<value, Sum> starts(values, strips, columns);
     parallel(strips, [&](int first, int last) {

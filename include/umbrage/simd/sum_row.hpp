@@ -64,7 +64,8 @@ UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum be
     using few = lanes_of<Sum, Lanes>;
     constexpr bool by_bytes = sums_bytes && sizeof(From) == 1 && Lanes == 8;
     constexpr int step = by_bytes ? 2 * Lanes : Lanes;
-    few carry = few{} + before;
+    few carry;
+    for (int i = 0; i < Lanes; ++i) carry[i] = before;
     const auto add_few = [&](auto streams, few& together, const Sum* under, Sum* lines, Sum* out) UMBRAGE_INLINE {
         few sums, there;
         load_lanes(lines, there);
@@ -137,8 +138,8 @@ UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum be
 /// What sum_row returns, of whole blocks.
 template <int Lanes, class From, class Sum>
 UMBRAGE_INLINE inline Sum sum_of_row(const From* from, Sum before, int count) {
-    lanes_of<Sum, Lanes> carry{}, few;
-    if constexpr (!std::is_integral_v<Sum>) carry = carry + before;
+    lanes_of<Sum, Lanes> carry, few;
+    for (int i = 0; i < Lanes; ++i) carry[i] = std::is_integral_v<Sum> ? Sum(0) : before;
     for (int x = 0; x < count; x += block) {
         alignas(64) Sum values[block];
         for (int i = 0; i < block; ++i) values[i] = from[x + i];
