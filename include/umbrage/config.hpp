@@ -27,6 +27,10 @@ using error_handler = void (*)(const char* message);
 
 namespace detail {
 
+/// What templates take, by default, that are templates for one reason: a file compiles of them what it calls, and not
+/// whatever it includes.
+struct on_use;
+
 inline error_handler handler = nullptr;
 
 /// Reports bad input to a set-up function.

@@ -26,13 +26,13 @@ struct shader_language {
 };
 
 inline const std::array languages{
-    shader_language{"glsl", "glsl", ".glsl", &glsl::detail::glsl_language,
+    shader_language{"glsl", "glsl", ".glsl", &glsl::detail::glsl_language<>,
                     [](std::span<const glsl::bound> items) { return glsl::text(items); }},
-    shader_language{"hlsl", "hlsl", ".hlsl", &umbrage::hlsl::detail::language,
+    shader_language{"hlsl", "hlsl", ".hlsl", &umbrage::hlsl::detail::language<>,
                     [](std::span<const glsl::bound> items) { return umbrage::hlsl::text(items); }},
-    shader_language{"msl", "metal", ".metal", &umbrage::msl::detail::language,
+    shader_language{"msl", "metal", ".metal", &umbrage::msl::detail::language<>,
                     [](std::span<const glsl::bound> items) { return umbrage::msl::text(items); }},
-    shader_language{"wgsl", "wgsl", ".wgsl", &umbrage::wgsl::detail::language,
+    shader_language{"wgsl", "wgsl", ".wgsl", &umbrage::wgsl::detail::language<>,
                     [](std::span<const glsl::bound> items) { return umbrage::wgsl::text(items); }},
 };
 

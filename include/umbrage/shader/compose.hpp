@@ -5,7 +5,6 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
@@ -73,7 +72,8 @@ template <class Replacement>
 /// @throws std::invalid_argument  the map cannot have what is asked of it
 [[nodiscard]] inline const snippet& chosen(const snippet& s, const binding& b) {
     const bool forward = b.direction == depth_direction::forward;
-    const bool scaled = std::any_of(b.needs.begin(), b.needs.end(), [](const snippet& n) { return n.scaled; });
+    bool scaled = false;
+    for (const snippet& need : b.needs) scaled = scaled || need.scaled;
     switch (s.role) {
         case hook::none:
         case hook::chosen: return s;
@@ -113,8 +113,9 @@ template <class Replacement>
 
 /// Whether a snippet's functions are a map's own: they are hooks, or call some.
 [[nodiscard]] inline bool is_of_map(const snippet& s) {
-    return s.role != hook::none ||
-           std::any_of(s.needs.begin(), s.needs.end(), [](const snippet* need) { return is_of_map(*need); });
+    for (const snippet* need : s.needs)
+        if (is_of_map(*need)) return true;
+    return s.role != hook::none;
 }
 
 /// What a text calls its map: `map`, or `table`.
@@ -127,8 +128,8 @@ template <class Replacement>
 }
 
 /// A snippet's text with what a map fills in.
-[[nodiscard]] inline std::string for_map(std::string text, const snippet& s, const bound& item,
-                                         const texture_words& words) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string for_map(std::string text, const snippet& s, const bound& item, const texture_words& words) {
     const binding& map = item.map;
     const auto one_of = [](const std::string& own, std::string_view ordinary) {
         return own.empty() ? std::string(ordinary) : own;
@@ -149,15 +150,16 @@ template <class Replacement>
     replace("UMBRAGE_MAP " + own_map, "UMBRAGE_PARAMETERS");
     const auto list = [&](const std::string& own, std::string_view ordinary, std::string_view sampler) {
         std::string all = one_of(own, ordinary);
-        if (own.empty() && map.gather) all.insert(std::min(all.find(','), all.size()), sampler);
+        if (own.empty() && map.gather) all.insert(all.substr(0, all.find(',')).size(), sampler);
         return replace_words(all,
                              [&](std::string_view word, bool) { return word == "map" ? own_map : std::string(word); });
     };
 
     const auto suffixed = [&](std::string_view word) {
         const auto is_it = [name = word.substr(8)](const snippet& own) { return own.name == name && is_of_map(own); };
-        const bool own = word.substr(8) == s.name || std::any_of(map.needs.begin(), map.needs.end(), is_it) ||
-                         std::any_of(s.needs.begin(), s.needs.end(), [&](const snippet* n) { return is_it(*n); });
+        bool own = word.substr(8) == s.name;
+        for (const snippet& need : map.needs) own = own || is_it(need);
+        for (const snippet* need : s.needs) own = own || is_it(*need);
         return std::string(word) + (own ? item.suffix : std::string());
     };
     const auto of_texture = [&](std::string_view expression) {
@@ -188,6 +190,7 @@ template <class Replacement>
 }
 
 /// One text in the making.
+template <class = umbrage::detail::on_use>
 class composition {
 public:
     composition(const language& l, std::span<const bound> items) : language_(l), items_(items.begin(), items.end()) {
@@ -223,7 +226,8 @@ private:
         if (is_of_map(s) != of_map) return;
         std::string guard = "UMBRAGE_HAS_" + std::string(s.name) + (of_map ? item.suffix : std::string());
         for (char& c : guard) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-        if (std::find(done_.begin(), done_.end(), guard) != done_.end()) return;
+        for (const std::string& done : done_)
+            if (done == guard) return;
         const std::string body = language_.translate(s);
         if (language_.preprocessor) text_ += "\n#ifndef " + guard + "\n#define " + guard;
         text_ += of_map && !by_macros ? laid_out(for_map(body, s, item, language_.texture(item.map.texture))) : body;
@@ -238,18 +242,18 @@ private:
 };
 
 /// A line that names what follows, then it.
-[[nodiscard]] inline std::string compose(const language& l, std::span<const bound> items) {
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string compose(const language& l, std::span<const bound> items) {
     std::string title = "// umbrage " + std::to_string(UMBRAGE_VERSION_MAJOR) + '.' +
                         std::to_string(UMBRAGE_VERSION_MINOR) + '.' + std::to_string(UMBRAGE_VERSION_PATCH) +
                         ", MIT License";
-    std::vector<std::string> names;
+    std::string names = ": ";
     for (const bound& item : items) {
-        std::string name = std::string(item.what.name) + item.suffix;
-        if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-        title += (names.empty() ? ": " : ", ") + name;
-        names.push_back(std::move(name));
+        const std::string name = std::string(item.what.name) + item.suffix + ", ";
+        if (names.find(' ' + name) == names.npos) names += name;
     }
-    return title + '\n' + std::string(l.prelude) + composition(l, items).text();
+    names.resize(names.size() - 2);
+    return title + names + '\n' + std::string(l.prelude) + composition<Use>(l, items).text();
 }
 
 }  // namespace umbrage::glsl::detail

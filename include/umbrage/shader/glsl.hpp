@@ -118,13 +118,15 @@ inline constexpr std::string_view scaled_macro = R"GLSL(
     return words;
 }
 
+template <class = umbrage::detail::on_use>
 inline constexpr language glsl_language{.prelude = prelude,
                                         .texture = glsl_texture,
                                         .translate = [](const snippet& s) { return s.source.str(); },
                                         .macros = true,
                                         .scaled_macro = scaled_macro};
 
-[[nodiscard]] inline std::vector<bound> unbound(std::span<const snippet> snippets) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<bound> unbound(std::span<const snippet> snippets) {
     return {snippets.begin(), snippets.end()};
 }
 
@@ -146,17 +148,23 @@ inline constexpr language glsl_language{.prelude = prelude,
 
 /// The snippets and all they need, each once and guarded, without a `#version` line: text to paste into any shader.
 /// @throws std::invalid_argument   a map that cannot have what is asked of it; two maps of one name
-[[nodiscard]] inline std::string text(std::span<const bound> items) {
-    return detail::compose(detail::glsl_language, items);
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::span<const bound> items) {
+    return detail::compose<Use>(detail::glsl_language<Use>, items);
 }
-[[nodiscard]] inline std::string text(std::span<const snippet> snippets) { return text(detail::unbound(snippets)); }
-[[nodiscard]] inline std::string text(std::initializer_list<bound> items) {
-    return text(std::span(items.begin(), items.size()));
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::span<const snippet> snippets) {
+    return text<Use>(detail::unbound<Use>(snippets));
+}
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::initializer_list<bound> items) {
+    return text<Use>(std::span(items.begin(), items.size()));
 }
 
 /// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
 /// @throws std::invalid_argument   as text; when the dialect has not what a snippet or a map needs
-[[nodiscard]] inline std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
     for (const bound& item : items)
         if (!supports(item, v))
             umbrage::detail::fail("umbrage::glsl::source: GLSL " + std::string(directive(v)) + " is too old for " +
@@ -166,13 +174,15 @@ inline constexpr language glsl_language{.prelude = prelude,
     out += '\n';
     out += preamble;
     if (!preamble.empty() && preamble.back() != '\n') out += '\n';
-    return out + text(items);
+    return out + text<Use>(items);
 }
-[[nodiscard]] inline std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
-    return source(v, detail::unbound(snippets), preamble);
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
+    return source<Use>(v, detail::unbound<Use>(snippets), preamble);
 }
-[[nodiscard]] inline std::string source(version v, std::initializer_list<bound> items, std::string_view preamble = {}) {
-    return source(v, std::span(items.begin(), items.size()), preamble);
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string source(version v, std::initializer_list<bound> items, std::string_view preamble = {}) {
+    return source<Use>(v, std::span(items.begin(), items.size()), preamble);
 }
 
 }  // namespace umbrage::glsl

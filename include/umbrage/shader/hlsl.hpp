@@ -112,9 +112,10 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
     return words;
 }
 
+template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
     .prelude = "", .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source.str()).print());
+        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(near, s.source.str()).print());
     }};
 
 }  // namespace detail
@@ -126,12 +127,14 @@ inline constexpr glsl::detail::language language{
 /// from or compared by its sampler, needs the binding's texture_size.
 ///
 /// @throws std::invalid_argument   for what HLSL has no word for
-[[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::compose(detail::language, items);
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::span<const glsl::bound> items) {
+    return glsl::detail::compose<Use>(detail::language<Use>, items);
 }
 
-[[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {
-    return hlsl::text(std::span(items.begin(), items.size()));
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::initializer_list<glsl::bound> items) {
+    return hlsl::text<Use>(std::span(items.begin(), items.size()));
 }
 
 }  // namespace umbrage::hlsl

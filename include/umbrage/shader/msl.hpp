@@ -126,9 +126,10 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
     return words;
 }
 
+template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
     .prelude = prelude, .texture = texture, .translate = [](const glsl::snippet& s) {
-        return glsl::detail::laid_out(glsl::detail::word_by_word(near, s.source.str()).print());
+        return glsl::detail::laid_out(glsl::detail::word_by_word<Use>(near, s.source.str()).print());
     }};
 
 }  // namespace detail
@@ -136,12 +137,14 @@ inline constexpr glsl::detail::language language{
 /// The snippets, or what bind() gives for a map, and all they need, each once and guarded: text to paste into any
 /// shader.
 /// @throws std::invalid_argument   for what Metal has no word for
-[[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::compose(detail::language, items);
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::span<const glsl::bound> items) {
+    return glsl::detail::compose<Use>(detail::language<Use>, items);
 }
 
-[[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {
-    return msl::text(std::span(items.begin(), items.size()));
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::initializer_list<glsl::bound> items) {
+    return msl::text<Use>(std::span(items.begin(), items.size()));
 }
 
 }  // namespace umbrage::msl

@@ -6,10 +6,8 @@
 //
 #pragma once
 
-#include <array>
-#include <set>
+#include <initializer_list>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include <umbrage/bias/acne_free.hpp>
@@ -67,30 +65,29 @@ namespace umbrage::glsl {
 namespace detail {
 
 /// Snippets in order, each once, what it needs before it.
+template <class = umbrage::detail::on_use>
 class collection {
 public:
     collection& add(const snippet* s) {
         // By name: a program and a library that it loads may each have a copy.
-        if (!names_.insert(s->name).second) return *this;
+        for (const snippet* member : members_)
+            if (*member == *s) return *this;
         for (const snippet* need : s->needs) add(need);
         members_.push_back(s);
         return *this;
     }
-    template <class... Lists>
-    collection& add_all(const Lists&... lists) {
-        const auto each = [&](const auto& some) {
+    collection& add_all(std::initializer_list<snippet_span> lists) {
+        for (const snippet_span& some : lists)
             for (const snippet* s : some) add(s);
-        };
-        (each(lists), ...);
         return *this;
     }
     template <class... Encodings>
     collection& add_writers(const list_of<Encodings...>*) {
-        return add_all(std::array{Encodings::writer...});
+        return (add(Encodings::writer), ..., *this);
     }
     template <class... Encodings>
     collection& add_readers(const list_of<Encodings...>*) {
-        return add_all(std::array{(Encodings::writes == written::depth ? Encodings::writer : Encodings::reader)...});
+        return (add(Encodings::writes == written::depth ? Encodings::writer : Encodings::reader), ..., *this);
     }
     template <class... Filters>
     collection& add_filters(const list_of<Filters...>*) {
@@ -108,41 +105,41 @@ private:
         } else add(Filter::snippet);
     }
 
-    std::set<std::string_view> names_;
     std::vector<const snippet*> members_;
 };
 
 }  // namespace detail
 
 /// All of them. Made when it is first asked for: a program that does not ask carries no snippet for it.
-[[nodiscard]] inline std::span<const snippet* const> registry() {
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::span<const snippet* const> registry() {
     static const std::vector<const snippet*> all = [] {
         const encodings* const every_encoding = nullptr;
         const umbrage::filters::all* const every_filter = nullptr;
-        return detail::collection()
+        return detail::collection<Use>()
             // light
-            .add_all(texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets, cube_atlas_snippets,
-                     dual_paraboloid_snippets, tetrahedron_snippets, pancake_snippets, page_table_snippets)
+            .add_all({texture_matrix_snippets, select_snippets, blend_snippets, cube_map_snippets, cube_atlas_snippets,
+                      dual_paraboloid_snippets, tetrahedron_snippets, pancake_snippets, page_table_snippets})
             // depth
-            .add_all(kinds_snippets, scalar_snippets, floor_divide_snippets, unorm_snippets)
+            .add_all({kinds_snippets, scalar_snippets, floor_divide_snippets, unorm_snippets})
             .add_writers(every_encoding)
-            .add_all(rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>)
+            .add_all({rg_table_snippets<9, 10, 11, 12, 13, 14, 15, 16>})
             .add_readers(every_encoding)
-            .add_all(rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets)
+            .add_all({rg_level_snippets<9, 10, 11, 12, 13, 14, 15, 16>, ps14_snippets})
             // filter
-            .add_all(clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets,
-                     disc_snippets)
+            .add_all({clip_space_snippets, image_snippets, texel_space_snippets, compare_snippets, window_snippets,
+                      disc_snippets})
             .add_filters(every_filter)
-            .add_all(pcf_2x2_cube_snippets, four_tap_hardware_snippets, pcf_2x2_hardware_snippets,
-                     window_hardware_snippets, disc_hardware_snippets, bounds_lit_snippets, penumbra_snippets,
-                     pcss_snippets, pcss_hardware_snippets, dpcf_snippets, summed_variance_snippets,
-                     summed_moments_snippets)
-            .add_all(exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
-                     hausdorff_snippets, look_up_snippets, decode_hardware_snippets, reduce_snippets)
+            .add_all({pcf_2x2_cube_snippets, four_tap_hardware_snippets, pcf_2x2_hardware_snippets,
+                      window_hardware_snippets, disc_hardware_snippets, bounds_lit_snippets, penumbra_snippets,
+                      pcss_snippets, pcss_hardware_snippets, dpcf_snippets, summed_variance_snippets,
+                      summed_moments_snippets})
+            .add_all({exp2_snippets, chebyshev_snippets, vsm_snippets, esm_snippets, evsm_snippets, msm_snippets,
+                      hausdorff_snippets, look_up_snippets, decode_hardware_snippets, reduce_snippets})
             // bias, shade, view
-            .add_all(light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets, kernel_snippets,
-                     receiver_plane_snippets, acne_free_snippets)
-            .add_all(lighting_snippets, false_colour_snippets, overlay_texel_snippets)
+            .add_all({light_units_snippets, constant_snippets, slope_snippets, normal_offset_snippets, kernel_snippets,
+                      receiver_plane_snippets, acne_free_snippets})
+            .add_all({lighting_snippets, false_colour_snippets, overlay_texel_snippets})
             .members();
     }();
     return all;

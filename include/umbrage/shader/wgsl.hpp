@@ -105,30 +105,35 @@ namespace detail {
     return words;
 }
 
-inline void declare(const glsl::snippet& s, signatures& functions) {
+template <class Use = umbrage::detail::on_use>
+void declare(const glsl::snippet& s, signatures& functions) {
     for (const glsl::snippet* need : s.needs) declare(*need, functions);
-    printer(s.source.str(), functions).declare();
+    printer<Use>(s.source.str(), functions).declare();
 }
 
-[[nodiscard]] inline std::string translate(const glsl::snippet& s) {
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string translate(const glsl::snippet& s) {
     signatures functions;
-    declare(s, functions);
-    return glsl::detail::laid_out(printer(s.source.str(), functions).print());
+    declare<Use>(s, functions);
+    return glsl::detail::laid_out(printer<Use>(s.source.str(), functions).print());
 }
 
+template <class Use = umbrage::detail::on_use>
 inline constexpr glsl::detail::language language{
-    .prelude = "", .texture = textures, .translate = translate, .preprocessor = false};
+    .prelude = "", .texture = textures, .translate = translate<Use>, .preprocessor = false};
 
 }  // namespace detail
 
 /// The snippets, or what bind() gives for a map, and all they need, each function once: text to paste into any shader.
 /// @throws std::invalid_argument   for what WGSL has no word for
-[[nodiscard]] inline std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::compose(detail::language, items);
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::span<const glsl::bound> items) {
+    return glsl::detail::compose<Use>(detail::language<Use>, items);
 }
 
-[[nodiscard]] inline std::string text(std::initializer_list<glsl::bound> items) {
-    return wgsl::text(std::span(items.begin(), items.size()));
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string text(std::initializer_list<glsl::bound> items) {
+    return wgsl::text<Use>(std::span(items.begin(), items.size()));
 }
 
 }  // namespace umbrage::wgsl

@@ -10,11 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include <umbrage/config.hpp>
+
 namespace umbrage::glsl::detail {
 
 /// One statement, or a function's head, in lines of at most 120 columns. Lines end behind a comma or an operator, as
 /// far out of brackets as may be; what goes on stands below the bracket that it is in, or four columns in.
-[[nodiscard]] inline std::string broken(std::string statement) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string broken(std::string statement) {
     const std::size_t margin = statement.find_first_not_of(' ');
     std::string out;
     std::vector<std::size_t> brackets;  // columns behind those that are open where the line at work begins
@@ -41,7 +44,8 @@ namespace umbrage::glsl::detail {
 }
 
 /// The text with the lines of each statement joined and broken again; a comment or a directive stays as it is.
-[[nodiscard]] inline std::string laid_out(std::string_view text) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string laid_out(std::string_view text) {
     const auto next_line = [&] {
         const std::string_view line = text.substr(0, text.find('\n'));
         text.remove_prefix(line.size() < text.size() ? line.size() + 1 : line.size());

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,7 +50,8 @@ struct token {
 
 /// The pieces of `text`, which must outlive them; the last is an end, whose space is what is left.
 /// @throws std::invalid_argument   for a character that is none of GLSL's
-[[nodiscard]] inline std::vector<token> tokens(std::string_view text) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<token> tokens(std::string_view text) {
     std::vector<token> all;
     for (std::size_t i = 0;;) {
         const std::size_t from = i;
@@ -83,7 +83,8 @@ struct token {
 }
 
 /// Of "#if __VERSION__ >= ..." what stands before its #else: what languages take that have all of the newest GLSL.
-[[nodiscard]] inline std::vector<token> newest(std::vector<token> all) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::vector<token> newest(std::vector<token> all) {
     enum { outside, before, behind } place = outside;  // of #else
     std::erase_if(all, [&](const token& t) {
         if (t.kind != piece::directive) return place == behind;
@@ -97,7 +98,8 @@ struct token {
 
 /// The bracket that closes the one at all[i].
 /// @throws std::invalid_argument   where none does
-[[nodiscard]] inline std::size_t closing(std::span<const token> all, std::size_t i) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::size_t closing(const std::vector<token>& all, std::size_t i) {
     std::size_t depth = 0;
     for (std::size_t k = i; k < all.size(); ++k) {
         if (all[k].kind != piece::sign) continue;

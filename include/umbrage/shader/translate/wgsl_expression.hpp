@@ -5,10 +5,7 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <map>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,11 +22,15 @@ using glsl::detail::token;
 
 /// A function of the text: one overload.
 struct signature {
-    std::string name;  ///< in WGSL, which has no overloads
-    std::vector<std::string> parameters;
+    std::string name, wgsl;  ///< WGSL has no overloads
+    std::string parameters;  ///< their types, a comma behind each
     std::string gives;
 };
-using signatures = std::multimap<std::string, signature, std::less<>>;
+using signatures = std::vector<signature>;
+
+struct variable {
+    std::string name, type;
+};
 
 struct value {
     std::string text, type;
@@ -56,13 +57,14 @@ inline constexpr std::pair<std::string_view, std::string_view> words_of_maps[]{
 [[nodiscard]] inline bool is_map(std::string_view type) { return type == "UMBRAGE_MAP"; }
 
 /// Reads a text from the beginning on and gives its expressions in WGSL.
+template <class = umbrage::detail::on_use>
 class expressions {
 public:
     expressions(std::string_view text, const signatures& functions)
         : all_(glsl::detail::newest(glsl::detail::tokens(text))), functions_(functions) {}
 
-    std::size_t at = 0;                                     ///< the next token
-    std::map<std::string, std::string, std::less<>> types;  ///< of variables in scope
+    std::size_t at = 0;               ///< the next token
+    std::vector<variable> variables;  ///< in scope; of two of one name the last counts
 
     /// The last, an end, is never taken.
     [[nodiscard]] const token& next() const { return all_[at]; }
@@ -98,6 +100,13 @@ public:
     }
 
 protected:
+    /// nullptr: there is none.
+    [[nodiscard]] const signature* overload(std::string_view name, std::string_view parameters) const {
+        for (const signature& f : functions_)
+            if (f.name == name && f.parameters == parameters) return &f;
+        return nullptr;
+    }
+
     const std::vector<token> all_;
 
 private:
@@ -192,8 +201,8 @@ private:
         if (t.kind != piece::word) reject("unexpected " + text);
         if (t == "true" || t == "false") return {text, "bool", primary_level};
         if (next() == "(") return call(text);
-        if (const auto variable = types.find(text); variable != types.end())
-            return {text, variable->second, primary_level};
+        for (std::size_t i = variables.size(); i-- > 0;)
+            if (variables[i].name == text) return {text, variables[i].type, primary_level};
         for (const auto& [word, type] : words_of_maps)
             if (word == text) return {text, std::string(type), primary_level};
         glsl::detail::unknown("wgsl", text);
@@ -208,15 +217,13 @@ private:
         }
         const std::string close = expect(")");
         if (glsl::detail::is_type(function)) return constructed(function, arguments, close);
-        const auto [first, last] = functions_.equal_range(function);
-        if (first == last) return built_in(function, arguments, close);
-        for (auto f = first; f != last; ++f) {
-            const auto same = [](const std::string& type, const value& v) { return type == v.type; };
-            const auto& wanted = f->second.parameters;
-            if (std::equal(wanted.begin(), wanted.end(), arguments.begin(), arguments.end(), same))
-                return {f->second.name + listed(arguments) + close, f->second.gives, primary_level};
-        }
-        reject("no overload of " + function + " takes what it is given");
+        std::string given;
+        for (const value& v : arguments) given += v.type + ',';
+        if (const signature* f = overload(function, given))
+            return {f->wgsl + listed(arguments) + close, f->gives, primary_level};
+        for (const signature& f : functions_)
+            if (f.name == function) reject("no overload of " + function + " takes what it is given");
+        return built_in(function, arguments, close);
     }
 
     static std::string listed(const std::vector<value>& arguments) {

@@ -4,13 +4,9 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
-#include <set>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -19,19 +15,17 @@
 namespace umbrage::wgsl::detail {
 
 /// Prints a snippet's text, GLSL whose only lines of the preprocessor are about its version.
-class printer : expressions {
-    struct parameter {
-        std::string type, name;
-    };
+template <class = umbrage::detail::on_use>
+class printer : expressions<> {
     struct head {
         std::string_view space;
         std::string gives, name;
-        std::vector<parameter> parameters;
+        std::vector<variable> parameters;
     };
 
 public:
     /// @param functions   those that the text may call; its own are added
-    printer(std::string_view text, signatures& functions) : expressions(text, functions), functions_(functions) {}
+    printer(std::string_view text, signatures& functions) : expressions<>(text, functions), functions_(functions) {}
 
     /// Adds the signatures of the text's functions. Where several share a name, their first type is a part of it.
     void declare() {
@@ -45,12 +39,12 @@ public:
             at = glsl::detail::closing(all_, at) + 1;
         }
         for (const head& h : all) {
-            const bool alone =
-                std::count_if(all.begin(), all.end(), [&](const head& other) { return other.name == h.name; }) == 1;
+            bool alone = true;
+            for (const head& other : all) alone = alone && (&other == &h || other.name != h.name);
             const bool plain = alone || h.parameters.empty() || h.parameters[0].type == "float";
-            signature s{h.name + (plain ? "" : "_" + name_of(h.parameters[0].type)), {}, h.gives};
-            for (const parameter& p : h.parameters) s.parameters.push_back(p.type);
-            functions_.emplace(h.name, std::move(s));
+            signature s{h.name, h.name + (plain ? "" : "_" + name_of(h.parameters[0].type)), {}, h.gives};
+            for (const variable& p : h.parameters) s.parameters += p.type + ',';
+            functions_.push_back(std::move(s));
         }
     }
 
@@ -72,7 +66,7 @@ private:
     std::string read_type() {
         skip_qualifiers();
         const std::string type(take().text);
-        if (!is_map(type)) std::ignore = name_of(type);
+        if (!is_map(type)) static_cast<void>(name_of(type));
         return type;
     }
 
@@ -89,7 +83,7 @@ private:
         while (!(next() == ")")) {
             if (!h.parameters.empty()) expect(",");
             std::string type = read_type();
-            h.parameters.push_back({std::move(type), read_name()});
+            h.parameters.push_back({read_name(), std::move(type)});
         }
         expect(")");
         return h;
@@ -113,45 +107,41 @@ private:
 
     void function() {
         const head h = read_head();
-        note_assignments();
-        types.clear();
-        std::string parameters, copies, name;
-        std::vector<std::string> given;
-        for (const parameter& p : h.parameters) {
-            types[p.name] = p.type;
-            given.push_back(p.type);
+        body_ = at;
+        variables = h.parameters;
+        std::string given, parameters, copies;
+        for (const variable& p : h.parameters) {
+            given += p.type + ',';
             if (!parameters.empty()) parameters += ", ";
             if (is_map(p.type)) {
                 parameters += p.type + " " + p.name;
             } else {
-                const bool copied = assigned_.contains(p.name);
+                const bool copied = is_assigned(p.name);
                 const std::string type = ": " + name_of(p.type), outer = p.name + (copied ? "_in" : "");
                 parameters += outer + type;
                 if (copied) copies += "\n    var " + p.name + type + " = " + outer + ";";
             }
         }
-        const auto [first, last] = functions_.equal_range(h.name);
-        for (auto f = first; f != last; ++f)
-            if (f->second.parameters == given) name = f->second.name;
-        write(h.space, "fn " + name + "(" + parameters + ") -> " + name_of(h.gives) + expect("{"));
+        const signature* const f = overload(h.name, given);
+        write(h.space, "fn " + (f ? f->wgsl : "") + "(" + parameters + ") -> " + name_of(h.gives) + expect("{"));
         out_ += copies;
         block();
     }
 
-    /// Finds which names the body that comes next writes to.
-    void note_assignments() {
+    /// Whether the function's body writes to what has that name.
+    [[nodiscard]] bool is_assigned(std::string_view name) const {
         static constexpr std::string_view signs[]{"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"};
-        assigned_.clear();
-        const std::size_t end = glsl::detail::closing(all_, at);
-        for (std::size_t i = at + 1; i < end; ++i) {
-            if (all_[i].kind != piece::word || glsl::detail::is_type(all_[i - 1].text)) continue;
+        const std::size_t end = glsl::detail::closing(all_, body_);
+        for (std::size_t i = body_ + 1; i < end; ++i) {
+            if (!(all_[i] == name) || glsl::detail::is_type(all_[i - 1].text)) continue;
             std::size_t behind = i + 1;
             while (all_[behind] == "." || all_[behind] == "[")
                 behind = all_[behind] == "." ? behind + 2 : glsl::detail::closing(all_, behind) + 1;
-            const bool before = all_[i - 1] == "++" || all_[i - 1] == "--";
-            if (before || std::find(std::begin(signs), std::end(signs), all_[behind].text) != std::end(signs))
-                assigned_.emplace(all_[i].text);
+            if (all_[i - 1] == "++" || all_[i - 1] == "--") return true;
+            for (std::string_view sign : signs)
+                if (all_[behind] == sign) return true;
         }
+        return false;
     }
 
     /// What is behind an opening brace, and the closing one.
@@ -222,11 +212,11 @@ private:
             expect("[");
             const std::string size = expression().text;
             expect("]");
-            types[name] = type + "[" + size + "]";
+            variables.push_back({name, type + "[" + size + "]"});
             return "var " + name + ": array<" + name_of(type) + ", " + size + ">";
         }
         const bool initialised = next() == "=";
-        const bool changes = assigned_.contains(name) || !initialised;
+        const bool changes = is_assigned(name) || !initialised;
         std::string text = std::string(constant ? "const " : changes ? "var " : "let ") + name + ": " + name_of(type);
         if (initialised) {
             text += expect("=");
@@ -234,7 +224,7 @@ private:
             if (v.type != type && !v.literal) reject(type + " " + name + " of " + v.type);
             text += v.text;
         }
-        types[name] = type;
+        variables.push_back({name, type});
         return text;
     }
 
@@ -274,7 +264,7 @@ private:
 
     signatures& functions_;
     std::string out_;
-    std::set<std::string, std::less<>> assigned_;
+    std::size_t body_ = 0;  // of the function being printed: its opening brace
 };
 
 }  // namespace umbrage::wgsl::detail

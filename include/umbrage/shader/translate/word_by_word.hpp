@@ -29,6 +29,7 @@ struct near_language {
 };
 
 /// Prints functions in a near language.
+template <class = umbrage::detail::on_use>
 class word_by_word {
 public:
     word_by_word(const near_language& language, std::string_view text)

@@ -12,10 +12,10 @@ using umbrage::wgsl::detail::signatures;
 namespace {
 
 std::string wgsl_expression(const std::string& glsl, const std::string& type = "") {
-    const signatures functions{{"f", {"f", {"float"}, "float"}}, {"f", {"f_vec2f", {"vec2"}, "vec2"}}};
+    const signatures functions{{"f", "f", "float,", "float"}, {"f", "f_vec2f", "vec2,", "vec2"}};
     expressions e(glsl, functions);
-    e.types = {{"a", "float"}, {"b", "float"}, {"v", "vec2"}, {"i", "int"},
-               {"j", "int"},   {"u", "uint"},  {"m", "mat4"}, {"all", "float[4]"}};
+    e.variables = {{"a", "float"}, {"b", "float"}, {"v", "vec2"}, {"i", "int"},
+                   {"j", "int"},   {"u", "uint"},  {"m", "mat4"}, {"all", "float[4]"}};
     const auto printed = e.expression();
     if (e.next().kind != umbrage::glsl::detail::piece::end) throw std::invalid_argument("more behind it");
     if (!type.empty()) CHECK(printed.type == type);
