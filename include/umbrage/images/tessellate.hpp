@@ -10,9 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <tuple>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -42,6 +39,7 @@ struct tessellation {
 
 namespace detail {
 
+template <class = on_use>
 class tessellator {
 public:
     tessellator(const mesh_view& mesh, const tessellation& to)
@@ -60,14 +58,14 @@ public:
 private:
     unsigned add(glm::vec3 p) {
         cut_.positions.push_back(p);
-        distances_.push_back(glm::length(glm::dvec3(p) - light_));
+        vertices_.push_back({glm::length(glm::dvec3(p) - light_)});
         return static_cast<unsigned>(cut_.positions.size() - 1);
     }
 
     /// By how much an edge is too long: what its angle's cosine lacks to 1, or else its error; zeros where it is not.
     /// Its ends alone decide, so that a neighbour's decides alike.
     [[nodiscard]] std::pair<double, double> excess(unsigned a, unsigned b) const {
-        const double p = distances_[a], q = distances_[b];
+        const double p = vertices_[a].distance, q = vertices_[b].distance;
         if (std::max(p, q) < sag_) return {0, 0};
         const glm::dvec3 to_a = glm::dvec3(cut_.positions[a]) - light_, to_b = glm::dvec3(cut_.positions[b]) - light_;
         const double cosine = glm::dot(to_a, to_b) / (p * q);
@@ -80,10 +78,10 @@ private:
 
     /// Where the angle's bisector meets the edge, from the same end whichever comes first.
     [[nodiscard]] glm::vec3 middle(unsigned a, unsigned b) const {
-        const auto order = [](const glm::vec3& p) { return std::tuple(p.x, p.y, p.z); };
-        if (order(cut_.positions[b]) < order(cut_.positions[a])) std::swap(a, b);
-        const double share = distances_[a] / (distances_[a] + distances_[b]);
-        return glm::vec3(glm::mix(glm::dvec3(cut_.positions[a]), glm::dvec3(cut_.positions[b]), share));
+        const glm::vec3 &p = cut_.positions[a], &q = cut_.positions[b];
+        if (q.x != p.x ? q.x < p.x : q.y != p.y ? q.y < p.y : q.z < p.z) return middle(b, a);
+        const double share = vertices_[a].distance / (vertices_[a].distance + vertices_[b].distance);
+        return glm::vec3(glm::mix(glm::dvec3(p), glm::dvec3(q), share));
     }
 
     /// Cuts a triangle in two at its edge that is longest above what it may be, until none is.
@@ -106,22 +104,33 @@ private:
                 continue;
             }
             const unsigned a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3], m = between(a, b);
-            left.emplace_back(a, m, c);
-            left.emplace_back(m, b, c);
+            left.push_back({a, m, c});
+            left.push_back({m, b, c});
         }
     }
 
     unsigned between(unsigned a, unsigned b) {
-        const auto [found, is_new] = middles_.try_emplace(std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), 0u);
-        if (is_new) found->second = add(middle(a, b));
-        return found->second;
+        if (b < a) return between(b, a);
+        for (unsigned m = vertices_[a].middle; m != none; m = vertices_[m].next)
+            if (vertices_[m].end == b) return m;
+        const unsigned m = add(middle(a, b));
+        vertices_[m].end = b;
+        vertices_[m].next = vertices_[a].middle;
+        return vertices_[a].middle = m;
     }
+
+    static constexpr unsigned none = ~0u;
+    struct vertex {
+        double distance;         ///< from the light
+        unsigned middle = none;  ///< of an edge from here to an end of a higher number, the last that was cut;
+        unsigned end = none;     ///< of a middle, that end,
+        unsigned next = none;    ///< and that of the edge cut before it
+    };
 
     glm::dvec3 light_;
     double range_, sag_, least_cosine_, greatest_cosine_;
     tessellated_mesh cut_;
-    std::vector<double> distances_;
-    std::unordered_map<std::uint64_t, unsigned> middles_;
+    std::vector<vertex> vertices_;
 };
 
 }  // namespace detail
@@ -138,7 +147,8 @@ private:
 ///               parabola is up to 4/3 as far from its plane as on the edges. Edges nearer to the light than that error
 ///               stay, and those of half a texel, angle^2 / 8, stay whatever their error: or else triangles that hold
 ///               the light, or are seen edge-on, had no end
-[[nodiscard]] inline tessellated_mesh tessellate(const mesh_view& mesh, const tessellation& to) {
+template <class = detail::on_use>
+[[nodiscard]] tessellated_mesh tessellate(const mesh_view& mesh, const tessellation& to) {
     constexpr auto function = "tessellate";
     detail::require(detail::all_finite(to.position), function, "position", "must be finite");
     detail::require(is_finite(to.angle) && to.angle > 0, function, "angle", "must be above 0");
@@ -147,7 +157,7 @@ private:
     for (const glm::uvec3& t : mesh.triangles)
         detail::require(std::max({t.x, t.y, t.z}) < mesh.positions.size(), function, "mesh.triangles",
                         "must be indices of positions");
-    return detail::tessellator(mesh, to).take();
+    return detail::tessellator<>(mesh, to).take();
 }
 
 }  // namespace umbrage
