@@ -16,9 +16,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include <glm/vec2.hpp>
@@ -58,6 +56,17 @@ namespace detail {
     return static_cast<int>(std::clamp(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
 }
 
+/// To pages in the making, where it is not the last already.
+inline void add(const page& p, std::vector<page>& pages) {
+    if (pages.empty() || p != pages.back()) pages.push_back(p);
+}
+/// Each once, coarse ones first.
+template <class = on_use>
+void tidy(std::vector<page>& pages) {
+    std::sort(pages.begin(), pages.end());
+    pages.erase(std::unique(pages.begin(), pages.end()), pages.end());
+}
+
 }  // namespace detail
 
 /// The pages of the least level in which no texel's longer axis covers more pixels than wanted.
@@ -67,8 +76,9 @@ namespace detail {
 /// @return                each once, coarse ones first
 /// @formula               level = ceil(log2(extent / target))
 /// @throws std::invalid_argument  target or deepest_level out of range
-[[nodiscard]] inline std::vector<page> wanted_pages(std::span<const page_receiver> receivers, double target,
-                                                    int deepest_level) {
+template <class = detail::on_use>
+[[nodiscard]] std::vector<page> wanted_pages(std::span<const page_receiver> receivers, double target,
+                                             int deepest_level) {
     constexpr auto function = "wanted_pages";
     detail::require(is_finite(target) && target > 0.0, function, "target", "must be finite and above 0");
     detail::require(deepest_level >= 0 && deepest_level <= deepest_page_level, function, "deepest_level",
@@ -77,11 +87,9 @@ namespace detail {
     for (const page_receiver& r : receivers) {
         const int level = detail::wanted_level(r, target, deepest_level);
         if (level < 0) continue;
-        const page p = page_at(r.coord, level);
-        if (pages.empty() || p != pages.back()) pages.push_back(p);
+        detail::add(page_at(r.coord, level), pages);
     }
-    std::sort(pages.begin(), pages.end());
-    pages.erase(std::unique(pages.begin(), pages.end()), pages.end());
+    detail::tidy(pages);
     return pages;
 }
 
@@ -117,6 +125,7 @@ struct page_update {
 class page_cache {
 public:
     /// @throws std::invalid_argument  slots, deepest_level or target out of range
+    template <class = detail::on_use>
     explicit page_cache(const page_budget& budget) : budget_(budget), target_(budget.target) {
         constexpr auto function = "page_cache";
         const auto fits = [](int n) { return n >= 1 && n <= 256; };
@@ -125,27 +134,31 @@ public:
                         "deepest_level", "must lie between 0 and 15");
         detail::require(is_finite(budget.target) && budget.target > 0.0, function, "target",
                         "must be finite and above 0");
-        for (glm::ivec2 slot{0}; slot.y < budget.slots.y; ++slot.y)
-            for (slot.x = 0; slot.x < budget.slots.x; ++slot.x) free_.push_back(slot);
-        std::reverse(free_.begin(), free_.end());
+        for (int y = budget.slots.y; y-- > 0;)
+            for (int x = budget.slots.x; x-- > 0;) free_.push_back({x, y});
     }
 
     /// Takes in what a view sees.
+    template <class = detail::on_use>
     page_update update(std::span<const page_receiver> receivers) {
         ++now_;
         page_update result;
         std::vector<page> missing;
-        for (const page& p : fitting(receivers))
-            if (const auto found = resident_.find(p); found != resident_.end())
-                found->second.needed = now_, ++result.kept;
-            else missing.push_back(p);
+        const std::vector<page> needed = fitting(receivers);
+        auto here = resident_.begin();
+        for (const page& p : needed) {
+            while (here != resident_.end() && here->page < p) ++here;
+            if (here == resident_.end() || here->page != p) missing.push_back(p);
+            else here->needed = now_, ++result.kept;
+        }
         const std::vector<page> given_up =
             give_up(missing.size() > free_.size() ? missing.size() - free_.size() : std::size_t(0));
         for (const page& p : missing) {
             result.drawn.push_back({p, free_.back()});
-            resident_[p] = {free_.back(), now_};
+            resident_.push_back({p, free_.back(), now_});
             free_.pop_back();
         }
+        std::sort(resident_.begin(), resident_.end(), [](const held& a, const held& b) { return a.page < b.page; });
         result.target = target_;
         result.given_up = given_up.size();
         if (target_ > budget_.target && !given_up.empty()) result.forced = popped(receivers, given_up);
@@ -153,8 +166,9 @@ public:
     }
 
     /// All that must be drawn anew: casters or the light have moved.
+    template <class = detail::on_use>
     void forget() {
-        for (const auto& [p, in] : resident_) free_.push_back(in.slot);
+        for (const held& h : resident_) free_.push_back(h.slot);
         resident_.clear();
     }
 
@@ -164,19 +178,21 @@ public:
     /// Calls use(page, slot) for every page that is there, coarse ones first.
     template <class Use>
     void for_each(Use&& use) const {
-        for (const auto& [p, in] : resident_) use(p, in.slot);
+        for (const held& h : resident_) use(h.page, h.slot);
     }
 
     /// The level of the finest page that holds a point; -1 where there is none.
     /// @param coord   1 .. 2 across the root, 2 not included
+    template <class = detail::on_use>
     [[nodiscard]] int level_at(glm::dvec2 coord) const {
         int level = budget_.deepest_level;
-        while (level >= 0 && !resident_.contains(page_at(coord, level))) --level;
+        while (level >= 0 && !find(page_at(coord, level))) --level;
         return level;
     }
 
 private:
     struct held {
+        umbrage::page page;
         glm::ivec2 slot;
         std::uint64_t needed;  ///< in which update last
     };
@@ -185,7 +201,16 @@ private:
         return static_cast<std::size_t>(budget_.slots.x) * static_cast<std::size_t>(budget_.slots.y);
     }
 
+    /// nullptr: the page is not there.
+    template <class = detail::on_use>
+    [[nodiscard]] const held* find(const page& p) const {
+        const auto before = [](const held& a, const page& b) { return a.page < b; };
+        const auto found = std::lower_bound(resident_.begin(), resident_.end(), p, before);
+        return found != resident_.end() && found->page == p ? &*found : nullptr;
+    }
+
     /// The root and what is wanted besides, with the target moved until it fits.
+    template <class = detail::on_use>
     [[nodiscard]] std::vector<page> fitting(std::span<const page_receiver> receivers) {
         const double step = std::exp2(1.0 / 16.0);
         const auto wanted = [&](double target) {
@@ -207,45 +232,46 @@ private:
 
     /// Frees slots: of the pages not needed now the least recently needed, of these the finest.
     /// @return   the pages, in their order
+    template <class = detail::on_use>
     std::vector<page> give_up(std::size_t count) {
-        std::vector<std::pair<std::uint64_t, page>> others;
-        for (const auto& [p, in] : resident_)
-            if (in.needed < now_) others.emplace_back(in.needed, p);
-        std::sort(others.begin(), others.end(), [](const auto& a, const auto& b) {
-            return a.first != b.first ? a.first < b.first : b.second < a.second;
-        });
         std::vector<page> pages;
+        if (count == 0) return pages;
+        std::sort(resident_.begin(), resident_.end(), [](const held& a, const held& b) {
+            return a.needed != b.needed ? a.needed > b.needed : a.page < b.page;
+        });
         for (std::size_t i = 0; i < count; ++i) {
-            const page p = pages.emplace_back(others[i].second);
-            free_.push_back(resident_[p].slot);
-            resident_.erase(p);
+            pages.push_back(resident_.back().page);
+            free_.push_back(resident_.back().slot);
+            resident_.pop_back();
         }
-        std::sort(pages.begin(), pages.end());
+        detail::tidy(pages);
         return pages;
     }
 
     /// How many of the pages given up some receiver looked into that the budget's target would have it look into still.
+    template <class = detail::on_use>
     [[nodiscard]] std::size_t popped(std::span<const page_receiver> receivers,
                                      const std::vector<page>& given_up) const {
-        std::vector<bool> pops(given_up.size());
+        std::vector<page> pops;
         for (const page_receiver& r : receivers) {
             const int asked = detail::wanted_level(r, budget_.target, budget_.deepest_level);
             const int found = asked < 0 ? asked : level_at(r.coord);
             if (found >= asked) continue;
             for (int level = budget_.deepest_level; level > found; --level) {
-                const auto at = std::lower_bound(given_up.begin(), given_up.end(), page_at(r.coord, level));
-                if (at == given_up.end() || *at != page_at(r.coord, level)) continue;
-                pops[static_cast<std::size_t>(at - given_up.begin())] = true;
+                const page p = page_at(r.coord, level);
+                if (!std::binary_search(given_up.begin(), given_up.end(), p)) continue;
+                detail::add(p, pops);
                 break;
             }
         }
-        return static_cast<std::size_t>(std::count(pops.begin(), pops.end(), true));
+        detail::tidy(pops);
+        return pops.size();
     }
 
     page_budget budget_;
     double target_;
     std::uint64_t now_ = 0;
-    std::map<page, held> resident_;
+    std::vector<held> resident_;  // coarse pages first
     std::vector<glm::ivec2> free_;
 };
 
