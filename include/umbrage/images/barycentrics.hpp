@@ -11,7 +11,6 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -42,10 +41,9 @@ public:
         const detail::projection project(world_to_clip, clip, size);
         for (glm::length_t i = 0; i < 3; ++i)
             vertices_[static_cast<std::size_t>(i)] = project.homogeneous(mesh.positions[mesh.triangles[triangle][i]]);
-        const bool finite = std::all_of(vertices_.begin(), vertices_.end(), [](const glm::dvec4& v) {
-            return is_finite(v.x) && is_finite(v.y) && is_finite(v.w);
-        });
-        if (!finite) vertices_.fill(glm::dvec4(0));
+        bool finite = true;
+        for (const glm::dvec4& v : vertices_) finite = finite && is_finite(v.x) && is_finite(v.y) && is_finite(v.w);
+        if (!finite) vertices_ = {};
     }
 
     /// @return      weights that are not negative and sum to 1: a texel that snapping moved out of the triangle gets

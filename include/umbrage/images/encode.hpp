@@ -9,8 +9,7 @@
 // that compilers can vectorise; any other type like them works as well.
 #pragma once
 
-#include <algorithm>
-
+#include <umbrage/algorithm.hpp>
 #include <umbrage/depth/encoding.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/parallel.hpp>
@@ -30,9 +29,9 @@ UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, cons
     if (x == count) return;
     From padded[block]{};
     To result[block];
-    std::copy_n(from + x, count - x, padded);
+    copy(from + x, std::size_t(count - x), padded);
     convert_rest(padded, result);
-    std::copy_n(result, count - x, to + x);
+    copy(result, std::size_t(count - x), to + x);
 }
 template <class From, class To, class Convert>
 UMBRAGE_INLINE inline void convert_row(const From* from, To* to, int count, const Convert& convert) {

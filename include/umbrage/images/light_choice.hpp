@@ -11,7 +11,6 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -22,6 +21,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/images/quality.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/light/texture_matrix.hpp>
@@ -78,12 +78,12 @@ template <real T>
         }
         choice.p95.push_back(0);
         if (extents.empty()) continue;
-        const auto nth = extents.begin() + static_cast<std::ptrdiff_t>(double(extents.size() - 1) * 0.95);
-        std::nth_element(extents.begin(), nth, extents.end());
-        choice.p95.back() = *nth;
+        choice.p95.back() = detail::ranked(extents, static_cast<std::size_t>(double(extents.size() - 1) * 0.95));
     }
-    const auto best = std::min_element(choice.p95.begin(), choice.p95.end());
-    if (*best < choice.p95[before] * (1 - terms.better)) choice.kept = std::size_t(best - choice.p95.begin());
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < lights.size(); ++i)
+        if (choice.p95[i] < choice.p95[best]) best = i;
+    if (choice.p95[best] < choice.p95[before] * (1 - terms.better)) choice.kept = best;
     return choice;
 }
 

@@ -9,13 +9,13 @@
 // A box of 33 x 33 texels costs what one of 3 x 3 does, and bleeds less light than variance.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/clip_space.hpp>
 #include <umbrage/filter/table/summed_moments.hpp>
 #include <umbrage/image.hpp>
@@ -45,7 +45,8 @@ template <class ParallelFor = serial>
     if (map.empty()) detail::fail("umbrage::make_moment_table: empty map");
     if (of.radius < 0 || of.radius > 32767) detail::fail("umbrage::make_moment_table: radius out of range");
     const std::int64_t side = 2 * std::int64_t(of.radius) + 1;
-    const std::int64_t n = std::min<std::int64_t>(side, map.size.x) * std::min<std::int64_t>(side, map.size.y);
+    const std::int64_t n =
+        detail::lesser<std::int64_t>(side, map.size.x) * detail::lesser<std::int64_t>(side, map.size.y);
     if (n > 65537) detail::fail("umbrage::make_moment_table: sums in a box of that radius may reach 2^32");
 
     image<glm::u16vec4> codes(map.size), table({2 * (map.size.x + 1), map.size.y + 1}, glm::u16vec4(0));
@@ -57,8 +58,8 @@ template <class ParallelFor = serial>
     });
     image<std::uint32_t> channel(map.size), sums(map.size);
     for (glm::length_t c = 0; c < 4; ++c) {
-        std::transform(codes.texels().begin(), codes.texels().end(), channel.texels().begin(),
-                       [c](const glm::u16vec4& t) { return std::uint32_t(t[c]); });
+        for (int y = 0; y < map.size.y; ++y)
+            for (int x = 0; x < map.size.x; ++x) channel[{x, y}] = codes[{x, y}][c];
         summed_area(channel, sums, parallel);
         for (int y = 0; y < map.size.y; ++y)
             for (int x = 0; x < map.size.x; ++x) {

@@ -9,15 +9,14 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <vector>
 
 #include <glm/fwd.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/clip_space.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/scalar.hpp>
@@ -50,12 +49,8 @@ struct contrast_stretch {
         for (int x = 0; x < map.size.x; ++x)
             if (const float depth = map.row(y)[x]; is_finite(depth) && depth != cleared) depths.push_back(depth);
     if (depths.empty()) return {};
-    const auto given_up = static_cast<std::ptrdiff_t>(outliers * static_cast<double>(depths.size()));
-    const auto ranked = [&](std::ptrdiff_t rank) {
-        std::nth_element(depths.begin(), depths.begin() + rank, depths.end());
-        return depths[static_cast<std::size_t>(rank)];
-    };
-    return {ranked(given_up), ranked(std::ssize(depths) - 1 - given_up)};
+    const auto given_up = static_cast<std::size_t>(outliers * static_cast<double>(depths.size()));
+    return {detail::ranked(depths, given_up), detail::ranked(depths, depths.size() - 1 - given_up)};
 }
 
 /// Where an overlay goes: the top left corner, as people see it.
@@ -83,10 +78,10 @@ void overlay(image_view<glm::u8vec3> picture, image_view<const float> map, const
     const auto row_from_top = [](int y, int count, texture_origin origin) {
         return origin == texture_origin::top ? y : count - 1 - y;
     };
-    for (int y = 0; y < std::min(size.y, picture.size.y); ++y) {
+    for (int y = 0; y < detail::lesser(size.y, picture.size.y); ++y) {
         const float* depths = map.row(row_from_top(nearest(y, size.y, map.size.y), map.size.y, place.map_origin));
         glm::u8vec3* out = picture.row(row_from_top(y, picture.size.y, place.picture_origin));
-        for (int x = 0; x < std::min(size.x, picture.size.x); ++x)
+        for (int x = 0; x < detail::lesser(size.x, picture.size.x); ++x)
             out[x] = store_unorm8(glm::vec3(colour(depths[nearest(x, size.x, map.size.x)])));
     }
 }

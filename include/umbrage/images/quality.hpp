@@ -10,7 +10,6 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -23,6 +22,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/light/light_space.hpp>
@@ -122,10 +122,8 @@ template <class At>
     report.measured = all.size();
     if (all.empty()) return report;
     report.mean = sum / double(all.size());
-    report.greatest = *std::max_element(all.begin(), all.end());
-    const auto nth = all.begin() + static_cast<std::ptrdiff_t>(double(all.size() - 1) * 0.95);
-    std::nth_element(all.begin(), nth, all.end());
-    report.p95 = *nth;
+    report.greatest = detail::ranked(all, all.size() - 1);
+    report.p95 = detail::ranked(all, static_cast<std::size_t>(double(all.size() - 1) * 0.95));
     report.storage_factor = maps * (map_size.x * longest.x) * (map_size.y * longest.y) / (double(screen.x) * screen.y);
     return report;
 }

@@ -10,7 +10,6 @@
 // loses bits as it grows, and its differences lose more.
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +18,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/dispatch.hpp>
@@ -37,7 +37,7 @@ inline constexpr int band_rows = 64;
 /// Each row of a strip lies on a page of its own, so that narrow ones are slower.
 [[nodiscard]] inline int columns_a_strip(int width) {
     constexpr int widest = 1024;
-    const int strips = std::max(2, (width + widest - 1) / widest);
+    const int strips = greater(2, (width + widest - 1) / widest);
     return ((width + strips - 1) / strips + block - 1) / block * block;
 }
 
@@ -50,7 +50,7 @@ void sum_rows(image_view<const From> values, image_view<Sum> sums, bool is_large
     on_best_isa([&](auto set) UMBRAGE_INLINE {
         constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
         for (int y = 0; y < size.y; ++y) {
-            const int y_next = std::min(y + 1, size.y - 1);
+            const int y_next = lesser(y + 1, size.y - 1);
             const From *from = values.row(y), *next_row = values.row(y_next);
             Sum* to = sums.row(y);
             prefetch_line(sums.row(y_next));  // for its page's address: stores would wait for that
@@ -79,7 +79,7 @@ public:
     void take(int strip, int first, int last, Sum* sums) const {
         int known = strip;
         while (rows_[std::size_t(known)].load(std::memory_order_acquire) < last) --known;
-        std::copy_n(sums_.data() + place_of(known, first), last - first, sums);
+        copy(sums_.data() + place_of(known, first), std::size_t(last - first), sums);
         const int left = known * columns_, width = strip * columns_ - left;
         on_best_isa([&](auto set) UMBRAGE_INLINE {
             constexpr int lanes = sum_lanes<Sum, decltype(set)::value>;
@@ -88,7 +88,7 @@ public:
     }
     /// The same, after those of the rows before.
     void give(int strip, int first, int last, const Sum* sums) {
-        std::copy_n(sums, last - first, sums_.data() + place_of(strip, first));
+        copy(sums, std::size_t(last - first), sums_.data() + place_of(strip, first));
         rows_[std::size_t(strip)].store(last, std::memory_order_release);
     }
 
@@ -130,11 +130,11 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
     const bool is_large = detail::past_cache(sums);
     detail::strip_starts<value, Sum> starts(values, strips, columns);
     parallel(strips, [&](int first, int last) {
-        const int left = first * columns, width = std::min(last * columns, size.x) - left;
+        const int left = first * columns, width = detail::lesser(last * columns, size.x) - left;
         const auto length = (static_cast<std::size_t>(width) + 15) / 16 * 16;
         detail::band_sums<Sum> band(length, values.data + left, sums.data + left);
         for (int y = 0; y < size.y; y += detail::band_rows) {
-            const int end = std::min(y + detail::band_rows, size.y);
+            const int end = detail::lesser(y + detail::band_rows, size.y);
             const auto part = [=](const auto& image) { return image.region({left, y}, {width, end - y}); };
             Sum before[detail::band_rows];
             starts.take(first, y, end, before);
@@ -142,7 +142,7 @@ void summed_area(image_view<From> values, image_view<Sum> sums, ParallelFor&& pa
             starts.give(last, y, end, before);
             if constexpr (std::is_integral_v<Sum>) continue;
             for (std::size_t i = 0; i < length; ++i) band.base[i] = band.line[i] + band.base[i];
-            std::fill(band.line, band.line + length, Sum(0));
+            detail::fill(band.line, length, Sum(0));
         }
     });
 }

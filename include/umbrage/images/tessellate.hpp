@@ -8,7 +8,6 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -16,6 +15,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/scalar.hpp>
@@ -46,7 +46,7 @@ public:
         : light_(to.position),
           range_(double(to.range)),
           sag_(0.75 * double(to.depth_error) * range_),
-          least_cosine_(std::cos(std::min(double(to.angle), 3.0))),
+          least_cosine_(std::cos(detail::lesser(double(to.angle), 3.0))),
           greatest_cosine_(1 - std::pow(double(to.angle), 4.0) / 128),
           cut_{{}, {}} {
         for (const glm::vec3& p : mesh.positions) add(p);
@@ -66,11 +66,11 @@ private:
     /// Its ends alone decide, so that a neighbour's decides alike.
     [[nodiscard]] std::pair<double, double> excess(unsigned a, unsigned b) const {
         const double p = vertices_[a].distance, q = vertices_[b].distance;
-        if (std::max(p, q) < sag_) return {0, 0};
+        if (detail::greater(p, q) < sag_) return {0, 0};
         const glm::dvec3 to_a = glm::dvec3(cut_.positions[a]) - light_, to_b = glm::dvec3(cut_.positions[b]) - light_;
         const double cosine = glm::dot(to_a, to_b) / (p * q);
         if (cosine < least_cosine_) return {1 - cosine, 0};
-        if (cosine > greatest_cosine_ || std::min(p, q) * cosine > range_) return {0, 0};
+        if (cosine > greatest_cosine_ || detail::lesser(p, q) * cosine > range_) return {0, 0};
         // the mean of both ends' distances against the distance to where the angle's bisector meets the edge
         const double sag = (p + q) / 2 - 2 * p * q * std::sqrt((1 + cosine) / 2) / (p + q);
         return {0, sag > sag_ ? sag : 0};
@@ -155,8 +155,8 @@ template <class = detail::on_use>
     detail::require(is_finite(to.range) && to.range > 0, function, "range", "must be above 0");
     detail::require(to.depth_error > 0 && to.depth_error < 1, function, "depth_error", "must be above 0 and below 1");
     for (const glm::uvec3& t : mesh.triangles)
-        detail::require(std::max({t.x, t.y, t.z}) < mesh.positions.size(), function, "mesh.triangles",
-                        "must be indices of positions");
+        detail::require(detail::greater(detail::greater(t.x, t.y), t.z) < mesh.positions.size(), function,
+                        "mesh.triangles", "must be indices of positions");
     return detail::tessellator<>(mesh, to).take();
 }
 

@@ -9,13 +9,13 @@
 // A box of 33 x 33 texels costs what one of 3 x 3 does.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/filter/blocker/penumbra.hpp>
 #include <umbrage/filter/table/summed_variance.hpp>
 #include <umbrage/image.hpp>
@@ -51,10 +51,11 @@ template <class ParallelFor = serial>
         for (int x = 0; x < map.size.x; ++x) {
             const auto code = static_cast<std::uint32_t>(distance_code(map.row(y)[x], of.is_lit)) >> (16 - of.bits);
             codes[{x, y}] = code;
-            least = std::min(least, code), greatest = std::max(greatest, code);
+            least = detail::lesser(least, code), greatest = detail::greater(greatest, code);
         }
     const std::int64_t side = 2 * std::int64_t(of.radius) + 1, spread = std::int64_t(greatest) - std::int64_t(least);
-    const std::int64_t n = std::min<std::int64_t>(side, map.size.x) * std::min<std::int64_t>(side, map.size.y);
+    const std::int64_t n =
+        detail::lesser<std::int64_t>(side, map.size.x) * detail::lesser<std::int64_t>(side, map.size.y);
     if (n << of.bits > std::int64_t(1) << 24)
         detail::fail("umbrage::make_variance_table: sums of so large a box need more than 24 bits");
     if (n * (spread * spread + 4) >= std::int64_t(1) << 34)

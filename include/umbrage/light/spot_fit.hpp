@@ -7,7 +7,6 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -55,8 +54,8 @@ namespace detail {
     // the sweep's end may lie within the casters, none of whose faces it then meets
     const glm::dvec4 end =
         glm::inverse(frame) * glm::dvec4(receivers.front().x * closest, receivers.front().y * closest, closest, 1.0);
-    const bool within = std::all_of(casters.faces().begin(), casters.faces().end(),
-                                    [&](const polyhedron::face& face) { return glm::dot(face.plane, end) >= 0.0; });
+    bool within = true;
+    for (const polyhedron::face& face : casters.faces()) within = within && glm::dot(face.plane, end) >= 0.0;
     return within ? closest : nearest(frame, casters, planes);
 }
 

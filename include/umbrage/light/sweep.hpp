@@ -5,7 +5,6 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -14,6 +13,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/light/bounds.hpp>
 #include <umbrage/light/light_space.hpp>
 
@@ -22,11 +22,10 @@ namespace detail {
 
 /// In the name of a function whose argument they are.
 inline void require_receivers(const hull& receivers, const char* function) {
-    const auto finite = [](const glm::dvec3& p) { return all_finite(p); };
     require(!receivers.points.empty(), function, "receivers", "must not be empty");
-    require(std::all_of(receivers.points.begin(), receivers.points.end(), finite) && is_finite(receivers.radius) &&
-                receivers.radius >= 0.0,
-            function, "receivers", "must be finite");
+    bool finite = is_finite(receivers.radius) && receivers.radius >= 0.0;
+    for (const glm::dvec3& p : receivers.points) finite = finite && all_finite(p);
+    require(finite, function, "receivers", "must be finite");
 }
 
 /// Points whose hull holds all receivers: in place of a ball the corners of its box.
@@ -68,14 +67,14 @@ struct extent {
 /// @cite   Andrew: Another efficient algorithm for convex hulls in two dimensions, 1979
 [[nodiscard]] inline std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
     std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
-    const auto before = [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
-    std::sort(points.begin(), points.end(), before);
+    sort(points, [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
     const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
         return (b.x - a.x) * (c.y - a.y) <= (b.y - a.y) * (c.x - a.x);
     };
-    for (int side = 0; side < 2; ++side, std::reverse(points.begin(), points.end())) {
+    for (const bool back : {false, true}) {
         const std::size_t first = hull.size();
-        for (const glm::dvec2& p : points) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const glm::dvec2& p = points[back ? points.size() - 1 - i : i];
             while (hull.size() >= first + 2 && turns_right(hull[hull.size() - 2], hull.back(), p)) hull.pop_back();
             hull.push_back(p);
         }
@@ -150,7 +149,7 @@ struct extent {
     for (const polyhedron::face& face : box.faces()) {
         std::vector<glm::dvec3> polygon = seen(frame, face.corners);
         for (const glm::dvec4& plane : planes) polygon = clipped(polygon, plane);
-        for (const glm::dvec3& p : polygon) least = std::min(least, p.z);
+        for (const glm::dvec3& p : polygon) least = detail::lesser(least, p.z);
     }
     return least;
 }

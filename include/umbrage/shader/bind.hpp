@@ -9,7 +9,6 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -77,7 +76,7 @@ template <known_encoding Encoding>
                     std::string("xyzw").substr(0, static_cast<std::size_t>(map.channels));
         if constexpr (has_edge<Encoding>) {
             std::string edge = std::to_string(encoding.edge);
-            edge.resize(std::max(edge.find_last_not_of('0') + 1, edge.find('.') + 2));
+            while (edge.back() == '0' && edge[edge.size() - 2] != '.') edge.pop_back();
             map.depth += ", " + edge;
         }
         map.depth += ')';

@@ -7,12 +7,12 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/lanes.hpp>
@@ -97,7 +97,7 @@ UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum be
     if constexpr (Streams) prefetch_rest(to, count, step);
     // Measured: the hardware prefetcher comes too late.
     const auto prefetch = [&](int first) UMBRAGE_INLINE {
-        const int ahead = std::min(1536 / static_cast<int>(sizeof(From)), count), x = first + ahead;
+        const int ahead = lesser(1536 / static_cast<int>(sizeof(From)), count), x = first + ahead;
         prefetch_bytes(x < count ? from + x : next_row + (x - count), 0, block * static_cast<int>(sizeof(From)));
     };
     int x = 0;
@@ -129,7 +129,7 @@ UMBRAGE_INLINE inline Sum sum_row(const From* from, const From* next_row, Sum be
             sum_some(as_asked, rest, base + x, line + x, to + x);
         } else {
             sum_some(std::false_type{}, rest, base + x, line + x, result);
-            std::copy_n(result, there, to + x);
+            copy(result, std::size_t(there), to + x);
         }
     }
     return carry[0];

@@ -11,7 +11,6 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <compare>
 #include <cstddef>
@@ -21,6 +20,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/light/adaptive/page_table.hpp>
 #include <umbrage/light/light_space.hpp>
 #include <umbrage/scalar.hpp>
@@ -53,7 +53,7 @@ namespace detail {
 [[nodiscard]] inline int wanted_level(const page_receiver& r, double target, int deepest) {
     const auto in_root = [](float v) { return v >= 1.0f && v < 2.0f; };
     if (!in_root(r.coord.x) || !in_root(r.coord.y) || !is_finite(r.extent) || !(r.extent > 0.0f)) return -1;
-    return static_cast<int>(std::clamp(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
+    return static_cast<int>(detail::limited(std::ceil(std::log2(double(r.extent) / target)), 0.0, double(deepest)));
 }
 
 /// To pages in the making, where it is not the last already.
@@ -63,8 +63,11 @@ inline void add(const page& p, std::vector<page>& pages) {
 /// Each once, coarse ones first.
 template <class = on_use>
 void tidy(std::vector<page>& pages) {
-    std::sort(pages.begin(), pages.end());
-    pages.erase(std::unique(pages.begin(), pages.end()), pages.end());
+    sort(pages, [](const page& a, const page& b) { return a < b; });
+    std::size_t kept = 0;
+    for (const page& p : pages)
+        if (kept == 0 || p != pages[kept - 1]) pages[kept++] = p;
+    pages.resize(kept);
 }
 
 }  // namespace detail
@@ -158,7 +161,7 @@ public:
             resident_.push_back({p, free_.back(), now_});
             free_.pop_back();
         }
-        std::sort(resident_.begin(), resident_.end(), [](const held& a, const held& b) { return a.page < b.page; });
+        detail::sort(resident_, [](const held& a, const held& b) { return a.page < b.page; });
         result.target = target_;
         result.given_up = given_up.size();
         if (target_ > budget_.target && !given_up.empty()) result.forced = popped(receivers, given_up);
@@ -204,9 +207,8 @@ private:
     /// nullptr: the page is not there.
     template <class = detail::on_use>
     [[nodiscard]] const held* find(const page& p) const {
-        const auto before = [](const held& a, const page& b) { return a.page < b; };
-        const auto found = std::lower_bound(resident_.begin(), resident_.end(), p, before);
-        return found != resident_.end() && found->page == p ? &*found : nullptr;
+        const std::size_t at = detail::count_in_front(resident_, [&](const held& h) { return h.page < p; });
+        return at < resident_.size() && resident_[at].page == p ? &resident_[at] : nullptr;
     }
 
     /// The root and what is wanted besides, with the target moved until it fits.
@@ -221,7 +223,7 @@ private:
         std::vector<page> pages = wanted(target_);
         while (pages.size() > slots()) pages = wanted(target_ *= step);
         while (target_ > budget_.target) {
-            const double finer = std::max(target_ / step, budget_.target);
+            const double finer = detail::greater(target_ / step, budget_.target);
             std::vector<page> more = wanted(finer);
             if (more.size() * 8 > slots() * 7) break;
             target_ = finer;
@@ -236,7 +238,7 @@ private:
     std::vector<page> give_up(std::size_t count) {
         std::vector<page> pages;
         if (count == 0) return pages;
-        std::sort(resident_.begin(), resident_.end(), [](const held& a, const held& b) {
+        detail::sort(resident_, [](const held& a, const held& b) {
             return a.needed != b.needed ? a.needed > b.needed : a.page < b.page;
         });
         for (std::size_t i = 0; i < count; ++i) {
@@ -259,7 +261,8 @@ private:
             if (found >= asked) continue;
             for (int level = budget_.deepest_level; level > found; --level) {
                 const page p = page_at(r.coord, level);
-                if (!std::binary_search(given_up.begin(), given_up.end(), p)) continue;
+                const std::size_t at = detail::count_in_front(given_up, [&](const page& other) { return other < p; });
+                if (at == given_up.size() || given_up[at] != p) continue;
                 detail::add(p, pops);
                 break;
             }

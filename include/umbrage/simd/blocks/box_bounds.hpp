@@ -3,13 +3,13 @@
 // Least and greatest depth under boxes of texels, one number each for every place of a box.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <vector>
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/images/parallel.hpp>
 #include <umbrage/simd/bits.hpp>
@@ -79,8 +79,8 @@ private:
         }
         for (int p = 0; p < 2; ++p) {
             std::int32_t *const first = planes[p] + (cells - 1), *const end = first + squares.x;
-            std::fill(planes[p], first, *first);
-            std::fill(end, planes[p] + bounds.view.size.x + (cells - 1), end[-1]);
+            fill(planes[p], std::size_t(cells - 1), *first);
+            fill(end, std::size_t(bounds.view.size.x - squares.x), end[-1]);
         }
     }
 

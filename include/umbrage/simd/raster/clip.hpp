@@ -6,7 +6,6 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -54,9 +53,13 @@ enum class near_side { behind, before };
     clipped_polygon polygon;
     if (count < 3) return polygon;
     polygon.count = count;
-    for (int i = 0; i < count; ++i) polygon.vertices[std::size_t(i)] = project.snap(points[std::size_t(i)]);
-    const auto last = polygon.vertices.begin() + count;
-    std::rotate(polygon.vertices.begin(), std::min_element(polygon.vertices.begin(), last), last);
+    std::array<snapped_vertex, 3 + projection::planes> snapped;
+    int smallest = 0;
+    for (int i = 0; i < count; ++i) {
+        snapped[std::size_t(i)] = project.snap(points[std::size_t(i)]);
+        if (snapped[std::size_t(i)] < snapped[std::size_t(smallest)]) smallest = i;
+    }
+    for (int i = 0; i < count; ++i) polygon.vertices[std::size_t(i)] = snapped[std::size_t((smallest + i) % count)];
     return polygon;
 }
 

@@ -7,10 +7,10 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/image.hpp>
 #include <umbrage/scalar.hpp>
@@ -56,7 +56,7 @@ private:
 
     /// Prefetches the texels of a triangle: their latency is about the time that it takes to draw another small one.
     UMBRAGE_INLINE void expect(const triangles& batch, int i) const {
-        const int last = batch.first_y[i] + std::min(batch.rows[i], 16);
+        const int last = batch.first_y[i] + lesser(batch.rows[i], 16);
         for (int y = batch.first_y[i]; y < last; ++y) prefetch_line(row(y) + batch.first_x[i]);
     }
 
@@ -133,16 +133,16 @@ private:
                     float low = 0.0f, high = static_cast<float>(height);
                     const std::int32_t start[] = {e0[0], e1[0], e2[0]};
                     for (int k = 0; k < 3; ++k) {
-                        const std::int32_t best = start[k] + std::max(0, right[k] * (Lanes - 1));
+                        const std::int32_t best = start[k] + greater(0, right[k] * (Lanes - 1));
                         const float crossed = static_cast<float>(best) * batch.per_row[k][i];
                         low = up[k] > 0 && crossed > low ? crossed : low;
                         high = up[k] < 0 && crossed < high ? crossed : high;
                     }
-                    first = static_cast<int>(low + 0.99f), last = std::min(static_cast<int>(high + 1.01f), height);
+                    first = static_cast<int>(low + 0.99f), last = lesser(static_cast<int>(high + 1.01f), height);
                     if (first >= last) continue;  // and no step to a first row far beyond the tile
                 }
                 // At the image's borders other texels, as many, which get the same bits again.
-                const int within = std::min(std::max(x, 0), width_ - Lanes), moved = within - x;
+                const int within = lesser(greater(x, 0), width_ - Lanes), moved = within - x;
                 ints f0 = e0, f1 = e1, f2 = e2;
                 const double z = corner + dy * (y + first - first_y);
                 if ((moved | first) != 0) {
@@ -176,9 +176,9 @@ private:
             for (int x = from; x < end; x += tile_columns) {
                 for (int k = 0; k < 3; ++k) {  // as near to 0 as a tile's steps leave the sign
                     constexpr std::int64_t limit = 1 << 30;
-                    e[k] = static_cast<std::int32_t>(std::clamp(batch.edge_at(k, i, x, y), -limit, limit));
+                    e[k] = static_cast<std::int32_t>(limited(batch.edge_at(k, i, x, y), -limit, limit));
                 }
-                draw_tile(x, y, std::min(x + tile_columns, end), std::min(first_y + rows - y, tile_rows), e);
+                draw_tile(x, y, lesser(x + tile_columns, end), lesser(first_y + rows - y, tile_rows), e);
             }
     }
 

@@ -11,11 +11,11 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/simd/dispatch.hpp>
 #include <umbrage/simd/raster/triangles.hpp>
@@ -51,8 +51,8 @@ public:
             last_x_[i] = ((columns - 1) & is_small) | ~is_small;
             last_y_[i] = ((rows - 1) & is_small) | ~is_small;
             count -= is_small;
-            most_columns = std::max(most_columns, columns & is_small);
-            most_rows = std::max(most_rows, rows & is_small);
+            most_columns = greater(most_columns, columns & is_small);
+            most_rows = greater(most_rows, rows & is_small);
         }
         if (count >= enough) columns_ = most_columns, rows_ = most_rows;
     }

@@ -11,12 +11,12 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 
 #include <glm/vec3.hpp>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/images/parallel.hpp>
@@ -57,7 +57,7 @@ struct index_range {
     unsigned lowest = ~0u, highest = 0;
 
     void include(const index_range& other) {
-        lowest = std::min(lowest, other.lowest), highest = std::max(highest, other.highest);
+        lowest = lesser(lowest, other.lowest), highest = greater(highest, other.highest);
     }
     [[nodiscard]] std::size_t count() const { return std::size_t(highest) - lowest + 1; }
 };
@@ -75,7 +75,7 @@ struct index_range {
                     high = high < t[i][k] ? t[i][k] : high;
                 }
         for (; t < last; ++t)
-            for (glm::length_t k = 0; k < 3; ++k) low = std::min(low, (*t)[k]), high = std::max(high, (*t)[k]);
+            for (glm::length_t k = 0; k < 3; ++k) low = lesser(low, (*t)[k]), high = greater(high, (*t)[k]);
         range = {low, high};
     });
     return range;
@@ -96,15 +96,15 @@ public:
     /// @param indices     of the triangles that are taken
     void take(std::size_t first, std::span<const projection> instances, std::size_t most, const index_range& indices) {
         first_ = first;
-        triangles_ = std::min(most, mesh_.triangles.size() - first);
+        triangles_ = lesser(most, mesh_.triangles.size() - first);
         const std::size_t corners = 3 * triangles_, range = indices.count();
         by_corner_ = corners < range;
         lowest_ = indices.lowest;
-        used_ = std::min(corners, range);
+        used_ = lesser(corners, range);
         stride_ = (used_ + block - 1) / block * block;
         const bool whole = triangles_ == mesh_.triangles.size();
-        const std::size_t room = whole ? std::max(most / std::max(triangles_, stride_), std::size_t(1)) : 1;
-        instances_ = instances.first(std::min(room, instances.size()));
+        const std::size_t room = whole ? greater(most / greater(triangles_, stride_), std::size_t(1)) : 1;
+        instances_ = instances.first(lesser(room, instances.size()));
     }
 
     [[nodiscard]] std::size_t instances() const { return instances_.size(); }
@@ -116,10 +116,10 @@ public:
         vertices_.make(blocks * block);
         constexpr std::size_t piece = 64;  // that a thread takes at a time
         parallel(static_cast<int>((blocks + piece - 1) / piece), [&](int begin, int end) {
-            for (std::size_t i = std::size_t(begin) * piece; i < std::min(std::size_t(end) * piece, blocks); ++i) {
+            for (std::size_t i = std::size_t(begin) * piece; i < lesser(std::size_t(end) * piece, blocks); ++i) {
                 const std::size_t instance = i * block / stride_, vertex = i * block - instance * stride_;
                 alignas(64) glm::vec3 positions[block];
-                for (std::size_t k = 0; k < block; ++k) positions[k] = position(std::min(vertex + k, used_ - 1));
+                for (std::size_t k = 0; k < block; ++k) positions[k] = position(lesser(vertex + k, used_ - 1));
                 instances_[instance].snap(positions, vertices_.data() + i * block);
             }
         });

@@ -10,7 +10,6 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -22,6 +21,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/clip_space.hpp>
 #include <umbrage/config.hpp>
 #include <umbrage/images/mesh.hpp>
@@ -94,14 +94,14 @@ public:
     /// The chunk band by band, where that keeps texels in the cache or lets threads draw side by side; else as above.
     template <class ParallelFor, class Draw>
     void for_each_batch_in_bands(ParallelFor&& parallel, const Draw& draw) {
-        const int rows = std::clamp(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;
+        const int rows = limited(band_texels / size_.x, 1, band_rows), bands = (size_.y + rows - 1) / rows;
         const bool coherent = is_coherent(rows);
         if (is_serial<ParallelFor> && (bands == 1 || coherent)) return for_each_batch(draw);
         const unsigned length = coherent ? run_length : 1;
         sort_into_bands(rows, bands, length, parallel);
         parallel(bands, [&](int first, int last) {
             for (int band = first; band < last; ++band) {
-                const texel_bounds bounds{{0, band * rows}, {size_.x, std::min((band + 1) * rows, size_.y)}};
+                const texel_bounds bounds{{0, band * rows}, {size_.x, lesser((band + 1) * rows, size_.y)}};
                 in_batches(bounds, draw, [&](const auto& add) {
                     for (std::size_t i = std::size_t(band); i < lists_.size(); i += std::size_t(bands))
                         add_from(lists_[i], length, bounds, add);
@@ -125,11 +125,11 @@ private:
         [[nodiscard]] unsigned size() const { return last - first; }
     };
     [[nodiscard]] run run_from(unsigned first, unsigned length) const {
-        return {first, std::min(first + length, chunk_.count())};
+        return {first, lesser(first + length, chunk_.count())};
     }
 
     [[nodiscard]] static std::span<const glm::uvec3> piece_of(std::span<const glm::uvec3> triangles, std::size_t i) {
-        return triangles.subspan(i * piece, std::min(std::size_t(piece), triangles.size() - i * piece));
+        return triangles.subspan(i * piece, lesser(std::size_t(piece), triangles.size() - i * piece));
     }
     /// Of as many triangles, or of those that are left, from the first of a piece on.
     [[nodiscard]] index_range indices_from(std::size_t first, std::size_t count) const {
@@ -142,7 +142,7 @@ private:
     /// Whether pieces reach farther over the mesh's vertices than they have corners, and several together do not.
     [[nodiscard]] bool shares_vertices() const {
         const index_range one = indices_from(0, piece), several = indices_from(0, several_pieces);
-        return one.count() > 3 * piece && several.count() < 3 * std::min(several_pieces, mesh_.triangles.size());
+        return one.count() > 3 * piece && several.count() < 3 * lesser(several_pieces, mesh_.triangles.size());
     }
 
     /// Of a triangle, and the planes that one of them is outside of.
@@ -211,7 +211,7 @@ private:
             for (unsigned i = some.first; i < some.last; ++i) {
                 const drawn_triangle at = chunk_.place_of(i);
                 const auto [a, b, c, crossed] = corners_of(at);
-                if (crossed == 0 && std::max({a.y, b.y, c.y}) >= bottom && std::min({a.y, b.y, c.y}) <= top)
+                if (crossed == 0 && greater(a.y, b.y, c.y) >= bottom && lesser(a.y, b.y, c.y) <= top)
                     add(a, b, c, unsigned(at.triangle));
             }
         }
@@ -221,11 +221,11 @@ private:
     /// Whether runs of many triangles lie in few bands, by a look at some.
     [[nodiscard]] bool is_coherent(int rows_a_band) const {
         constexpr unsigned looks = 16;
-        const unsigned step = std::max(chunk_.count() / looks, many);
+        const unsigned step = greater(chunk_.count() / looks, many);
         int covered = 0, allowed = 0;
         for (unsigned i = 0; i < chunk_.count(); i += step, allowed += 2 * rows_a_band) {
             const glm::ivec2 some = rows(run_from(i, many), [](const auto&...) {});
-            covered += std::max(some.y - some.x, 0);
+            covered += greater(some.y - some.x, 0);
         }
         return covered <= allowed;
     }
@@ -245,13 +245,13 @@ private:
             const drawn_triangle at = chunk_.place_of(i);
             const corners c = corners_of(at);
             if (c.crossed != 0) for_each_part(at, c, use);
-            else lowest = std::min({lowest, c.a.y, c.b.y, c.c.y}), highest = std::max({highest, c.a.y, c.b.y, c.c.y});
+            else lowest = lesser(lowest, c.a.y, c.b.y, c.c.y), highest = greater(highest, c.a.y, c.b.y, c.c.y);
         }
         return lowest > highest ? glm::ivec2(0, 0) : rows_between(lowest, highest);
     }
     [[nodiscard]] glm::ivec2 rows_between(std::int32_t lowest, std::int32_t highest) const {
         const auto between = triangles::rows_between(lowest, highest);
-        return {std::max(between.x, 0), std::min(between.y, size_.y)};
+        return {greater(between.x, 0), lesser(between.y, size_.y)};
     }
 
     /// Runs of a length into lists of the bands in which they may be seen.
@@ -261,15 +261,15 @@ private:
         for (band_list& list : lists_) list.runs.clear(), list.parts.clear();
         lists_.resize(std::size_t(pieces) * std::size_t(bands));
         parallel(static_cast<int>(pieces), [&](int from, int to) {
-            for (unsigned i = unsigned(from) * piece; i < std::min(unsigned(to) * piece, chunk_.count()); i += length) {
+            for (unsigned i = unsigned(from) * piece; i < lesser(unsigned(to) * piece, chunk_.count()); i += length) {
                 band_list* const lists = lists_.data() + std::size_t(i / piece) * std::size_t(bands);
                 const auto put = [&](const glm::ivec2& covered, auto band_list::*kind, const auto& what) {
                     for (int band = covered.x / rows_a_band; band * rows_a_band < covered.y; ++band)
                         (lists[band].*kind).push_back(what);
                 };
                 const auto keep = [&](const auto& a, const auto& b, const auto& c, unsigned triangle) {
-                    const auto [lowest, highest] = std::minmax({a.y, b.y, c.y});
-                    put(rows_between(lowest, highest), &band_list::parts, band_list::part{a, b, c, triangle});
+                    const glm::ivec2 covered = rows_between(lesser(a.y, b.y, c.y), greater(a.y, b.y, c.y));
+                    put(covered, &band_list::parts, band_list::part{a, b, c, triangle});
                 };
                 put(rows(run_from(i, length), keep), &band_list::runs, i);
             }

@@ -14,11 +14,11 @@
 //
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include <glm/vec2.hpp>
 
+#include <umbrage/algorithm.hpp>
 #include <umbrage/images/mesh.hpp>
 #include <umbrage/simd/bits.hpp>
 #include <umbrage/simd/dispatch.hpp>
@@ -137,8 +137,8 @@ public:
             for (side& s : sides) {
                 for (; s.at > 0 && s.value >= s.step; s.value -= s.step) --s.at;
                 for (; s.at < width && s.value < 0; s.value += s.step) ++s.at;
-                if (s.begins) first = std::max(first, s.at);
-                else last = std::min(last, s.at);
+                if (s.begins) first = greater(first, s.at);
+                else last = lesser(last, s.at);
                 s.value += s.step_up;
             }
             if (first < last) row(first_y[i] + y, first_x[i] + first, first_x[i] + last);
@@ -172,13 +172,13 @@ private:
             x_[0][i] = pick(ax, bx, cx), x_[1][i] = pick(bx, cx, ax), x_[2][i] = pick(cx, ax, bx);
             y_[0][i] = pick(ay, by, cy), y_[1][i] = pick(by, cy, ay), y_[2][i] = pick(cy, ay, by);
 
-            const std::int32_t left = std::min(std::min(ax, bx), cx), end = std::max(std::max(ax, bx), cx);
-            const std::int32_t bottom = std::min(std::min(ay, by), cy), top = std::max(std::max(ay, by), cy);
+            const std::int32_t left = lesser(lesser(ax, bx), cx), end = greater(greater(ax, bx), cx);
+            const std::int32_t bottom = lesser(lesser(ay, by), cy), top = greater(greater(ay, by), cy);
             width_[i] = end - left, height_[i] = top - bottom;
-            side_[i] = std::max(end - left, top - bottom);
-            const std::int32_t from_x = std::max((left + subtexels - 1 - centre) >> 8, min_x);
-            const std::int32_t from_y = std::max((bottom + subtexels - centre) >> 8, min_y);
-            const std::int32_t to_x = std::min((end - centre) >> 8, max_x), to_y = std::min((top - centre) >> 8, max_y);
+            side_[i] = greater(end - left, top - bottom);
+            const std::int32_t from_x = greater((left + subtexels - 1 - centre) >> 8, min_x);
+            const std::int32_t from_y = greater((bottom + subtexels - centre) >> 8, min_y);
+            const std::int32_t to_x = lesser((end - centre) >> 8, max_x), to_y = lesser((top - centre) >> 8, max_y);
             first_x[i] = from_x, first_y[i] = from_y;
             columns[i] = to_x - from_x + 1;
             rows[i] = (to_y - from_y + 1) & -std::int32_t((to_x >= from_x) & (to_y >= from_y));
