@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "remote.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <sstream>
 #include <utility>

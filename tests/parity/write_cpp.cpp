@@ -4,6 +4,7 @@
 //
 // GLSL's floats have no suffix and C++'s need one; __VERSION__ and `precise` are GLSL's own, as are the swizzles of
 // what stored_as() makes. All else is for cpp_text.hpp.
+#include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <iostream>

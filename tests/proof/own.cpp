@@ -3,6 +3,7 @@
 // Encodings of our own, proved over every code and over every depth of 24 bits. All floats: `make prove`.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "codecs.hpp"

@@ -4,6 +4,7 @@
 // Prints a table, writes it as TSV into the file that the argument names, and fails when anything in it does.
 //
 //     prove_cpp prove.tsv    or that of one primitive alone: prove_cpp discs.tsv acne_free_disc_bias
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <fstream>

@@ -3,6 +3,7 @@
 // What contact hardening is held against: its steps in 64-bit whole numbers and texels by brute force.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include <umbrage/filter/pcf/pcf_2x2.hpp>
 
 #include "../maps.hpp"
