@@ -5,7 +5,6 @@
 //
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -193,7 +192,7 @@ template <class = umbrage::detail::on_use>
 template <class = umbrage::detail::on_use>
 class composition {
 public:
-    composition(const language& l, std::span<const bound> items) : language_(l), items_(items.begin(), items.end()) {
+    composition(const language& l, const std::vector<bound>& items) : language_(l), items_(items) {
         binding one;  // the shader's one map compares on a scale of its own if anything here makes such depths
         for (const bound& item : items_)
             if (item.by_macros && item.what.scaled) one.needs.push_back(item.what);
@@ -243,7 +242,7 @@ private:
 
 /// A line that names what follows, then it.
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string compose(const language& l, std::span<const bound> items) {
+[[nodiscard]] std::string compose(const language& l, const std::vector<bound>& items) {
     std::string title = "// umbrage " + std::to_string(UMBRAGE_VERSION_MAJOR) + '.' +
                         std::to_string(UMBRAGE_VERSION_MINOR) + '.' + std::to_string(UMBRAGE_VERSION_PATCH) +
                         ", MIT License";

@@ -125,11 +125,6 @@ inline constexpr language glsl_language{.prelude = prelude,
                                         .macros = true,
                                         .scaled_macro = scaled_macro};
 
-template <class = umbrage::detail::on_use>
-[[nodiscard]] std::vector<bound> unbound(std::span<const snippet> snippets) {
-    return {snippets.begin(), snippets.end()};
-}
-
 }  // namespace detail
 
 /// True when the snippet bound to its map compiles in dialect `v`.
@@ -150,21 +145,21 @@ template <class = umbrage::detail::on_use>
 /// @throws std::invalid_argument   a map that cannot have what is asked of it; two maps of one name
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string text(std::span<const bound> items) {
-    return detail::compose<Use>(detail::glsl_language<Use>, items);
+    return detail::compose<Use>(detail::glsl_language<Use>, {items.begin(), items.end()});
 }
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string text(std::span<const snippet> snippets) {
-    return text<Use>(detail::unbound<Use>(snippets));
+    return detail::compose<Use>(detail::glsl_language<Use>, {snippets.begin(), snippets.end()});
 }
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string text(std::initializer_list<bound> items) {
-    return text<Use>(std::span(items.begin(), items.size()));
+    return detail::compose<Use>(detail::glsl_language<Use>, items);
 }
 
-/// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
-/// @throws std::invalid_argument   as text; when the dialect has not what a snippet or a map needs
+namespace detail {
+
 template <class Use = umbrage::detail::on_use>
-[[nodiscard]] std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
+[[nodiscard]] std::string source(version v, const std::vector<bound>& items, std::string_view preamble) {
     for (const bound& item : items)
         if (!supports(item, v))
             umbrage::detail::fail("umbrage::glsl::source: GLSL " + std::string(directive(v)) + " is too old for " +
@@ -174,15 +169,24 @@ template <class Use = umbrage::detail::on_use>
     out += '\n';
     out += preamble;
     if (!preamble.empty() && preamble.back() != '\n') out += '\n';
-    return out + text<Use>(items);
+    return out + compose<Use>(glsl_language<Use>, items);
+}
+
+}  // namespace detail
+
+/// The beginning of a shader: `#version`, `preamble` (extensions, macros, precision), the snippets and all they need.
+/// @throws std::invalid_argument   as text; when the dialect has not what a snippet or a map needs
+template <class Use = umbrage::detail::on_use>
+[[nodiscard]] std::string source(version v, std::span<const bound> items, std::string_view preamble = {}) {
+    return detail::source<Use>(v, {items.begin(), items.end()}, preamble);
 }
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string source(version v, std::span<const snippet> snippets, std::string_view preamble = {}) {
-    return source<Use>(v, detail::unbound<Use>(snippets), preamble);
+    return detail::source<Use>(v, {snippets.begin(), snippets.end()}, preamble);
 }
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string source(version v, std::initializer_list<bound> items, std::string_view preamble = {}) {
-    return source<Use>(v, std::span(items.begin(), items.size()), preamble);
+    return detail::source<Use>(v, items, preamble);
 }
 
 }  // namespace umbrage::glsl

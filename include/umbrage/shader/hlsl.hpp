@@ -7,7 +7,6 @@
 //
 #pragma once
 
-#include <array>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -21,9 +20,6 @@ namespace umbrage::hlsl {
 
 namespace detail {
 
-inline constexpr std::array<std::string_view, 8> reserved{"line",  "linear", "matrix",   "pass",
-                                                          "point", "sample", "triangle", "vector"};
-
 inline constexpr glsl::detail::near_language near{.name = "hlsl",
                                                   .own = &glsl::detail::word::hlsl,
                                                   .precise = "precise",
@@ -31,7 +27,7 @@ inline constexpr glsl::detail::near_language near{.name = "hlsl",
                                                   .condition = "precise ",  // FXC makes !(a > b) of a <= b elsewhere
                                                   .matrices_have_rows = true,
                                                   .vectors_of_one_are_cast = true,
-                                                  .reserved = reserved};
+                                                  .reserved = " line linear matrix pass point sample triangle vector "};
 
 [[nodiscard]] constexpr glsl::detail::texture_words reads(glsl::texture kind) {
     using enum glsl::texture;
@@ -129,12 +125,12 @@ inline constexpr glsl::detail::language language{
 /// @throws std::invalid_argument   for what HLSL has no word for
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::compose<Use>(detail::language<Use>, items);
+    return glsl::detail::compose<Use>(detail::language<Use>, {items.begin(), items.end()});
 }
 
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string text(std::initializer_list<glsl::bound> items) {
-    return hlsl::text<Use>(std::span(items.begin(), items.size()));
+    return glsl::detail::compose<Use>(detail::language<Use>, items);
 }
 
 }  // namespace umbrage::hlsl

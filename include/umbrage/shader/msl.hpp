@@ -7,7 +7,6 @@
 //
 #pragma once
 
-#include <array>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -28,10 +27,6 @@ inline constexpr std::string_view prelude =
 
 namespace detail {
 
-inline constexpr std::array<std::string_view, 16> reserved{
-    "as_type", "char",   "constant", "device", "fragment", "half",  "kernel", "long",
-    "metal",   "object", "sampler",  "short",  "thread",   "uchar", "ushort", "vertex"};
-
 inline constexpr glsl::detail::near_language near{.name = "msl",
                                                   .own = &glsl::detail::word::msl,
                                                   .precise = "",
@@ -39,7 +34,9 @@ inline constexpr glsl::detail::near_language near{.name = "msl",
                                                   .condition = "",
                                                   .matrices_have_rows = false,
                                                   .vectors_of_one_are_cast = false,
-                                                  .reserved = reserved};
+                                                  .reserved =
+                                                      " as_type char constant device fragment half kernel long metal "
+                                                      "object sampler short thread uchar ushort vertex "};
 
 [[nodiscard]] constexpr glsl::detail::texture_words reads(glsl::texture kind) {
     using enum glsl::texture;
@@ -139,12 +136,12 @@ inline constexpr glsl::detail::language language{
 /// @throws std::invalid_argument   for what Metal has no word for
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::compose<Use>(detail::language<Use>, items);
+    return glsl::detail::compose<Use>(detail::language<Use>, {items.begin(), items.end()});
 }
 
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string text(std::initializer_list<glsl::bound> items) {
-    return msl::text<Use>(std::span(items.begin(), items.size()));
+    return glsl::detail::compose<Use>(detail::language<Use>, items);
 }
 
 }  // namespace umbrage::msl

@@ -128,12 +128,12 @@ inline constexpr glsl::detail::language language{
 /// @throws std::invalid_argument   for what WGSL has no word for
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string text(std::span<const glsl::bound> items) {
-    return glsl::detail::compose<Use>(detail::language<Use>, items);
+    return glsl::detail::compose<Use>(detail::language<Use>, {items.begin(), items.end()});
 }
 
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::string text(std::initializer_list<glsl::bound> items) {
-    return wgsl::text<Use>(std::span(items.begin(), items.size()));
+    return glsl::detail::compose<Use>(detail::language<Use>, items);
 }
 
 }  // namespace umbrage::wgsl

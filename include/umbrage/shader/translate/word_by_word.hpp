@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,12 +19,12 @@ namespace umbrage::glsl::detail {
 struct near_language {
     std::string_view name;
     std::string_view word::*own;
-    std::string_view precise;                    ///< for UMBRAGE_PRECISE; empty: nothing
-    std::string_view function;                   ///< before each function's type,
-    std::string_view condition;                  ///< and before that of one that tells true from false
-    bool matrices_have_rows;                     ///< m[i] is a row of m, its constructor takes rows
-    bool vectors_of_one_are_cast;                ///< vec4(x) is (float4)x
-    std::span<const std::string_view> reserved;  ///< what GLSL may call a variable, and this language may not
+    std::string_view precise;      ///< for UMBRAGE_PRECISE; empty: nothing
+    std::string_view function;     ///< before each function's type,
+    std::string_view condition;    ///< and before that of one that tells true from false
+    bool matrices_have_rows;       ///< m[i] is a row of m, its constructor takes rows
+    bool vectors_of_one_are_cast;  ///< vec4(x) is (float4)x
+    std::string_view reserved;     ///< what GLSL may call a variable, and this language may not: " a b "
 };
 
 /// Prints functions in a near language.
@@ -102,8 +101,7 @@ private:
             out += language_.function;
             if (all_[i] == "bool") out += language_.condition;
         } else {
-            for (std::string_view reserved : language_.reserved)
-                if (name == reserved) unknown(language_.name, name);
+            if (language_.reserved.find(' ' + std::string(name) + ' ') != name.npos) unknown(language_.name, name);
             variables_.push_back({name, all_[i].text});
         }
         out += own;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <array>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -12,8 +11,6 @@ using namespace umbrage::glsl::detail;
 
 namespace {
 
-constexpr std::array<std::string_view, 1> taken{"sample"};
-
 /// With everything that a language can do differently.
 constexpr near_language other{.name = "other",
                               .own = &word::hlsl,
@@ -22,7 +19,7 @@ constexpr near_language other{.name = "other",
                               .condition = "sharp ",
                               .matrices_have_rows = true,
                               .vectors_of_one_are_cast = true,
-                              .reserved = taken};
+                              .reserved = " sample "};
 /// As GLSL does it.
 constexpr near_language alike{.name = "alike",
                               .own = &word::msl,
