@@ -128,8 +128,9 @@ UMBRAGE_INLINE inline void blur_row(const float* weights, int radius, const Tap&
 }
 
 /// Rows first <= y < last: each along y into a line, and that along x; one body for texels of any channels.
-inline void blur_rows(image_view<const float> from, image_view<float> to, const blur_kernel& kernel, int channels,
-                      int first, int last) {
+template <class = on_use>
+void blur_rows(image_view<const float> from, image_view<float> to, const blur_kernel& kernel, int channels, int first,
+               int last) {
     const int radius = static_cast<int>(kernel.weights.size()) - 1, width = from.size.x, height = from.size.y;
     const int border = radius * channels;
     std::vector<float> padded(static_cast<std::size_t>(width + 2 * border));

@@ -79,15 +79,17 @@ template <class Reach>
 /// @param to_clip   model_to_clip, or any matrix that the mesh is drawn with; not finite: nothing is drawn, false
 /// @param at_near   as the depth pass has it
 /// @exactness       conservative: with 2^-20 to spare of the sums that a shader's floats round
-[[nodiscard]] inline bool may_mark(const bounding_box<float>& bounds, const glm::mat4& to_clip, clip_space clip,
-                                   near_plane at_near = near_plane::clips) {
+template <class = detail::on_use>
+[[nodiscard]] bool may_mark(const bounding_box<float>& bounds, const glm::mat4& to_clip, clip_space clip,
+                            near_plane at_near = near_plane::clips) {
     if (glm::any(glm::greaterThan(bounds.low, bounds.high))) return false;
     const glm::dvec3 low(bounds.low), high(bounds.high), half = (high - low) * 0.5;
     const auto reach = [&](const glm::dvec3& normal) { return glm::dot(glm::abs(normal), half); };
     return detail::may_mark((low + high) * 0.5, half, reach, to_clip, clip, at_near);
 }
-[[nodiscard]] inline bool may_mark(const bounding_sphere<float>& bounds, const glm::mat4& to_clip, clip_space clip,
-                                   near_plane at_near = near_plane::clips) {
+template <class = detail::on_use>
+[[nodiscard]] bool may_mark(const bounding_sphere<float>& bounds, const glm::mat4& to_clip, clip_space clip,
+                            near_plane at_near = near_plane::clips) {
     if (bounds.radius < 0.0f) return false;
     const auto radius = static_cast<double>(bounds.radius);
     const auto reach = [&](const glm::dvec3& normal) { return glm::length(normal) * radius; };

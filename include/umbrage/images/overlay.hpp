@@ -41,8 +41,8 @@ struct contrast_stretch {
 /// @param outliers  share of the depths to give up at either end, 0 <= outliers < 1/2
 /// @return      0..1 when no texel is left
 /// @throws std::invalid_argument  outliers out of range
-[[nodiscard]] inline contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f,
-                                              double outliers = 0.01) {
+template <class = detail::on_use>
+[[nodiscard]] contrast_stretch stretch(image_view<const float> map, float cleared = 1.0f, double outliers = 0.01) {
     if (!(outliers >= 0.0 && outliers < 0.5)) detail::fail("umbrage::stretch: outliers not in [0, 1/2)");
     std::vector<float> depths;
     for (int y = 0; y < map.size.y && !map.empty(); ++y)

@@ -162,7 +162,8 @@ private:
 namespace detail {
 
 /// The part of a convex polygon that is inside of a plane.
-[[nodiscard]] inline std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const glm::dvec4& plane) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const glm::dvec4& plane) {
     const auto inside = [&](const glm::dvec3& p) { return glm::dot(glm::dvec3(plane), p) + plane.w; };
     std::vector<glm::dvec3> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

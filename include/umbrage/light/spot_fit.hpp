@@ -36,7 +36,8 @@ namespace detail {
 
 /// What a spot light sees of a hull beyond a distance, within tangents of its sides: points as tangents x / distance,
 /// y / distance, and the distance.
-[[nodiscard]] inline std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen, double edge, double closest) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> tangents(std::vector<glm::dvec3> seen, double edge, double closest) {
     for (const glm::dvec4 plane : {glm::dvec4(0, 0, 1, -closest), glm::dvec4(1, 0, edge, 0), glm::dvec4(-1, 0, edge, 0),
                                    glm::dvec4(0, 1, edge, 0), glm::dvec4(0, -1, edge, 0)})
         seen = clipped_hull(seen, plane);
@@ -46,8 +47,9 @@ namespace detail {
 
 /// The nearest that a box of casters comes to a spot light within what receivers sweep towards it.
 /// @param receivers  tangents;   outwards  the margin around them;   closest  where the sweep ends
-[[nodiscard]] inline double nearest_to_spot(const glm::dmat4& frame, const polyhedron& casters,
-                                            const std::vector<glm::dvec3>& receivers, double outwards, double closest) {
+template <class = on_use>
+[[nodiscard]] double nearest_to_spot(const glm::dmat4& frame, const polyhedron& casters,
+                                     const std::vector<glm::dvec3>& receivers, double outwards, double closest) {
     std::vector<glm::dvec4> planes = sweep(receivers, outwards);
     for (glm::dvec4& plane : planes) plane = {plane.x, plane.y, plane.w, 0.0};  // through the light
     planes.emplace_back(0.0, 0.0, 1.0, -closest);

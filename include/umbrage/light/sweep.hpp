@@ -29,7 +29,8 @@ inline void require_receivers(const hull& receivers, const char* function) {
 }
 
 /// Points whose hull holds all receivers: in place of a ball the corners of its box.
-[[nodiscard]] inline std::vector<glm::dvec3> corners_of(const hull& receivers) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> corners_of(const hull& receivers) {
     if (!(receivers.radius > 0.0)) return receivers.points;
     std::vector<glm::dvec3> all;
     for (const glm::dvec3& p : receivers.points)
@@ -47,7 +48,8 @@ template <real T>
     return frame;
 }
 
-[[nodiscard]] inline std::vector<glm::dvec3> seen(const glm::dmat4& frame, const std::vector<glm::dvec3>& points) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> seen(const glm::dmat4& frame, const std::vector<glm::dvec3>& points) {
     std::vector<glm::dvec3> moved;
     moved.reserve(points.size());
     for (const glm::dvec3& p : points) moved.emplace_back(frame * glm::dvec4(p, 1.0));
@@ -65,7 +67,8 @@ struct extent {
 
 /// Counter-clockwise, without what lies on an edge.
 /// @cite   Andrew: Another efficient algorithm for convex hulls in two dimensions, 1979
-[[nodiscard]] inline std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec2> convex_hull(const std::vector<glm::dvec3>& seen) {
     std::vector<glm::dvec2> points(seen.begin(), seen.end()), hull;
     sort(points, [](glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
     const auto turns_right = [](glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) {
@@ -85,8 +88,8 @@ struct extent {
 
 /// What the hull of points has in common with a half-space, as points around it: those inside, and of where the lines
 /// between them and the others cross the plane the outermost.
-[[nodiscard]] inline std::vector<glm::dvec3> clipped_hull(const std::vector<glm::dvec3>& points,
-                                                          const glm::dvec4& plane) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> clipped_hull(const std::vector<glm::dvec3>& points, const glm::dvec4& plane) {
     const glm::dvec3 normal(plane), steep = glm::abs(normal);
     const glm::length_t z = steep.x > steep.y ? (steep.x > steep.z ? 0 : 2) : (steep.y > steep.z ? 1 : 2);
     const glm::length_t x = (z + 1) % 3, y = (z + 2) % 3;
@@ -120,7 +123,8 @@ struct extent {
 
 /// A plane (a, b, 0, c) through each edge of a hull, moved outwards; none through edges between points that only
 /// rounding tells apart: their direction says nothing.
-[[nodiscard]] inline std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec4> sides(const std::vector<glm::dvec2>& hull, double outwards) {
     std::vector<glm::dvec4> planes;
     const auto end_of = [&](std::size_t i) { return hull[i + 1 < hull.size() ? i + 1 : 0]; };
     double longest = 0.0;
@@ -134,7 +138,8 @@ struct extent {
 }
 
 /// Planes of the same kind around what points sweep, moved outwards: their hull's, within their rectangle's.
-[[nodiscard]] inline std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec4> sweep(const std::vector<glm::dvec3>& seen, double outwards) {
     std::vector<glm::dvec4> planes = sides(convex_hull(seen), outwards);
     const auto [least, greatest] = extent_of(seen);
     const glm::dvec3 low = least - outwards, high = greatest + outwards;
@@ -143,8 +148,8 @@ struct extent {
 }
 
 /// The least distance along the light of a box's faces within planes; infinite where none is.
-[[nodiscard]] inline double nearest(const glm::dmat4& frame, const polyhedron& box,
-                                    const std::vector<glm::dvec4>& planes) {
+template <class = on_use>
+[[nodiscard]] double nearest(const glm::dmat4& frame, const polyhedron& box, const std::vector<glm::dvec4>& planes) {
     double least = std::numeric_limits<double>::infinity();
     for (const polyhedron::face& face : box.faces()) {
         std::vector<glm::dvec3> polygon = seen(frame, face.corners);

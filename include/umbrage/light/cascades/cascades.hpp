@@ -89,7 +89,8 @@ template <std::size_t Count, real T>
 }
 
 /// What a part sees of a scene; where that is nothing, all of the part.
-[[nodiscard]] inline hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
+template <class = on_use>
+[[nodiscard]] hull receivers_of(const frustum<double>& part, const bounding_box<double>& scene) {
     const polyhedron seen = intersection(part, scene);
     return seen.empty() ? hull(part) : hull(seen);
 }

@@ -76,7 +76,8 @@ struct angles {
     glm::dvec2 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
 };
 /// @return   nothing where one of them does not lie ahead
-[[nodiscard]] inline std::optional<angles> angles_of(const std::vector<glm::dvec3>& points) {
+template <class = on_use>
+[[nodiscard]] std::optional<angles> angles_of(const std::vector<glm::dvec3>& points) {
     angles a;
     for (const glm::dvec3& p : points) {
         if (!(p.z > 0.0)) return {};
@@ -88,8 +89,9 @@ struct angles {
 
 /// Where in NDC the map's axis goes through: halfway between the angles at which the light's image sees receivers.
 /// @return   nothing where the image stands amid them
-[[nodiscard]] inline std::optional<glm::dvec3> aim(const glm::dvec3& image, const std::vector<glm::dvec3>& receivers,
-                                                   const char* function) {
+template <class = on_use>
+[[nodiscard]] std::optional<glm::dvec3> aim(const glm::dvec3& image, const std::vector<glm::dvec3>& receivers,
+                                            const char* function) {
     const auto [low, high] = extent_of(receivers);
     const glm::dvec3 middle = (low + high) * 0.5;
     // seen from beyond the far plane all of NDC lies the same way
@@ -115,8 +117,9 @@ struct ray_map {
 /// @param up          of the map, in NDC at the aim
 /// @param receivers   in NDC
 /// @formula           u = -(l.xyz - l.w aim) / r, k = l.w / r, r its length; depth = u.(p - aim), w = 1 + k depth
-[[nodiscard]] inline ray_map along_rays(const glm::dvec4& light, const glm::dvec3& aim, const glm::dvec3& up,
-                                        const std::vector<glm::dvec3>& receivers, const char* function) {
+template <class = on_use>
+[[nodiscard]] ray_map along_rays(const glm::dvec4& light, const glm::dvec3& aim, const glm::dvec3& up,
+                                 const std::vector<glm::dvec3>& receivers, const char* function) {
     const glm::dvec3 back = glm::dvec3(light) - aim * light.w;
     const double bend = light.w / glm::length(back);
     glm::dmat4 rays = light_frame(look_along(aim, -back, up, handedness::right, function, "camera"), handedness::right);
@@ -141,7 +144,8 @@ struct ray_map {
 
 /// A map whose receivers fill -1 to 1, w 1 at the least of them, and that mirrors nothing: maps of one light that are
 /// laid so can be mixed, as rays are texels in each.
-[[nodiscard]] inline glm::dmat4 filled(const glm::dmat4& to_map, const hull& receivers) {
+template <class = on_use>
+[[nodiscard]] glm::dmat4 filled(const glm::dmat4& to_map, const hull& receivers) {
     extent box;
     double least = std::numeric_limits<double>::infinity();
     for (const glm::dvec3& p : corners_of(receivers)) {

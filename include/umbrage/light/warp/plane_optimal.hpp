@@ -35,7 +35,8 @@ inline constexpr T plane_optimal_rounding = T(0x1p-20);
 namespace detail {
 
 /// Where a plane cuts a body's edges: the corners of what they have in common.
-[[nodiscard]] inline std::vector<glm::dvec3> crossings(const polyhedron& body, const glm::dvec4& plane) {
+template <class = on_use>
+[[nodiscard]] std::vector<glm::dvec3> crossings(const polyhedron& body, const glm::dvec4& plane) {
     std::vector<glm::dvec3> all;
     for (const polyhedron::face& face : body.faces())
         for (std::size_t i = 0; i < face.corners.size(); ++i) {

@@ -77,8 +77,9 @@ template <real T>
 
 /// What a map sees of a body within planes of the map's space.
 /// @return   nothing where some of it does not lie before w = 0
-[[nodiscard]] inline std::optional<extent> seen_within(const glm::dmat4& to_map, const polyhedron& body,
-                                                       std::vector<glm::dvec4> planes) {
+template <class = on_use>
+[[nodiscard]] std::optional<extent> seen_within(const glm::dmat4& to_map, const polyhedron& body,
+                                                std::vector<glm::dvec4> planes) {
     for (glm::dvec4& plane : planes) plane = glm::transpose(to_map) * plane;
     extent all;
     for (const polyhedron::face& face : body.faces()) {
