@@ -91,7 +91,7 @@ void rasterize_depth(image_view<float> depth, const mesh_view& mesh, std::span<c
                      ParallelFor&& parallel = {}, near_plane at_near = near_plane::clips) {
     std::vector<glm::mat4> to_clip(instances.begin(), instances.end());
     for (glm::mat4& matrix : to_clip) matrix = model_to_clip(world_to_clip, matrix);
-    detail::rasterize_depth(depth, mesh, to_clip, clip, cull, parallel, at_near);
+    detail::rasterize_depth(depth, mesh, {to_clip.data(), to_clip.size()}, clip, cull, parallel, at_near);
 }
 
 /// The general form: one call for each covered sample between the near and the far plane, triangle by triangle.

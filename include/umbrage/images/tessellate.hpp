@@ -26,7 +26,10 @@ struct tessellated_mesh {
     std::vector<glm::vec3> positions;  ///< the mesh's own, then new ones; world
     std::vector<glm::uvec3> triangles;
 
-    [[nodiscard]] mesh_view view() const { return {positions, triangles}; }
+    template <class View = mesh_view>
+    [[nodiscard]] View view() const {
+        return View{positions, triangles};
+    }
 };
 
 /// How finely a mesh is to be cut.

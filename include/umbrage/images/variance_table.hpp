@@ -73,7 +73,8 @@ template <class ParallelFor = serial>
             }
     };
     store(0);
-    for (std::uint32_t& code : codes.texels()) code *= code;
+    for (int y = 0; y < map.size.y; ++y)
+        for (int x = 0; x < map.size.x; ++x) codes[{x, y}] *= codes[{x, y}];
     store(2);
     return table;
 }

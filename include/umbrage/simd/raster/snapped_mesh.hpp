@@ -70,7 +70,7 @@ public:
         const std::size_t step = is_serial<ParallelFor> && !shares_vertices() ? piece : several_pieces;
         for (std::size_t instance = 0; instance < instances_.size(); instance += chunk_.instances())
             for (std::size_t first = 0; first < mesh_.triangles.size(); first += step) {
-                chunk_.take(first, std::span<const projection>(instances_).subspan(instance), step,
+                chunk_.take(first, {instances_.data() + instance, instances_.size() - instance}, step,
                             indices_from(first, step));
                 chunk_.snap(parallel);
                 use();
@@ -129,7 +129,7 @@ private:
     }
 
     [[nodiscard]] static std::span<const glm::uvec3> piece_of(std::span<const glm::uvec3> triangles, std::size_t i) {
-        return triangles.subspan(i * piece, lesser(std::size_t(piece), triangles.size() - i * piece));
+        return {triangles.data() + i * piece, lesser(std::size_t(piece), triangles.size() - i * piece)};
     }
     /// Of as many triangles, or of those that are left, from the first of a piece on.
     [[nodiscard]] index_range indices_from(std::size_t first, std::size_t count) const {
