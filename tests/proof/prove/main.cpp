@@ -18,9 +18,8 @@
 #include <thread>
 #include <vector>
 
-#include <unistd.h>
-
 #include <boost/timer/progress_display.hpp>
+#include <unistd.h>
 
 #include <umbrage/depth/float_bits.hpp>
 #include <umbrage/depth/foreign/ps14.hpp>
