@@ -22,7 +22,7 @@
 #include <cstdint>
 
 #include <glm/common.hpp>
-#include <glm/gtc/type_precision.hpp>
+#include <glm/fwd.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
