@@ -10,7 +10,6 @@
 // loses bits as it grows, and its differences lose more.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -78,7 +77,7 @@ public:
     /// Of rows first <= y < last.
     void take(int strip, int first, int last, Sum* sums) const {
         int known = strip;
-        while (rows_[std::size_t(known)].load(std::memory_order_acquire) < last) --known;
+        while (load_acquire(rows_[std::size_t(known)]) < last) --known;
         copy(sums_.data() + place_of(known, first), std::size_t(last - first), sums);
         const int left = known * columns_, width = strip * columns_ - left;
         on_best_isa([&](auto set) UMBRAGE_INLINE {
@@ -89,7 +88,7 @@ public:
     /// The same, after those of the rows before.
     void give(int strip, int first, int last, const Sum* sums) {
         copy(sums, std::size_t(last - first), sums_.data() + place_of(strip, first));
-        rows_[std::size_t(strip)].store(last, std::memory_order_release);
+        store_release(last, rows_[std::size_t(strip)]);
     }
 
 private:
@@ -99,8 +98,8 @@ private:
 
     image_view<const From> values_;
     int columns_;
-    std::vector<Sum> sums_;               // strip by strip, and one behind the last
-    std::vector<std::atomic<int>> rows_;  // whose sums are there
+    std::vector<Sum> sums_;  // strip by strip, and one behind the last
+    std::vector<int> rows_;  // whose sums are there, set by one thread while others look
 };
 
 }  // namespace detail
