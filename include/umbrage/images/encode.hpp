@@ -47,18 +47,19 @@ void encode_rows(image_view<const float> depth, image_view<typename Codec::texel
     const bool large = past_cache(texels);
     parallel(depth.size.y, [&](int first, int last) {
         on_best_isa([&](auto) UMBRAGE_INLINE {
-            const auto in_place = [&](const float* from, texel* to) UMBRAGE_INLINE { codec.encode(from, to); };
-            const auto past_caches = [&](const float* from, texel* to) UMBRAGE_INLINE {
-                alignas(64) texel texels_of_block[block];
-                codec.encode(from, texels_of_block);
-                stream_block(to, texels_of_block);
-            };
-            // What is left of a row is copied from where it is put: not past the cache.
-            for (int y = first; y < last; ++y) {
-                if (large) prefetch_rest(texels.row(y), depth.size.x);
-                if (large) convert_row(depth.row(y), texels.row(y), depth.size.x, past_caches, in_place);
-                else convert_row(depth.row(y), texels.row(y), depth.size.x, in_place);
-            }
+            codec.with_encode([&](const auto& in_place) UMBRAGE_INLINE {
+                const auto past_caches = [&](const float* from, texel* to) UMBRAGE_INLINE {
+                    alignas(64) texel texels_of_block[block];
+                    in_place(from, texels_of_block);
+                    stream_block(to, texels_of_block);
+                };
+                // What is left of a row is copied from where it is put: not past the cache.
+                for (int y = first; y < last; ++y) {
+                    if (large) prefetch_rest(texels.row(y), depth.size.x);
+                    if (large) convert_row(depth.row(y), texels.row(y), depth.size.x, past_caches, in_place);
+                    else convert_row(depth.row(y), texels.row(y), depth.size.x, in_place);
+                }
+            });
         });
         if (large) finish_streaming();
     });
@@ -71,9 +72,10 @@ void decode_rows(image_view<const typename Codec::texel> texels, image_view<floa
     if (depth.empty()) return;
     parallel(depth.size.y, [&](int first, int last) {
         on_best_isa([&](auto) UMBRAGE_INLINE {
+            const Codec own = codec;  // as far as a compiler knows, depths may overwrite the other
             for (int y = first; y < last; ++y)
                 convert_row(texels.row(y), depth.row(y), depth.size.x,
-                            [&](const auto* from, auto* to) UMBRAGE_INLINE { codec.decode(from, to); });
+                            [&](const auto* from, auto* to) UMBRAGE_INLINE { own.decode(from, to); });
         });
     });
 }

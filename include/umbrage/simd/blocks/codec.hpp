@@ -3,7 +3,7 @@
 // Encodings over blocks of 64 depths, in loops that vectorise: bit for bit what their own encode and decode give.
 //
 //     const auto codec = umbrage::detail::codec_of(umbrage::rg<11>{});
-//     codec.encode(depths, texels);
+//     codec.with_encode([&](const auto& encode) UMBRAGE_INLINE { encode(depths, texels); });  // and more blocks
 //
 #pragma once
 
@@ -20,16 +20,17 @@
 
 namespace umbrage::detail {
 
-/// saturate() as saturate_bits has it, NaN to `highest` or, reversed, to 0.
+/// saturate(), NaN to `highest` or, reversed, to 0. What is not taken for 0 is one range of bits, so that one comparison
+/// finds it: signed integers above -infinity's, negative NaNs among them; or unsigned ones up to infinity's.
+template <depth_direction Direction>
 struct saturated {
-    std::int32_t last_kept;  ///< greatest magnitude, as bits, that is not taken for 0
-
-    explicit saturated(depth_direction direction)
-        : last_kept(direction == depth_direction::forward ? 0x7FFFFFFF : 0x7F800000) {}
     [[nodiscard]] UMBRAGE_INLINE float operator()(float v, float highest) const {
-        const auto bits = bit_cast<std::int32_t>(v);
-        return bit_cast<float>(bit_cast<std::int32_t>(saturate_bits(v, highest)) &
-                               -std::int32_t((bits & 0x7FFFFFFF) <= last_kept));
+        constexpr auto minus_infinity = static_cast<std::int32_t>(0xFF800000u);
+        const auto bits = bit_cast<std::int32_t>(v), top = bit_cast<std::int32_t>(highest);
+        const std::int32_t magnitude = bits & 0x7FFFFFFF, clamped = magnitude < top ? magnitude : top;
+        constexpr bool forward = Direction == depth_direction::forward;
+        const bool kept = forward ? bits > minus_infinity : static_cast<std::uint32_t>(bits) <= 0x7F800000u;
+        return bit_cast<float>(clamped & -std::int32_t(kept));
     }
     /// to_code: what is 1 or more has the code of the last float below 1.
     [[nodiscard]] UMBRAGE_INLINE std::int32_t code(float depth, float codes) const {
@@ -37,14 +38,25 @@ struct saturated {
     }
 };
 
+/// Calls use(saturated) with the direction's.
+template <class Use>
+UMBRAGE_INLINE inline void with_saturated(depth_direction direction, const Use& use) {
+    if (direction == depth_direction::forward) use(saturated<depth_direction::forward>{});
+    else use(saturated<depth_direction::reversed>{});
+}
+
 /// Any encoding, texel by texel.
 template <class Encoding>
 struct codec {
     using texel = typename Encoding::texel;
     Encoding encoding;
 
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    /// Calls use(encode), whose form may hang on what is known at run time: asking that block by block costs a tenth.
+    template <class Use>
+    UMBRAGE_INLINE void with_encode(const Use& use) const {
+        use([own = encoding](const float* depth, texel* texels) UMBRAGE_INLINE {
+            for (int i = 0; i < block; ++i) texels[i] = own.encode(depth[i]);
+        });
     }
     UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
         for (int i = 0; i < block; ++i) depth[i] = encoding.decode(texels[i]);
@@ -60,23 +72,27 @@ struct rg_codec {
     using texel = glm::u8vec2;
     int bits;
     float edge;
-    saturated saturate_depth;
+    depth_direction direction;
 
     /// R | G << 8 to what this machine has in memory, and back.
     static UMBRAGE_INLINE std::uint16_t in_memory(std::uint16_t word) {
         if constexpr (std::endian::native == std::endian::little) return word;
         else return static_cast<std::uint16_t>(word << 8 | word >> 8);
     }
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        const saturated s = saturate_depth;  // copies: as far as a compiler knows, texels may overwrite the others
+    template <class Use>
+    UMBRAGE_INLINE void with_encode(const Use& use) const {
         const auto codes = static_cast<float>(1 << bits);
         const auto up = static_cast<std::uint16_t>(1 << (16 - bits));
-        UMBRAGE_NO_OVERLAP
-        for (int i = 0; i < block; ++i) {
-            const auto x = static_cast<std::uint16_t>(s.code(depth[i], codes));
-            const std::uint16_t word = in_memory(static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) * up));
-            std::memcpy(static_cast<void*>(texels + i), &word, sizeof word);
-        }
+        with_saturated(direction, [&](auto saturate) UMBRAGE_INLINE {
+            use([=](const float* depth, texel* texels) UMBRAGE_INLINE {
+                UMBRAGE_NO_OVERLAP
+                for (int i = 0; i < block; ++i) {
+                    const auto x = static_cast<std::uint16_t>(saturate.code(depth[i], codes));
+                    const std::uint16_t word = in_memory(static_cast<std::uint16_t>((x & 0xFF) | (x & 0xFF00) * up));
+                    std::memcpy(static_cast<void*>(texels + i), &word, sizeof word);
+                }
+            });
+        });
     }
     UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
         const float from = edge, step = 1.0f / static_cast<float>(1 << bits);
@@ -93,7 +109,7 @@ struct rg_codec {
 };
 template <int Bits>
 [[nodiscard]] rg_codec codec_of(const rg<Bits>& encoding) {
-    return {Bits, encoding.edge, saturated(encoding.direction)};
+    return {Bits, encoding.edge, encoding.direction};
 }
 
 template <>
@@ -101,13 +117,17 @@ struct codec<rgb24> {
     using texel = glm::u8vec3;
     rgb24 encoding;
 
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        const saturated s(encoding.direction);
-        alignas(64) std::int32_t x[block];
-        for (int i = 0; i < block; ++i) x[i] = s.code(depth[i], 0x1p24f);
-        for (int i = 0; i < block; ++i)
-            texels[i] = {static_cast<std::uint8_t>(x[i] >> 16), static_cast<std::uint8_t>(x[i] >> 8 & 0xFF),
-                         static_cast<std::uint8_t>(x[i] & 0xFF)};
+    template <class Use>
+    UMBRAGE_INLINE void with_encode(const Use& use) const {
+        with_saturated(encoding.direction, [&](auto saturate) UMBRAGE_INLINE {
+            use([=](const float* depth, texel* texels) UMBRAGE_INLINE {
+                alignas(64) std::int32_t x[block];
+                for (int i = 0; i < block; ++i) x[i] = saturate.code(depth[i], 0x1p24f);
+                for (int i = 0; i < block; ++i)
+                    texels[i] = {static_cast<std::uint8_t>(x[i] >> 16), static_cast<std::uint8_t>(x[i] >> 8 & 0xFF),
+                                 static_cast<std::uint8_t>(x[i] & 0xFF)};
+            });
+        });
     }
     UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
         const float edge = encoding.edge;
@@ -124,11 +144,14 @@ struct codec<float_bits> {
     using texel = glm::u8vec4;
     float_bits encoding;
 
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        if constexpr (std::endian::native == std::endian::little)
-            std::memcpy(static_cast<void*>(texels), depth, block * sizeof(float));
-        else
-            for (int i = 0; i < block; ++i) texels[i] = encoding.encode(depth[i]);
+    template <class Use>
+    UMBRAGE_INLINE void with_encode(const Use& use) const {
+        use([own = encoding](const float* depth, texel* texels) UMBRAGE_INLINE {
+            if constexpr (std::endian::native == std::endian::little)
+                std::memcpy(static_cast<void*>(texels), depth, block * sizeof(float));
+            else
+                for (int i = 0; i < block; ++i) texels[i] = own.encode(depth[i]);
+        });
     }
     UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
         if constexpr (std::endian::native == std::endian::little) std::memcpy(depth, texels, block * sizeof(float));
@@ -142,9 +165,13 @@ struct codec<depth32f> {
     using texel = float;
     depth32f encoding;
 
-    UMBRAGE_INLINE void encode(const float* depth, texel* texels) const {
-        const saturated s(encoding.direction);
-        for (int i = 0; i < block; ++i) texels[i] = s(depth[i], 1.0f);
+    template <class Use>
+    UMBRAGE_INLINE void with_encode(const Use& use) const {
+        with_saturated(encoding.direction, [&](auto saturate) UMBRAGE_INLINE {
+            use([=](const float* depth, texel* texels) UMBRAGE_INLINE {
+                for (int i = 0; i < block; ++i) texels[i] = saturate(depth[i], 1.0f);
+            });
+        });
     }
     UMBRAGE_INLINE void decode(const texel* texels, float* depth) const {
         std::memcpy(depth, texels, block * sizeof(float));
