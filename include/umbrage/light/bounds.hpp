@@ -109,56 +109,6 @@ template <real T>
     return {glm::dvec3(f.position) + axes[2] * centre, std::sqrt(beyond * beyond + z_far * z_far * t)};
 }
 
-/// A convex body, by its faces.
-class polyhedron {
-public:
-    struct face {
-        glm::dvec4 plane;                 ///< dot(plane, (p, 1)) >= 0 inside
-        std::vector<glm::dvec3> corners;  ///< none where the body does not reach the plane
-    };
-
-    polyhedron() = default;
-
-    template <real T>
-    polyhedron(const bounding_box<T>& box) {
-        const glm::dvec3 low(box.low), high(box.high);
-        add_faces(umbrage::corners(box), {{{1, 0, 0, -low.x},
-                                           {-1, 0, 0, high.x},
-                                           {0, 1, 0, -low.y},
-                                           {0, -1, 0, high.y},
-                                           {0, 0, 1, -low.z},
-                                           {0, 0, -1, high.z}}});
-    }
-
-    template <real T>
-    polyhedron(const frustum<T>& f) {
-        const glm::dmat3 axes = detail::axes(f);
-        const double x(f.tan_half_x), y(f.tan_half_y);
-        const auto plane = [&](glm::dvec3 normal, double offset) {
-            const glm::dvec3 n = axes * normal;
-            return glm::dvec4(n, offset - glm::dot(n, glm::dvec3(f.position)));
-        };
-        add_faces(umbrage::corners(f),
-                  {plane({1, 0, x}, 0), plane({-1, 0, x}, 0), plane({0, 1, y}, 0), plane({0, -1, y}, 0),
-                   plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
-    }
-
-    [[nodiscard]] const std::vector<face>& faces() const { return faces_; }
-    [[nodiscard]] bool empty() const { return faces_.empty(); }
-
-    friend polyhedron intersection(const polyhedron& a, const polyhedron& b);
-
-private:
-    void add_faces(const eight_corners& c, const std::array<glm::dvec4, 6>& planes) {
-        constexpr std::size_t order[6][4]{{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                          {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
-        for (std::size_t i = 0; i < 6; ++i)
-            faces_.push_back({planes[i], {c[order[i][0]], c[order[i][1]], c[order[i][2]], c[order[i][3]]}});
-    }
-
-    std::vector<face> faces_;
-};
-
 namespace detail {
 
 /// The part of a convex polygon that is inside of a plane.
@@ -175,47 +125,110 @@ template <class = on_use>
     return kept;
 }
 
+/// See polyhedron.
+template <class = on_use>
+class convex_body {
+public:
+    struct face {
+        glm::dvec4 plane;                 ///< dot(plane, (p, 1)) >= 0 inside
+        std::vector<glm::dvec3> corners;  ///< none where the body does not reach the plane
+    };
+
+    convex_body() = default;
+
+    template <real T>
+    convex_body(const bounding_box<T>& box) {
+        const glm::dvec3 low(box.low), high(box.high);
+        add_faces(umbrage::corners(box), {{{1, 0, 0, -low.x},
+                                           {-1, 0, 0, high.x},
+                                           {0, 1, 0, -low.y},
+                                           {0, -1, 0, high.y},
+                                           {0, 0, 1, -low.z},
+                                           {0, 0, -1, high.z}}});
+    }
+
+    template <real T>
+    convex_body(const frustum<T>& f) {
+        const glm::dmat3 axes = detail::axes(f);
+        const double x(f.tan_half_x), y(f.tan_half_y);
+        const auto plane = [&](glm::dvec3 normal, double offset) {
+            const glm::dvec3 n = axes * normal;
+            return glm::dvec4(n, offset - glm::dot(n, glm::dvec3(f.position)));
+        };
+        add_faces(umbrage::corners(f),
+                  {plane({1, 0, x}, 0), plane({-1, 0, x}, 0), plane({0, 1, y}, 0), plane({0, -1, y}, 0),
+                   plane({0, 0, 1}, -double(f.z_near)), plane({0, 0, -1}, double(f.z_far))});
+    }
+
+    [[nodiscard]] const std::vector<face>& faces() const { return faces_; }
+    [[nodiscard]] bool empty() const { return faces_.empty(); }
+
+    [[nodiscard]] static convex_body common(const convex_body& a, const convex_body& b) {
+        convex_body body;
+        bool touch = false;
+        const auto add = [&](const convex_body& of, const convex_body& within) {
+            for (face f : of.faces_) {
+                for (const face& other : within.faces_) f.corners = clipped(f.corners, other.plane);
+                touch = touch || !f.corners.empty();
+                body.faces_.push_back(
+                    std::move(f));  // one without corners too: rounding may take them of a flat body's
+            }
+        };
+        add(a, b);
+        add(b, a);
+        return touch && !a.empty() && !b.empty() ? body : convex_body();
+    }
+
+private:
+    void add_faces(const eight_corners& c, const std::array<glm::dvec4, 6>& planes) {
+        constexpr std::size_t order[6][4]{{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                          {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
+        for (std::size_t i = 0; i < 6; ++i)
+            faces_.push_back({planes[i], {c[order[i][0]], c[order[i][1]], c[order[i][2]], c[order[i][3]]}});
+    }
+
+    std::vector<face> faces_;
+};
+
 }  // namespace detail
 
+/// A convex body, by its faces.
+using polyhedron = detail::convex_body<>;
+
 /// What two bodies have in common; empty where that is nothing.
-[[nodiscard]] inline polyhedron intersection(const polyhedron& a, const polyhedron& b) {
-    polyhedron common;
-    bool touch = false;
-    const auto add = [&](const polyhedron& of, const polyhedron& within) {
-        for (polyhedron::face face : of.faces_) {
-            for (const polyhedron::face& other : within.faces_)
-                face.corners = detail::clipped(face.corners, other.plane);
-            touch = touch || !face.corners.empty();
-            common.faces_.push_back(
-                std::move(face));  // one without corners too: rounding may take them of a flat body's
-        }
-    };
-    add(a, b);
-    add(b, a);
-    return touch && !a.empty() && !b.empty() ? common : polyhedron();
+template <class Use = detail::on_use>
+[[nodiscard]] polyhedron intersection(const polyhedron& a, const polyhedron& b) {
+    return detail::convex_body<Use>::common(a, b);
 }
 
-/// Points, what lies between them, and a ball around each: what a directional light is fitted to.
-struct hull {
+namespace detail {
+
+/// See hull.
+template <class Use = on_use>
+struct rounded_hull {
     std::vector<glm::dvec3> points;
     double radius = 0.0;  ///< of the ball
 
-    hull() = default;
+    rounded_hull() = default;
     template <real T>
-    hull(std::span<const glm::vec<3, T>> p) : points(p.begin(), p.end()) {}
+    rounded_hull(std::span<const glm::vec<3, T>> p) : points(p.begin(), p.end()) {}
     template <real T>
-    hull(const std::vector<glm::vec<3, T>>& p) : points(p.begin(), p.end()) {}
+    rounded_hull(const std::vector<glm::vec<3, T>>& p) : points(p.begin(), p.end()) {}
     template <real T>
-    hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.centre)}, radius(s.radius) {}
+    rounded_hull(const bounding_sphere<T>& s) : points{glm::dvec3(s.centre)}, radius(s.radius) {}
     template <real T>
-    hull(const bounding_box<T>& box) : hull(umbrage::corners(box)) {}
+    rounded_hull(const bounding_box<T>& box) : rounded_hull(umbrage::corners(box)) {}
     template <real T>
-    hull(const frustum<T>& f) : hull(umbrage::corners(f)) {}
-    hull(const eight_corners& c) : points(c.begin(), c.end()) {}
-    hull(const polyhedron& p) {
-        for (const polyhedron::face& face : p.faces())
-            points.insert(points.end(), face.corners.begin(), face.corners.end());
+    rounded_hull(const frustum<T>& f) : rounded_hull(umbrage::corners(f)) {}
+    rounded_hull(const eight_corners& c) : points(c.begin(), c.end()) {}
+    rounded_hull(const convex_body<Use>& p) {
+        for (const auto& face : p.faces()) points.insert(points.end(), face.corners.begin(), face.corners.end());
     }
 };
+
+}  // namespace detail
+
+/// Points, what lies between them, and a ball around each: what a directional light is fitted to.
+using hull = detail::rounded_hull<>;
 
 }  // namespace umbrage

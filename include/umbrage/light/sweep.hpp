@@ -21,7 +21,8 @@ namespace umbrage {
 namespace detail {
 
 /// In the name of a function whose argument they are.
-inline void require_receivers(const hull& receivers, const char* function) {
+template <class Use = on_use>
+void require_receivers(const rounded_hull<Use>& receivers, const char* function) {
     require(!receivers.points.empty(), function, "receivers", "must not be empty");
     bool finite = is_finite(receivers.radius) && receivers.radius >= 0.0;
     for (const glm::dvec3& p : receivers.points) finite = finite && all_finite(p);
@@ -59,7 +60,8 @@ template <class = on_use>
 struct extent {
     glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
 };
-[[nodiscard]] inline extent extent_of(const std::vector<glm::dvec3>& points) {
+template <class = on_use>
+[[nodiscard]] extent extent_of(const std::vector<glm::dvec3>& points) {
     extent e;
     for (const glm::dvec3& p : points) e.low = glm::min(e.low, p), e.high = glm::max(e.high, p);
     return e;
