@@ -34,6 +34,7 @@ struct disc_table {
         return (static_cast<std::uint32_t>(x) << 21) + static_cast<std::uint32_t>(y);
     }
 
+    template <class = on_use>
     disc_table(const disc_point* points, int count, float radius) : of(16) {
         const auto rho = static_cast<int>(disc_radius(radius));
         for (int y = 0; y < 16; ++y)

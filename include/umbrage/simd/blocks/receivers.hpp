@@ -86,6 +86,7 @@ UMBRAGE_INLINE inline void use_receivers(const receiver_planes& from, const bloc
 }
 
 /// receiver_at for a block.
+template <class = on_use>
 inline void load(const depth_receivers& seen, const block_walk& at, receiver_block& r) {
     copy_floats(r.zs, seen.depth.row(at.y) + at.x, at.count());
     on_best_isa_without_fma([&](auto) UMBRAGE_INLINE {

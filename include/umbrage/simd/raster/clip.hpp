@@ -30,6 +30,7 @@ enum class near_side { behind, before };
 /// The part of a triangle inside all planes, or of the near plane outside, where snap() gives it that plane's depth.
 /// @param a,b,c   homogeneous texels
 /// @param planes  a bit for each plane to clip against; those that all three points are inside of may be left out
+template <class = on_use>
 [[nodiscard]] inline clipped_polygon clip_triangle(const projection& project, const glm::dvec4& a, const glm::dvec4& b,
                                                    const glm::dvec4& c, unsigned planes = ~0u,
                                                    near_side side = near_side::behind) {

@@ -135,6 +135,7 @@ public:
     /// 64 positions at once, to where homogeneous() and snap() put them; those outside of planes, and those that are
     /// not finite, become `outside_vertex`.
     /// @exactness  the bits of one by one
+    template <class = on_use>
     void snap(const glm::vec3 (&positions)[block], snapped_vertex* vertices) const {
         using bits = std::int64_t;
         constexpr bits minus_zero = std::numeric_limits<bits>::min();

@@ -62,7 +62,8 @@ struct index_range {
     [[nodiscard]] std::size_t count() const { return std::size_t(highest) - lowest + 1; }
 };
 
-[[nodiscard]] inline index_range indices_of(std::span<const glm::uvec3> triangles) {
+template <class = on_use>
+[[nodiscard]] index_range indices_of(std::span<const glm::uvec3> triangles) {
     index_range range;
     on_best_isa([&](auto) UMBRAGE_INLINE {
         const glm::uvec3* t = triangles.data();
@@ -86,6 +87,7 @@ struct drawn_triangle {
     std::size_t instance, triangle;
 };
 
+template <class = on_use>
 class snapped_chunk {
 public:
     explicit snapped_chunk(const mesh_view& mesh) : mesh_(mesh) {}

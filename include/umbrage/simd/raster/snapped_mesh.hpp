@@ -38,6 +38,7 @@ UMBRAGE_STRICT_MATH
 namespace umbrage::detail {
 
 /// The triangles of a mesh, once for each of some matrices, chunk by chunk.
+template <class OnUse = on_use>
 class snapped_mesh {
 public:
     /// @param to_clip   of each instance; those that are not finite draw nothing
@@ -127,7 +128,6 @@ private:
     [[nodiscard]] run run_from(unsigned first, unsigned length) const {
         return {first, lesser(first + length, chunk_.count())};
     }
-
     [[nodiscard]] static std::span<const glm::uvec3> piece_of(std::span<const glm::uvec3> triangles, std::size_t i) {
         return {triangles.data() + i * piece, lesser(std::size_t(piece), triangles.size() - i * piece)};
     }
@@ -269,7 +269,7 @@ private:
                 };
                 const auto keep = [&](const auto& a, const auto& b, const auto& c, unsigned triangle) {
                     const glm::ivec2 covered = rows_between(lesser(a.y, b.y, c.y), greater(a.y, b.y, c.y));
-                    put(covered, &band_list::parts, band_list::part{a, b, c, triangle});
+                    put(covered, &band_list::parts, typename band_list::part{a, b, c, triangle});
                 };
                 put(rows(run_from(i, length), keep), &band_list::runs, i);
             }
@@ -291,7 +291,7 @@ private:
     cull_mode cull_;
     near_plane at_near_;
     std::vector<projection> instances_;
-    snapped_chunk chunk_;
+    snapped_chunk<OnUse> chunk_;
     std::vector<index_range> indices_;  // of a piece
     std::vector<band_list> lists_;      // of a piece, band by band
 };
