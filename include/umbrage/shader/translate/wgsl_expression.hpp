@@ -48,7 +48,10 @@ struct value {
 }
 
 /// What a map fills in, and its type in GLSL. Printed as it is.
-inline constexpr std::pair<std::string_view, std::string_view> words_of_maps[]{
+struct word_of_map {
+    std::string_view word, type;
+};
+inline constexpr word_of_map words_of_maps[]{
     {"UMBRAGE_TEXEL", "vec4"},      {"UMBRAGE_LIT_TEXEL", "float"},   {"UMBRAGE_LIT_FILTERED", "float"},
     {"UMBRAGE_GATHER_RED", "vec4"}, {"UMBRAGE_GATHER_GREEN", "vec4"}, {"UMBRAGE_GATHER_LIT", "vec4"},
     {"UMBRAGE_ORIGIN", "vec2"},     {"UMBRAGE_DEPTH", "float"},       {"UMBRAGE_UV", "vec2"},
@@ -115,9 +118,11 @@ private:
     static constexpr int equality_level = 6, relation_level = 7, shift_level = 8, unary_level = 11, primary_level = 12;
 
     static int level_of(std::string_view sign) {
-        static constexpr std::pair<std::string_view, int> levels[]{
-            {"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5}, {"==", 6}, {"!=", 6}, {"<", 7},  {">", 7},
-            {"<=", 7}, {">=", 7}, {"<<", 8}, {">>", 8}, {"+", 9}, {"-", 9},  {"*", 10}, {"/", 10}, {"%", 10}};
+        static constexpr struct {
+            std::string_view sign;
+            int level;
+        } levels[]{{"||", 1}, {"&&", 2}, {"|", 3},  {"^", 4},  {"&", 5}, {"==", 6}, {"!=", 6}, {"<", 7},  {">", 7},
+                   {"<=", 7}, {">=", 7}, {"<<", 8}, {">>", 8}, {"+", 9}, {"-", 9},  {"*", 10}, {"/", 10}, {"%", 10}};
         for (const auto& [text, level] : levels)
             if (text == sign) return level;
         return 0;
