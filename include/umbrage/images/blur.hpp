@@ -52,7 +52,8 @@ template <int Taps>
 /// @throws std::invalid_argument  otherwise
 /// @formula       weights[i] = exp(-i^2 / (2 sigma^2)) / sum, in double
 /// @exactness     C: exp
-[[nodiscard]] inline blur_kernel make_gaussian_kernel(int taps, float sigma) {
+template <class = detail::on_use>
+[[nodiscard]] blur_kernel make_gaussian_kernel(int taps, float sigma) {
     if (taps < 1 || taps % 2 == 0 || !(sigma > 0.0f))
         detail::fail("umbrage::make_gaussian_kernel: taps even or below 1, or sigma not above 0");
     const auto bell = [s = static_cast<double>(sigma)](int i) { return std::exp(-0.5 * (i / s) * (i / s)); };

@@ -34,7 +34,8 @@ namespace umbrage {
 /// The box around a mesh's positions.
 /// @param mesh   positions that are not finite do not count, as the depth pass leaves their triangles out
 /// @return       low above high where there is none: nothing is then drawn, and corners() refuses it
-[[nodiscard]] inline bounding_box<float> bounds_of(const mesh_view& mesh) {
+template <class = detail::on_use>
+[[nodiscard]] bounding_box<float> bounds_of(const mesh_view& mesh) {
     bounding_box<float> box{glm::vec3(std::numeric_limits<float>::max()),
                             glm::vec3(std::numeric_limits<float>::lowest())};
     for (const glm::vec3& p : mesh.positions)

@@ -35,7 +35,8 @@ enum class near_plane { clips, clamps };
 /// @param model       model to world
 /// @exactness         the product in double, rounded once: far from the world's origin a float product would lose what
 ///                    subtracting the camera's or the light's place leaves
-[[nodiscard]] inline glm::mat4 model_to_clip(const glm::mat4& world_to_clip, const glm::mat4& model) {
+template <class = detail::on_use>
+[[nodiscard]] glm::mat4 model_to_clip(const glm::mat4& world_to_clip, const glm::mat4& model) {
     return glm::mat4(glm::dmat4(world_to_clip) * glm::dmat4(model));
 }
 

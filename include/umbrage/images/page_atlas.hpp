@@ -63,7 +63,8 @@ void draw_pages(image_view<float> atlas, const page_size& size, const light_spac
 /// @param table   of page_table_size, gets a page_entry for each of the cache's finest cells, row 1 the root's first;
 ///                no page, and around the root: zeros
 /// @throws std::invalid_argument  a table of another size
-inline void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
+template <class = detail::on_use>
+void write_page_table(const page_cache& cache, image_view<glm::u8vec4> table) {
     detail::require(table.size == page_table_size(cache), "write_page_table", "table",
                     "must have 2^deepest_level + 2 a side");
     for (int y = 0; y < table.size.y; ++y) detail::fill(table.row(y), std::size_t(table.size.x), glm::u8vec4(0));

@@ -38,8 +38,9 @@ struct depth_receivers {
 /// @return                 (texel + 1/2, depth) -> what shadow_coordinate gives, times a positive number in front of
 ///                         the camera; the product is taken in double
 /// @throws std::invalid_argument  size below 1, or a matrix that is not finite
-[[nodiscard]] inline glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
-                                               glm::ivec2 size, clip_space clip) {
+template <class = detail::on_use>
+[[nodiscard]] glm::mat4 receiver_matrix(const glm::mat4& clip_to_world, const glm::mat4& texture_matrix,
+                                        glm::ivec2 size, clip_space clip) {
     detail::require(size.x >= 1 && size.y >= 1, "receiver_matrix", "size", "must be above 0");
     const double up = clip.origin == texture_origin::bottom ? 1.0 : -1.0;
     glm::dmat4 to_clip(1.0);
@@ -59,6 +60,7 @@ struct depth_receivers {
 /// One receiver of a camera's depth image.
 /// @formula       project_coordinate(shadow_coordinate(matrix, (texel + 1/2, depth))), bias taken off its depth
 /// @exactness     C, as project_coordinate
+template <class = detail::on_use>
 [[nodiscard]] inline glm::vec3 receiver_at(const depth_receivers& seen, glm::ivec2 texel) {
     const glm::vec3 at(static_cast<float>(texel.x) + 0.5f, static_cast<float>(texel.y) + 0.5f, seen.depth[texel]);
     const glm::vec3 p = project_coordinate(shadow_coordinate(seen.matrix, at));

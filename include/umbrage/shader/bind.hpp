@@ -92,7 +92,9 @@ struct bound {
     binding map{};
     bool by_macros = true;  ///< in GLSL the hooks are macros of the shader's
 
+    template <class = umbrage::detail::on_use>
     bound(const snippet& s) : what(s) {}
+    template <class = umbrage::detail::on_use>
     bound(const snippet& s, std::string_view name, binding b)
         : what(s), suffix(name.empty() ? "" : "_" + std::string(name)), map(std::move(b)), by_macros(false) {}
 };
@@ -100,7 +102,8 @@ struct bound {
 /// The snippet as functions for one map: umbrage_<what>_<name>, or without a suffix when the name is empty.
 /// @param name   letters, digits, single underscores between them
 /// @throws std::invalid_argument  another name
-[[nodiscard]] inline bound bind(const snippet& what, std::string_view name, binding map = {}) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bound bind(const snippet& what, std::string_view name, binding map = {}) {
     char before = '_';
     for (const char c : name) {
         if (!detail::is_word(c) || (c == '_' && before == '_'))

@@ -69,7 +69,8 @@ template <class Replacement>
 
 /// The function that a map has in place of a hook's own text; other snippets as they are.
 /// @throws std::invalid_argument  the map cannot have what is asked of it
-[[nodiscard]] inline const snippet& chosen(const snippet& s, const binding& b) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] const snippet& chosen(const snippet& s, const binding& b) {
     const bool forward = b.direction == depth_direction::forward;
     bool scaled = false;
     for (const snippet& need : b.needs) scaled = scaled || need.scaled;
@@ -111,14 +112,16 @@ template <class Replacement>
 }
 
 /// Whether a snippet's functions are a map's own: they are hooks, or call some.
-[[nodiscard]] inline bool is_of_map(const snippet& s) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] bool is_of_map(const snippet& s) {
     for (const snippet* need : s.needs)
         if (is_of_map(*need)) return true;
     return s.role != hook::none;
 }
 
 /// What a text calls its map: `map`, or `table`.
-[[nodiscard]] inline std::string name_of_map(std::string_view text) {
+template <class = umbrage::detail::on_use>
+[[nodiscard]] std::string name_of_map(std::string_view text) {
     const std::string_view type = "UMBRAGE_MAP ";
     const auto at = text.find(type);
     if (at == text.npos) return "map";

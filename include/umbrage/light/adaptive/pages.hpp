@@ -36,6 +36,7 @@ struct page {
 
 /// The page of a level that holds a point.
 /// @param coord   1 .. 2 across the root, 2 not included
+template <class = detail::on_use>
 [[nodiscard]] inline page page_at(glm::dvec2 coord, int level) {
     const double across = std::ldexp(1.0, level);
     return {level, static_cast<int>((coord.x - 1.0) * across), static_cast<int>((coord.y - 1.0) * across)};
@@ -50,6 +51,7 @@ struct page_receiver {
 namespace detail {
 
 /// The least level in which no texel's longer axis covers more pixels than wanted; -1 of receivers that want none.
+template <class = on_use>
 [[nodiscard]] inline int wanted_level(const page_receiver& r, double target, int deepest) {
     const auto in_root = [](float v) { return v >= 1.0f && v < 2.0f; };
     if (!in_root(r.coord.x) || !in_root(r.coord.y) || !is_finite(r.extent) || !(r.extent > 0.0f)) return -1;
@@ -57,6 +59,7 @@ namespace detail {
 }
 
 /// To pages in the making, where it is not the last already.
+template <class = on_use>
 inline void add(const page& p, std::vector<page>& pages) {
     if (pages.empty() || p != pages.back()) pages.push_back(p);
 }

@@ -55,7 +55,8 @@ template <real T>
 }
 
 /// What the lamp sees along its axis: x, y, depth and w, of no warp.
-[[nodiscard]] inline glm::dmat4 map_along(const lamp_view& v) {
+template <class = on_use>
+[[nodiscard]] glm::dmat4 map_along(const lamp_view& v) {
     glm::dmat4 inverse(1.0);  // of the distance: depth and w
     inverse[2] = {0, 0, 0, 1};
     inverse[3] = {0, 0, -0.5 * (v.least + v.farthest), 0};

@@ -73,7 +73,8 @@ template <real T>
 /// A perspective along y whose centre lies n before the first receivers; in front of them it changes no length.
 /// @return    world to x, y, depth and w
 /// @formula   (x, y, z) / (1 + y / n) about `first`
-[[nodiscard]] inline glm::dmat4 map_along(const along_view& v, double n) {
+template <class = on_use>
+[[nodiscard]] glm::dmat4 map_along(const along_view& v, double n) {
     const double nearest = v.length * 0x1p-14;  // float holds no more
     const double bend = share_of_warp(v.sine) / glm::max(n, nearest);
     if (!(bend > 0.0 && is_finite(bend))) return v.frame;
