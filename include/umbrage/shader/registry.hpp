@@ -142,7 +142,7 @@ template <class Use = umbrage::detail::on_use>
             .add_all({lighting_snippets, false_colour_snippets, overlay_texel_snippets})
             .members();
     }();
-    return all;
+    return {all.data(), all.size()};  // a conversion checks concepts
 }
 
 }  // namespace umbrage::glsl
