@@ -87,12 +87,16 @@ class snippet_text {
 public:
     constexpr snippet_text(const char* written) : written_(written) {}
     constexpr snippet_text(std::string (*make)()) : make_(make) {}
+    /// Of several snippets, one for each number.
+    constexpr snippet_text(std::string (*make)(int), int number) : make_of_(make), number_(number) {}
 
-    [[nodiscard]] std::string str() const { return make_ ? make_() : written_; }
+    [[nodiscard]] std::string str() const { return make_of_ ? make_of_(number_) : (make_ ? make_() : written_); }
 
 private:
     const char* written_ = "";
     std::string (*make_)() = nullptr;
+    std::string (*make_of_)(int) = nullptr;
+    int number_ = 0;
 };
 
 /// One GLSL function (with its overloads) and what is known of it.

@@ -58,9 +58,8 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 namespace detail {
 
-template <int Points>
-[[nodiscard]] std::string hardened_text() {
-    constexpr int n = Points;
+[[nodiscard]] inline std::string hardened_text(int points) {
+    const int n = points;
     return filled(R"GLSL(
 // umbrage_hardened$n: the share of $n points in shadow, steepened
 //   blocked  how many;   ratio  of the penumbra to the disc in 1/256, a whole number: 256.0 leaves the share as it is
@@ -75,8 +74,7 @@ UMBRAGE_HIGHP float umbrage_hardened$n(UMBRAGE_HIGHP float blocked, UMBRAGE_HIGH
                   {{'n', n}, {'c', n * n * n}, {'s', 2 * n * n}, {'w', 512 * n * n * n}});
 }
 
-template <int Points>
-[[nodiscard]] std::string dpcf_text() {
+[[nodiscard]] inline std::string dpcf_text(int points) {
     return filled(R"GLSL(
 // umbrage_dpcf$n: contact hardening by $n points; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -96,7 +94,7 @@ UMBRAGE_HIGHP float umbrage_dpcf$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     return compared ? 1.0 - dark : 1.0;
 }
 )GLSL",
-                  {{'n', Points}});
+                  {{'n', points}});
 }
 
 }  // namespace detail
@@ -105,7 +103,7 @@ template <int Points>
 inline constexpr snippet hardened{.name = Points == 8 ? "hardened8" : (Points == 16 ? "hardened16" : "hardened32"),
                                   .summary = "a disc's share in shadow, steepened",
                                   .exactness = tier::a,
-                                  .source = detail::hardened_text<Points>};
+                                  .source = {detail::hardened_text, Points}};
 
 template <int Points>
 inline constexpr snippet dpcf{
@@ -115,7 +113,7 @@ inline constexpr snippet dpcf{
                               : "contact hardening by 32 points",
     .exactness = tier::a,
     .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &hardened<Points>>,
-    .source = detail::dpcf_text<Points>};
+    .source = {detail::dpcf_text, Points}};
 
 inline constexpr auto dpcf_snippets = list<&hardened<8>, &hardened<16>, &hardened<32>, &dpcf<8>, &dpcf<16>, &dpcf<32>>;
 

@@ -49,8 +49,7 @@ template <int Points, real T, class Fetch, class Compare = less_equal>
 namespace glsl {
 namespace detail {
 
-template <int Points>
-[[nodiscard]] std::string pcss_text() {
+[[nodiscard]] inline std::string pcss_text(int points) {
     return filled(R"GLSL(
 // umbrage_pcss$n: percentage-closer soft shadows, $n points twice; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -69,7 +68,7 @@ UMBRAGE_HIGHP float umbrage_pcss$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     return umbrage_disc$n(map, size, coord, receiver, radius * (1.0 / 16.0), turn);
 }
 )GLSL",
-                  {{'n', Points}});
+                  {{'n', points}});
 }
 
 }  // namespace detail
@@ -82,7 +81,7 @@ inline constexpr snippet pcss{
                               : "percentage-closer soft shadows, 32 points twice",
     .exactness = tier::a,
     .needs = list<&is_compared, &distance_code, &penumbra, &blockers<Points>, &floor_divide, &disc<Points>>,
-    .source = detail::pcss_text<Points>};
+    .source = {detail::pcss_text, Points}};
 
 inline constexpr auto pcss_snippets = list<&pcss<8>, &pcss<16>, &pcss<32>>;
 

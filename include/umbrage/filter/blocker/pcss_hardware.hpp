@@ -138,8 +138,7 @@ UMBRAGE_HIGHP float umbrage_pcss_radius(UMBRAGE_HIGHP vec2 found, UMBRAGE_HIGHP 
 
 namespace detail {
 
-template <int Points>
-[[nodiscard]] std::string blockers_hardware_text() {
+[[nodiscard]] inline std::string blockers_hardware_text(int points) {
     std::string text = filled(R"GLSL(
 // umbrage_blockers_hardware$n: of the texels at $n points of a disc those before the receiver: (how many, depths' sum)
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -147,10 +146,10 @@ template <int Points>
 UMBRAGE_HIGHP vec2 umbrage_blockers_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                                UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                                UMBRAGE_HIGHP vec2 turn) {)GLSL",
-                              {{'n', Points}});
+                              {{'n', points}});
     text += disc_in_uv;
     text += "    UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);\n";
-    for (const disc_point p : disc_points<Points>)
+    for (const disc_point p : umbrage::detail::points_of_disc(points))
         append_point(text, p, "    n += umbrage_blocker_at(map, size, ", ", receiver);\n");
     text += "    return compared ? n : vec2(0.0, 0.0);\n}\n";
     return text;
@@ -167,7 +166,7 @@ inline constexpr snippet blockers_hardware{
     .exactness = tier::c,
     .ulp = 1,
     .needs = list<&is_compared, &blocker_at>,
-    .source = detail::blockers_hardware_text<Points>};
+    .source = {detail::blockers_hardware_text, Points}};
 
 inline constexpr auto pcss_hardware_snippets =
     list<&blocker_at, &pcss_radius, &blockers_hardware<8>, &blockers_hardware<16>, &blockers_hardware<32>>;

@@ -168,8 +168,7 @@ UMBRAGE_HIGHP vec2 umbrage_blocker(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
 namespace detail {
 
 /// The search's text, its points a line each.
-template <int Points>
-[[nodiscard]] std::string blockers_text() {
+[[nodiscard]] inline std::string blockers_text(int points) {
     std::string text = filled(R"GLSL(
 // umbrage_blockers$n: how many of a disc's $n points fall on texels before the receiver, and the sum of their codes
 //   map, size  shadow map and its size in texels;   position  floor(256 coord) of the receiver;   receiver  biased
@@ -179,8 +178,8 @@ UMBRAGE_HIGHP vec2 umbrage_blockers$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                       UMBRAGE_HIGHP vec2 turn) {
     UMBRAGE_HIGHP vec2 n = vec2(0.0, 0.0);
 )GLSL",
-                              {{'n', Points}});
-    for (const disc_point p : disc_points<Points>)
+                              {{'n', points}});
+    for (const disc_point p : umbrage::detail::points_of_disc(points))
         append(text,
                "    n += umbrage_blocker(map, size, umbrage_disc_tap(position, vec2($x.0, $y.0), turn, radius), "
                "receiver);\n",
@@ -196,7 +195,7 @@ inline constexpr snippet blockers{.name = Points == 8 ? "blockers8" : (Points ==
                                   .summary = "texels under a disc's points that lie before a receiver",
                                   .exactness = tier::a,
                                   .needs = list<&disc_tap, &blocker>,
-                                  .source = detail::blockers_text<Points>};
+                                  .source = {detail::blockers_text, Points}};
 
 inline constexpr auto penumbra_snippets =
     list<&distance_code, &penumbra, &blocker, &blockers<8>, &blockers<16>, &blockers<32>>;

@@ -56,6 +56,24 @@ inline constexpr std::array<disc_point, Points> disc_points = [] {
                                            {12, 8},   {-4, 14}, {-7, -13}, {0, -15}}};
 }();
 
+namespace detail {
+
+/// disc_points of a number that is known when the program runs.
+class points_of_disc {
+public:
+    explicit points_of_disc(int points)
+        : first_(points == 8 ? &disc_points<8>[0] : (points == 16 ? &disc_points<16>[0] : &disc_points<32>[0])),
+          count_(points) {}
+    [[nodiscard]] const disc_point* begin() const { return first_; }
+    [[nodiscard]] const disc_point* end() const { return first_ + count_; }
+
+private:
+    const disc_point* first_;
+    int count_;
+};
+
+}  // namespace detail
+
 /// One of 16 turns for a pixel, each once in every 4 x 4 of them.
 /// @param pixel      whole numbers or positions in pixels; of 2^15 and more, and NaN, all have the first
 /// @return           (cos, sin) in 1/64, whole numbers, of length 63.6 to 64
@@ -186,8 +204,7 @@ UMBRAGE_HIGHP float umbrage_disc_radius(UMBRAGE_HIGHP float radius) {
 namespace detail {
 
 /// A disc's text, its points a line each.
-template <int Points>
-[[nodiscard]] std::string disc_text() {
+[[nodiscard]] inline std::string disc_text(int points) {
     std::string text = filled(R"GLSL(
 // umbrage_disc$n: lit share of $n points of a disc; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -199,11 +216,11 @@ UMBRAGE_HIGHP float umbrage_disc$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMB
     UMBRAGE_HIGHP float rho = umbrage_disc_radius(radius);
     UMBRAGE_HIGHP float n = 0.0;
 )GLSL",
-                              {{'n', Points}});
-    for (const disc_point p : disc_points<Points>)
+                              {{'n', points}});
+    for (const disc_point p : umbrage::detail::points_of_disc(points))
         append(text, "    n += umbrage_lit(map, size, umbrage_disc_tap(at, vec2($x.0, $y.0), turn, rho), receiver);\n",
                {{'x', p.x}, {'y', p.y}});
-    append(text, "    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', Points}});
+    append(text, "    return compared ? n * (1.0 / $n.0) : 1.0;\n}\n", {{'n', points}});
     return text;
 }
 
@@ -216,7 +233,7 @@ inline constexpr snippet disc{.name = Points == 8 ? "disc8" : (Points == 16 ? "d
                                                         : "disc of 32 points, turned by the pixel",
                               .exactness = tier::a,
                               .needs = list<&is_compared, &disc_radius, &disc_tap, &lit>,
-                              .source = detail::disc_text<Points>};
+                              .source = {detail::disc_text, Points}};
 
 inline constexpr auto disc_snippets = list<&disc_turn, &disc_tap, &disc_radius, &disc<8>, &disc<16>, &disc<32>>;
 

@@ -79,8 +79,7 @@ inline void append_point(std::string& text, disc_point p, std::string_view befor
     text += after;
 }
 
-template <int Points>
-[[nodiscard]] std::string disc_hardware_text() {
+[[nodiscard]] inline std::string disc_hardware_text(int points) {
     std::string text = filled(R"GLSL(
 // umbrage_disc_hardware$n: $n points of a disc, each compared and weighted by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -88,16 +87,16 @@ template <int Points>
 UMBRAGE_HIGHP float umbrage_disc_hardware$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, UMBRAGE_HIGHP vec2 coord,
                                             UMBRAGE_HIGHP float receiver, UMBRAGE_HIGHP float radius,
                                             UMBRAGE_HIGHP vec2 turn) {)GLSL",
-                              {{'n', Points}});
+                              {{'n', points}});
     text += disc_in_uv;
     text += "    UMBRAGE_HIGHP float n = 0.0;\n";
-    for (const disc_point p : disc_points<Points>)
+    for (const disc_point p : umbrage::detail::points_of_disc(points))
         append_point(text, p, "    n += umbrage_lit_at(map, size, ", ", receiver);\n");
     append(text, R"GLSL(    UMBRAGE_HIGHP float visibility = umbrage_before_far(receiver) ? n * (1.0 / $n.0) : 0.0;
     return compared ? visibility : 1.0;
 }
 )GLSL",
-           {{'n', Points}});
+           {{'n', points}});
     return text;
 }
 
@@ -112,7 +111,7 @@ inline constexpr snippet disc_hardware{
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
     .needs = list<&is_compared, &before_far, &lit_at>,
-    .source = detail::disc_hardware_text<Points>};
+    .source = {detail::disc_hardware_text, Points}};
 
 inline constexpr auto disc_hardware_snippets = list<&lit_at, &disc_hardware<8>, &disc_hardware<16>, &disc_hardware<32>>;
 

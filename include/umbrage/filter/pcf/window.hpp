@@ -144,9 +144,8 @@ constexpr int window_parameter(int size, int i) { return i < size - 1 - i ? i : 
     return filled(i == 0 ? "r * k$a" : (i == size ? "s * k$b" : "r * k$a + s * k$b"), {ahead, behind});
 }
 
-template <int Size>
-[[nodiscard]] std::string window_sum_text() {
-    constexpr int size = Size, middle = size / 2;
+[[nodiscard]] inline std::string window_sum_text(int size) {
+    const int middle = size / 2;
     std::string text = filled(R"GLSL(
 // umbrage_window_sum$n: weighted count of the lit texels under weights that slide over the map, whole
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -200,7 +199,7 @@ inline constexpr snippet window_sum{.name = Size == 3 ? "window_sum3" : (Size ==
                                                            : "weighted count of lit texels under a window of 7 x 7",
                                     .exactness = tier::a,
                                     .needs = list<&is_compared, &lit_2x2>,
-                                    .source = detail::window_sum_text<Size>};
+                                    .source = {detail::window_sum_text, Size}};
 
 inline constexpr auto window_snippets = list<&window_sum<3>, &window_sum<5>, &window_sum<7>>;
 

@@ -81,9 +81,7 @@ namespace detail {
 }
 
 /// For each look-up along an axis: what the farther of its texels weighs, what both do, and where it lies.
-template <int Size>
-[[nodiscard]] std::string window_hardware_text() {
-    constexpr int size = Size;
+[[nodiscard]] inline std::string window_hardware_text(int size) {
     std::string text = filled(R"GLSL(
 // umbrage_window_hardware$n: lit share under weights that slide over the map, by the sampler; visibility, 1.0 is lit
 //   map, size  shadow map and its size in texels;   coord  receiver in texels, first centre at (0.5, 0.5)
@@ -134,7 +132,7 @@ inline constexpr snippet window_hardware{
     .exactness = tier::c,
     .within = 1.0f / 128.0f,
     .needs = list<&is_compared, &before_far, &lit_at>,
-    .source = detail::window_hardware_text<Size>};
+    .source = {detail::window_hardware_text, Size}};
 
 inline constexpr auto window_hardware_snippets = list<&window_hardware<3>, &window_hardware<5>, &window_hardware<7>>;
 

@@ -143,11 +143,10 @@ inline constexpr auto window_needs<2> = list<&is_compared, &lit_2x2>;
 
 }  // namespace detail
 
-template <int Size>
-[[nodiscard]] std::string tent_text() {
-    if constexpr (Size == 2) return detail::text_3x3("tent2", "the window 1 1", "r * 8.0", "s * 8.0");
-    else if constexpr (Size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
-    else return detail::window_text("tent", 7, "1 2 3 4 3 2 1", "256.0, 1.0, 2.0, 3.0, 4.0");
+[[nodiscard]] inline std::string tent_text(int size) {
+    if (size == 2) return detail::text_3x3("tent2", "the window 1 1", "r * 8.0", "s * 8.0");
+    if (size == 3) return detail::window_text("tent", 3, "1 2 1", "256.0, 4.0, 8.0");
+    return detail::window_text("tent", 7, "1 2 3 4 3 2 1", "256.0, 1.0, 2.0, 3.0, 4.0");
 }
 template <int Size>
 inline constexpr snippet tent{
@@ -155,11 +154,10 @@ inline constexpr snippet tent{
     .summary = Size == 2 ? "sliding window 1 1" : (Size == 3 ? "sliding window 1 2 1" : "sliding window 1 2 3 4 3 2 1"),
     .exactness = tier::a,
     .needs = detail::window_needs<Size>,
-    .source = tent_text<Size>};
+    .source = {tent_text, Size}};
 
-template <int Size>
-[[nodiscard]] std::string binomial_text() {
-    return Size == 5 ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
+[[nodiscard]] inline std::string binomial_text(int size) {
+    return size == 5 ? detail::window_text("binomial", 5, "1 4 6 4 1", "256.0, 1.0, 4.0, 6.0")
                      : detail::window_text("binomial", 7, "1 6 15 20 15 6 1", "256.0, 0.25, 1.5, 3.75, 5.0");
 }
 template <int Size>
@@ -167,11 +165,10 @@ inline constexpr snippet binomial{.name = Size == 5 ? "binomial5" : "binomial7",
                                   .summary = Size == 5 ? "sliding window 1 4 6 4 1" : "sliding window 1 6 15 20 15 6 1",
                                   .exactness = tier::a,
                                   .needs = detail::window_needs<Size>,
-                                  .source = binomial_text<Size>};
+                                  .source = {binomial_text, Size}};
 
-template <int Size>
-[[nodiscard]] std::string castano_text() {
-    return Size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
+[[nodiscard]] inline std::string castano_text(int size) {
+    return size == 5 ? detail::window_text("castano", 5, "1 3 4 3 1", "256.0, 1.0, 3.0, 4.0",
                                            "n < 9437184.0 ? n * (1.0 / 65536.0) * 0.00694444450 : 1.0")
                      : detail::window_text("castano", 7, "1 5 12 16 12 5 1", "64.0, 1.0, 5.0, 12.0, 16.0",
                                            "n < 11075584.0 ? n * (1.0 / 4096.0) * 0.000369822490 : 1.0");
@@ -181,7 +178,7 @@ inline constexpr snippet castano{.name = Size == 5 ? "castano5" : "castano7",
                                  .summary = Size == 5 ? "sliding window 1 3 4 3 1" : "sliding window 1 5 12 16 12 5 1",
                                  .exactness = tier::b,
                                  .needs = detail::window_needs<Size>,
-                                 .source = castano_text<Size>};
+                                 .source = {castano_text, Size}};
 
 template <int Size>
 [[nodiscard]] std::string castano_dyadic_text() {

@@ -19,11 +19,10 @@
 namespace umbrage {
 namespace detail {
 
-/// Row Taps - 1 of Pascal's triangle, from the middle on.
-template <int Taps>
-[[nodiscard]] constexpr int binomial_weight(int distance) {
+/// Row taps - 1 of Pascal's triangle, from the middle on.
+[[nodiscard]] constexpr int binomial_weight(int taps, int distance) {
     int weight = 1;
-    for (int i = 0; i < Taps / 2 - distance; ++i) weight = weight * (Taps - 1 - i) / (i + 1);
+    for (int i = 0; i < taps / 2 - distance; ++i) weight = weight * (taps - 1 - i) / (i + 1);
     return weight;
 }
 
@@ -39,7 +38,7 @@ template <int Taps, class Fetch>
 [[nodiscard]] auto blur_row(Fetch&& fetch, glm::ivec2 texel, glm::ivec2 step) {
     static_assert(Taps == 3 || Taps == 5 || Taps == 7);
     const auto weight = [](int i) {
-        return static_cast<float>(detail::binomial_weight<Taps>(i)) / static_cast<float>(1 << (Taps - 1));
+        return static_cast<float>(detail::binomial_weight(Taps, i)) / static_cast<float>(1 << (Taps - 1));
     };
     auto sum = fetch(texel) * weight(0);
     for (int i = 1; i <= Taps / 2; ++i) sum = sum + (fetch(texel - step * i) + fetch(texel + step * i)) * weight(i);
@@ -62,8 +61,7 @@ namespace glsl {
 
 template <int Taps>
 inline constexpr detail::short_name blur_row_name("blur_row$n", {{'n', Taps}});
-template <int Taps>
-[[nodiscard]] std::string blur_row_text() {
+[[nodiscard]] inline std::string blur_row_text(int taps) {
     std::string out =
         detail::filled(R"GLSL(
 // umbrage_blur_row$n: mean of $n texels in a row, weighed by a row of Pascal's triangle
@@ -73,14 +71,14 @@ UMBRAGE_HIGHP vec4 umbrage_blur_row$n(UMBRAGE_MAP map, UMBRAGE_HIGHP vec2 size, 
                                      UMBRAGE_HIGHP vec2 along) {
     UMBRAGE_PRECISE UMBRAGE_HIGHP vec4 sum = umbrage_fetch_clamped(map, size, texel) * ($w.0 / $d.0);
 )GLSL",
-                       {{'n', Taps}, {'w', umbrage::detail::binomial_weight<Taps>(0)}, {'d', 1 << (Taps - 1)}});
-    for (int i = 1; i <= Taps / 2; ++i)
+                       {{'n', taps}, {'w', umbrage::detail::binomial_weight(taps, 0)}, {'d', 1 << (taps - 1)}});
+    for (int i = 1; i <= taps / 2; ++i)
         detail::append(out,
                        R"GLSL(    UMBRAGE_HIGHP vec4 before$i = umbrage_fetch_clamped(map, size, texel - along * $i.0);
     UMBRAGE_HIGHP vec4 after$i = umbrage_fetch_clamped(map, size, texel + along * $i.0);
     sum = sum + (before$i + after$i) * ($w.0 / $d.0);
 )GLSL",
-                       {{'i', i}, {'w', umbrage::detail::binomial_weight<Taps>(i)}, {'d', 1 << (Taps - 1)}});
+                       {{'i', i}, {'w', umbrage::detail::binomial_weight(taps, i)}, {'d', 1 << (taps - 1)}});
     out += "    return sum;\n}\n";
     return out;
 }
@@ -89,7 +87,7 @@ inline constexpr snippet blur_row{.name = blur_row_name<Taps>.view(),
                                   .summary = "mean of texels in a row",
                                   .exactness = tier::b,
                                   .needs = list<&fetch_clamped>,
-                                  .source = blur_row_text<Taps>};
+                                  .source = {blur_row_text, Taps}};
 
 inline constexpr snippet halve_texels{
     .name = "halve_texels",

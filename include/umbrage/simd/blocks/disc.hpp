@@ -201,10 +201,7 @@ struct block_form<filters::rotated_disc> {
     template <depth_direction Direction, class ParallelFor, class Use>
     static void with_blocks(const float_texels& map, const filters::rotated_disc& filter, ParallelFor&&,
                             const Use& use) {
-        const disc_point* points = filter.points == 8    ? disc_points<8>.data()
-                                   : filter.points == 16 ? disc_points<16>.data()
-                                                         : disc_points<32>.data();
-        const disc_table taps(points, filter.points, filter.radius_texels);
+        const disc_table taps(points_of_disc(filter.points).begin(), filter.points, filter.radius_texels);
         use(disc_blocks<Direction>{map.map, taps, filter.points, static_cast<int>(filter.reach())});
     }
 };

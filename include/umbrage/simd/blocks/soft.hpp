@@ -37,9 +37,7 @@ struct soft_blocks : disc_blocks<Direction> {
 
     /// Turned points in 1/16 of 1/64 of a radius: a radius of 4 texels divides by nothing.
     static disc_table turned_points(const Filter& filter) {
-        return {filter.points == 8 ? disc_points<8>.data()
-                                   : (filter.points == 16 ? disc_points<16>.data() : disc_points<32>.data()),
-                filter.points, 4.0f};
+        return {points_of_disc(filter.points).begin(), filter.points, 4.0f};
     }
     soft_blocks(image_view<const float> of_map, const disc_table& turned, const Filter& filter)
         : discs{of_map, turned, filter.points, clamp_int(static_cast<int>(filter.reach()), 8)},
