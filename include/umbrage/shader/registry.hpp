@@ -113,7 +113,7 @@ private:
 /// All of them. Made when it is first asked for: a program that does not ask carries no snippet for it.
 template <class Use = umbrage::detail::on_use>
 [[nodiscard]] std::span<const snippet* const> registry() {
-    static const std::vector<const snippet*> all = [] {
+    static const auto all = [] {
         const encodings* const every_encoding = nullptr;
         const umbrage::filters::all* const every_filter = nullptr;
         return detail::collection<Use>()
