@@ -63,19 +63,18 @@ struct index_range {
 };
 
 template <class = on_use>
-[[nodiscard]] index_range indices_of(std::span<const glm::uvec3> triangles) {
+[[nodiscard]] index_range indices_of(const glm::uvec3* first, const glm::uvec3* last) {
     index_range range;
     on_best_isa([&](auto) UMBRAGE_INLINE {
-        const glm::uvec3* t = triangles.data();
-        const glm::uvec3* const last = t + triangles.size();
+        const glm::uvec3 *t = first, *const end = last;
         unsigned low = ~0u, high = 0;
-        for (; last - t >= block; t += block)
+        for (; end - t >= block; t += block)
             for (int i = 0; i < block; ++i)
                 for (glm::length_t k = 0; k < 3; ++k) {
                     low = low < t[i][k] ? low : t[i][k];
                     high = high < t[i][k] ? t[i][k] : high;
                 }
-        for (; t < last; ++t)
+        for (; t < end; ++t)
             for (glm::length_t k = 0; k < 3; ++k) low = lesser(low, (*t)[k]), high = greater(high, (*t)[k]);
         range = {low, high};
     });

@@ -51,8 +51,10 @@ public:
         if (mesh.triangles.empty()) return;
         indices_.resize((mesh.triangles.size() + piece - 1) / piece);
         parallel(static_cast<int>(indices_.size()), [&](int first, int last) {
+            const glm::uvec3* const triangles = mesh.triangles.data();
             for (std::size_t i = std::size_t(first); i < std::size_t(last); ++i)
-                indices_[i] = indices_of(piece_of(mesh.triangles, i));
+                indices_[i] =
+                    indices_of(triangles + i * piece, triangles + lesser((i + 1) * piece, mesh.triangles.size()));
         });
         if (indices_from(0, mesh.triangles.size()).highest >= mesh.positions.size())
             detail::fail("umbrage::rasterize: a triangle's index is out of range");
@@ -127,9 +129,6 @@ private:
     };
     [[nodiscard]] run run_from(unsigned first, unsigned length) const {
         return {first, lesser(first + length, chunk_.count())};
-    }
-    [[nodiscard]] static std::span<const glm::uvec3> piece_of(std::span<const glm::uvec3> triangles, std::size_t i) {
-        return {triangles.data() + i * piece, lesser(std::size_t(piece), triangles.size() - i * piece)};
     }
     /// Of as many triangles, or of those that are left, from the first of a piece on.
     [[nodiscard]] index_range indices_from(std::size_t first, std::size_t count) const {
